@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc_runtime.scenes.load import Laid
     from nscc_training.design import Design
-    from nscc_training.search.motion import Kind
+    from nscc_training.search.choose import Kind
 
 _CURVES = ("mu", "linear", "log")
 _SVE_RISK = "sve-risk"
@@ -97,7 +97,7 @@ def command(
     frame = Frame(slots, slot_us, name, sensor, level)
     refuse_inputs(path)
     if motion:
-        from nscc_training.search.motion import design_motion
+        from nscc_training.search.choose import design_motion
 
         # What moves slow or fast needs no scene, and of one takes light and texture.
         moving = _moving(scenes, target, options) if scenes or motion == "scene" else []

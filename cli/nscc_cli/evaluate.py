@@ -11,7 +11,14 @@ import click
 from nscc.files import Product, write_together
 from nscc_cli.completion import EFFECTS, PROTOCOL, RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, together, trust_code_option
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say_compiling
+from nscc_cli.support import (
+    CommonCommand,
+    NumberRange,
+    Subcommands,
+    done,
+    progress,
+    say_compiling,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -161,6 +168,32 @@ def tables(data: Path | None, runs: Path | None, results: Path | None, **outputs
         raise click.UsageError("runs are evaluated on scenes: name them with --data DIR")
     rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
     _finish(rows, text_of(rows), {}, **outputs)
+
+
+@command.command("figures", cls=CommonCommand)
+@click.option("--data", type=PATH, metavar="DIR",
+              help="Panoramas and clips, or folders hdr and video of them (default: scenes that "
+              "are built in).")  # fmt: skip
+@click.option("--effects", type=EFFECTS, default="auto", show_default=True, metavar="E",
+              help="Of the emulated chip: auto, all, or names, as nscc run "
+              "takes them.")  # fmt: skip
+@click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
+@click.option("-o", "out", type=OUT, required=True, metavar="DIR",
+              help="The folder for the pictures.")  # fmt: skip
+def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
+    """The pictures of the paper's Figs. 3, 5, 6, 7 and 8, from the runs that come with nscc.
+
+    A coded frame and what is decoded of it, several frames from one, the shutters as mosaics, a
+    still at low and at high exposure, and by several tone curves; beside the truth and pixels that
+    are always open.
+    """
+    from nscc_training.evaluation.figures import figures as drawn
+
+    made = drawn(data, effects, seed)
+    out.mkdir(parents=True, exist_ok=True)
+    files = {out / name: png for name, png in made.items()}
+    write_together(files)
+    done("\n".join(f"wrote {path.as_posix()}" for path in files))
 
 
 @command.command("compare", cls=CommonCommand)

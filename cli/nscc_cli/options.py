@@ -48,9 +48,11 @@ def some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str]
     return chosen
 
 
-def some_option(name: str, names: Sequence[str], metavar: str, text: str) -> Callable[..., Any]:
+def some_option(
+    name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
+) -> Callable[..., Any]:
     """An option that takes some of the names, by default all."""
-    return option(name, callback=some(names), metavar=metavar, default=",".join(names),
+    return option(name, callback=some(names), metavar=metavar, default=default or ",".join(names),
                   show_default=True, help=text)  # fmt: skip
 
 

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import click
 
+from nscc.files import Product
 from nscc.lower.plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import csv_text, table_text
+from nscc.tradeoff.points import Point, csv_text, table_text
 from nscc.tradeoff.synthesis import (
     Count,
     builtin_cases,
@@ -23,7 +25,8 @@ from nscc_cli.options import COUNT, PATH, some_option, tradeoff_options
 from nscc_cli.support import CommonCommand, Subcommands, progress
 from nscc_cli.tradeoff_decoder import command as decoder
 from nscc_cli.tradeoff_emulator import command as emulator
-from nscc_cli.tradeoff_files import output_files, write_files
+from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
+from nscc_cli.tradeoff_joint import command as joint
 from nscc_cli.tradeoff_sensor import command as sensor
 
 _LEVELS = [str(level) for level in LEVELS]
@@ -31,17 +34,35 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 
 
 class _Tradeoffs(Subcommands):
-    """The tradeoffs that there are."""
+    """The tradeoffs that there are; any other name that may be one is a program or a run."""
 
     unknown = "tradeoff '{}'"
+
+    def other(
+        self, name: str, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """`nscc tradeoff of` such a program or run; other names are rejected (NS0781)."""
+        if _may_be_program(Path(name)):
+            return "of", self.commands["of"], args
+        return super().other(name, args)
+
+
+def _may_be_program(path: Path) -> bool:
+    from nscc_training.run_files import shipped_runs
+
+    return path.suffix.lower() in (".nsl", ".icw") or path.exists() or str(path) in shipped_runs()
 
 
 @click.group("tradeoff", cls=_Tradeoffs)
 def command() -> None:
-    """Measure what more time buys: a table, a CSV file, a diagram."""
+    """Measure what more time buys: a table, a CSV file, a diagram.
+
+    `nscc tradeoff PROGRAM|RUN --scene S --target-error 1%` is short for `nscc tradeoff of PROGRAM
+    ..`: which setting of every stage for that error.
+    """
 
 
-for each in (emulator, sensor, decoder):
+for each in (joint, emulator, sensor, decoder):
     command.add_command(each)
 
 
@@ -67,19 +88,24 @@ def synthesis(
     outputs = output_files(places)
     cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
-    found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"))
-    click.echo(table_text(found.points, ("lowering", "level", _WORDS[count])))
-    for line in refusals_text(found.refused):
-        click.echo(line)
-    if not found.points:
-        return 1
-    points, device = found.points, processor_name()
-
-    def png() -> bytes:
-        from nscc_runtime.pictures.sheet import png_of
-        from nscc_runtime.pictures.synthesis import synthesis_diagram
-
-        return png_of(synthesis_diagram, points, _WORDS[count], repeats, device)
-
-    write_files(outputs, {"csv": lambda: csv_text(points, device).encode(), "png": png})
+    with kept_rows(outputs, {"files": files, "count": count}) as rows:
+        found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"), rows)
+        points, device = found.points, processor_name()
+        click.echo(table_text(points, ("lowering", "level", _WORDS[count])))
+        for line in refusals_text(found.refused):
+            click.echo(line)
+        if not points:
+            return 1
+        makers = {
+            "csv": lambda: csv_text(points, device).encode(),
+            "png": lambda: _png(points, _WORDS[count], repeats, device),
+        }
+        write_files(outputs, makers, rows)
     return 0
+
+
+def _png(points: Sequence[Point], words: str, repeats: int, device: str) -> Product:
+    from nscc_runtime.pictures.sheet import png_of
+    from nscc_runtime.pictures.synthesis import synthesis_diagram
+
+    return png_of(synthesis_diagram, points, words, repeats, device)

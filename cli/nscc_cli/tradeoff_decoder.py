@@ -12,7 +12,7 @@ from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli import options as shared
 from nscc_cli.options import COUNT, PATH
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
-from nscc_cli.tradeoff_files import output_files, write_files
+from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 
 @click.command("decoder", cls=CommonCommand)
@@ -50,18 +50,19 @@ def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     folders = [load_run(path, trust_code=trust_code) for path in dict.fromkeys(runs)]
     todo = cases(folders, settings)
     say_compiling(denoise, "the loop of total variation")
-    points, repeats = measure(todo, settings, lambda turns: progress(turns, "decoding"))
-    tables = (
-        table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
-        for unit, title in TITLES.items()
-    )
-    click.echo("\n\n".join(tables))
-    for line in not_measured(folders):
-        click.echo(line)
-    device = processor_name()
-    makers = {
-        "csv": lambda: csv_text(points, device).encode(),
-        "png": lambda: png_of(decoder_diagram, points, repeats, device),
-    }
-    write_files(files, makers)
+    with kept_rows(files, {**options, "runs": runs}) as rows:
+        points, repeats = measure(todo, settings, lambda each: progress(each, "decoding"), rows)
+        tables = (
+            table_text([p for p in points if p.error_unit == unit], ("decoder", "setting", title))
+            for unit, title in TITLES.items()
+        )
+        click.echo("\n\n".join(tables))
+        for line in not_measured(folders):
+            click.echo(line)
+        device = processor_name()
+        makers = {
+            "csv": lambda: csv_text(points, device).encode(),
+            "png": lambda: png_of(decoder_diagram, points, repeats, device),
+        }
+        write_files(files, makers, rows)
     return 0

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.rejection import rejected
 from nscc.files import Product
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import csv_text
@@ -18,7 +19,7 @@ from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import compile_options, load_program
 from nscc_cli.support import CommonCommand, progress, say
-from nscc_cli.tradeoff_files import output_files, write_files
+from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
@@ -68,12 +69,32 @@ def command(program: Path | None, **options: Any) -> int:
     sensor = sensor_of(converter_of(container), options)
     settings = _settings(options)
     scenes = _scenes(container, options, messages)
+    _refuse(container)
     made = Program.of(container, sensor)
     gb_per_s = copy_gb_per_s()
-    studies = measure(made, scenes, settings, gb_per_s, lambda work: progress(work, "measuring"))
-    click.echo(studies_text(studies, gb_per_s))
-    write_files(files, _makers(studies, options["repeats"]))
+    digests = [scene.light.sha256() for scene in scenes]
+    with kept_rows(files, {**options, "program": program}, *digests) as rows:
+        studies = measure(
+            made, scenes, settings, gb_per_s, lambda work: progress(work, "measuring"), rows
+        )
+        click.echo(studies_text(studies, gb_per_s))
+        write_files(files, _makers(studies, options["repeats"]), rows)
     return 0 if all(kept(each) for study in studies for each in study.asked) else 1
+
+
+def _refuse(container: Container) -> None:
+    """NS0750 for a chip that is sent planes, NS0828 for pixels that look."""
+    from nscc_runtime.planless import planless
+
+    if container.target.streamed:
+        raise planless("nscc tradeoff emulator")
+    if container.machine is not None:
+        raise rejected(
+            "NS0828",
+            "nscc tradeoff emulator compares sums over slots, and pixels that look at the light "
+            "have none",
+            helps=("`nscc tradeoff FILE.nsl --scene S` compares what there is for such programs",),
+        )
 
 
 def _container(

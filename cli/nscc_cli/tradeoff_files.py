@@ -1,13 +1,26 @@
-"""Where the products of a tradeoff go."""
+"""Where the products of a tradeoff go, and its rows until they are written."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from importlib import metadata
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-from nscc.files import Product, refuse_same, write_together
+from nscc import __version__
+from nscc.cache.contents import content
+from nscc.cache.digest import digest, package_digest
+from nscc.files import Product, refuse_inputs, refuse_same, write_together
+from nscc.tradeoff.device import processor_name
+from nscc.tradeoff.rows import Rows
 from nscc_cli.support import done
+
+ROWS = ".rows.jsonl"
+"""What the file of rows ends in."""
+_PLACES = ("out", "csv_path", "png_path")
+_PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
+_DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
 def output_files(options: Mapping[str, Any], *more: str) -> dict[str, Path]:
@@ -23,8 +36,45 @@ def output_files(options: Mapping[str, Any], *more: str) -> dict[str, Path]:
     return files
 
 
-def write_files(files: Mapping[str, Path], makers: Mapping[str, Callable[[], Product]]) -> None:
-    """Make and write those products that have a place, and say so."""
+def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -> Rows:
+    """What is measured is kept beside the first product until all are written; nowhere without
+    products.
+
+    It is known again by the command's options, by what the files that they name hold, by `of`, and
+    by the versions of all that measures and of the processor.
+    """
+    if not files:
+        return Rows()
+    refuse_inputs(*files.values())
+    given = {name: _plain(value) for name, value in sorted(options.items()) if name not in _PLACES}
+    ours = [package_digest(name) or __version__ for name in _PACKAGES if find_spec(name)]
+    others = [(name, _version(name)) for name in _DISTRIBUTIONS]
+    key = digest((given, list(of), ours, others, processor_name()))
+    first = next(iter(files.values()))
+    return Rows(first.with_name(first.stem + ROWS), key)
+
+
+def _plain(value: Any) -> Any:
+    """An option's value as it counts: of a file, what it holds."""
+    if isinstance(value, tuple):
+        return [_plain(each) for each in value]
+    if isinstance(value, str | Path):
+        return [str(value), content(Path(value))]
+    return value
+
+
+def _version(distribution: str) -> str:
+    try:
+        return metadata.version(distribution)
+    except metadata.PackageNotFoundError:
+        return ""
+
+
+def write_files(
+    files: Mapping[str, Path], makers: Mapping[str, Callable[[], Product]], rows: Rows
+) -> None:
+    """Make and write those products that have a place, and say so; the rows have done then."""
     write_together({path: makers[name]() for name, path in files.items()})
+    rows.done()
     if files:
         done("wrote " + ", ".join(path.as_posix() for path in files.values()))

@@ -13,7 +13,7 @@ from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS, TARGET
 from nscc_cli.options import COUNT, LEVEL, some_option
 from nscc_cli.support import CommonCommand, NumberRange, progress, say_compiling
-from nscc_cli.tradeoff_files import output_files, write_files
+from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 _CLASSES = ("b", "c", "d", "e", "codebook")
 _CODES = ("fixed", "open")
@@ -96,16 +96,18 @@ def command(**options: Any) -> int:
     named = {field.name for field in fields(Settings)} & options.keys()
     settings = Settings(**{name: options[name] for name in named})
     say_compiling(denoise, "the loop of total variation")
-    found = measure(settings, lambda todo: progress(todo, "capturing"))
-    if found.points:
-        click.echo(table_text(found.points, ("shutters", "slots", "PSNR, dB"), ("slot, us", 1e3)))
-    for line in refusals_text(found.refused):
-        click.echo(line)
-    if not found.points:
-        return 1
-    makers = {
-        "csv": lambda: csv_text(found.points, found.target, found.refused).encode(),
-        "png": lambda: png_of(sensor_diagram, found, settings.slot_us),
-    }
-    write_files(files, makers)
+    with kept_rows(files, options) as rows:
+        found = measure(settings, lambda todo: progress(todo, "capturing"), rows)
+        if found.points:
+            names = ("shutters", "slots", "PSNR, dB")
+            click.echo(table_text(found.points, names, ("slot, us", 1e3)))
+        for line in refusals_text(found.refused):
+            click.echo(line)
+        if not found.points:
+            return 1
+        makers = {
+            "csv": lambda: csv_text(found.points, found.target, found.refused).encode(),
+            "png": lambda: png_of(sensor_diagram, found, settings.slot_us),
+        }
+        write_files(files, makers, rows)
     return 0

@@ -6,9 +6,13 @@ has: rows of a fixed pseudo-random sequence stand in, which no gate sharing make
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from nscc.program.capacity import largest_with
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
@@ -91,6 +95,21 @@ def bits_rule() -> str:
 def book_rule(rows: list[str]) -> str:
     """A codebook with these rows of digits."""
     return f"shutters book [{', '.join(rows)}]\ncode id : row of book\nopen when book[id]"
+
+
+def book_text(slot_us: Sequence[float], buckets: Sequence[str], shutters: NDArray[np.bool_]) -> str:
+    """A program without data whose codes `id` are the rows of `shutters` (rows, buckets, slots)."""
+    times = ", ".join(f"{Decimal(repr(us)):f}us" for us in slot_us)
+    lines, rules = ["nsl 1", f"frame slots [{times}]"], []
+    for number, name in enumerate(buckets):
+        rows = ("".join("1" if is_open else "0" for is_open in row) for row in shutters[:, number])
+        lines.append(f"shutters book{number} [{', '.join(rows)}]")
+        rules.append((f"bucket {name} open", f"book{number}[id]"))
+    if len(rules) == 1:
+        rules = [("open", rules[0][1])]
+    lines.append("code id : row of book0")
+    lines += [f"{head} when {rule}" for head, rule in rules]
+    return "\n".join(lines) + "\n"
 
 
 def program_text(slots: int, slot: str, rule: str) -> str:

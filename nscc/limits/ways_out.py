@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
-from decimal import Decimal
 from functools import partial
 from itertools import islice
 from typing import Any, Protocol
@@ -20,6 +19,7 @@ import numpy as np
 from nscc.limits.families import (
     bits_rule,
     book_rule,
+    book_text,
     bump_rule,
     program_text,
     random_rows,
@@ -144,20 +144,10 @@ def _different(program: Program, count: int) -> int:
 
 def _book_source(program: Program, count: int) -> Source:
     """The first `count` rows in use as a program of their own, with the same frame and buckets."""
-    times = ", ".join(f"{Decimal(repr(us)):f}us" for us in program.frame.slot_us)
     table = program.table
-    lines = ["nsl 1", f"frame slots [{times}]"]
-    rules = []
-    for number, bucket in enumerate(program.buckets):
-        shutters = table.shutters[table.shutter_of_code[:count], number, :]
-        rows = ("".join("1" if is_open else "0" for is_open in row) for row in shutters.tolist())
-        lines.append(f"shutters book{number} [{', '.join(rows)}]")
-        rules.append((f"bucket {bucket.name} open", f"book{number}[id]"))
-    if len(rules) == 1:
-        rules = [("open", rules[0][1])]
-    lines.append("code id : row of book0")
-    lines += [f"{head} when {rule}" for head, rule in rules]
-    return Source("way-out.nsl", "\n".join(lines) + "\n")
+    shutters = table.shutters[table.shutter_of_code[:count]]
+    buckets = [bucket.name for bucket in program.buckets]
+    return Source("way-out.nsl", book_text(program.frame.slot_us, buckets, shutters))
 
 
 def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[WayOut]:

@@ -163,7 +163,10 @@ def _whole_number(text: str, span: Span) -> int:
     digits = text.lstrip("0")
     value = int(digits or "0") if len(digits) <= 19 else MOST_INTEGER + 1
     if value > MOST_INTEGER:
-        help_text = "numbers count slots, codes and pixels: none of them comes near that"
+        help_text = (
+            "numbers count slots, codes and pixels: none of them comes near that; codes of so many "
+            "bits come from a file"
+        )
         raise _refused("NS0111", "this number is larger than 10^18", span, help_text)
     return value
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import product
 from pathlib import Path
 from time import perf_counter
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 
@@ -20,13 +21,14 @@ from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
+from nscc.tradeoff.rows import Rows
 
 Count = Literal["all", "logic"]
 """All words of a frame, or only those that decode codes."""
 
 UNITS: dict[Count, str] = {"all": "words_per_frame", "logic": "logic_words_per_frame"}
 
-_DOES_NOT_FIT = ("NS04", "NS05", "NS06")
+DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 
 
 @dataclass(frozen=True)
@@ -91,29 +93,52 @@ def cases_of(files: Sequence[Path]) -> tuple[Case, ...]:
     )
 
 
-def measure(ways: Sequence[Way], repeats: int, count: Count, progress: Progress = iter) -> Measured:
+def measure(
+    ways: Sequence[Way],
+    repeats: int,
+    count: Count,
+    progress: Progress = iter,
+    rows: Rows | None = None,
+) -> Measured:
     """Compiles each way `repeats` times, from text to proof, without the cache.
 
-    The repeats go round all ways, so that what else the machine does is spread over them. Raises
-    Rejected where a program is wrong; one that does not fit the chip in some way is refused there.
+    The repeats go round all ways, so that what else the machine does is spread over them. What
+    `rows` knows is not compiled again. Raises Rejected where a program is wrong; one that does not
+    fit the chip in some way is refused there.
     """
+    rows = rows or Rows()
     if ways:
         compiled_or_not(ways[0])  # what is imported and read once is not what is measured
     times_ms: dict[Way, list[float]] = {way: [] for way in ways}
-    results: dict[Way, Compiled | Diagnostic] = {}
+    words: dict[Way, tuple[float, float | None]] = {}
+    refused: dict[Way, str] = {}
     for way in progress([way for _ in range(repeats) for way in ways]):
-        if isinstance(results.get(way), Diagnostic):
+        if way in refused:
             continue
-        begin = perf_counter()
-        results[way] = compiled_or_not(way)
-        times_ms[way].append((perf_counter() - begin) * 1e3)
-    points, refused = [], []
-    for way, found in results.items():
-        if isinstance(found, Diagnostic):
-            refused.append((way, f"{found.message} ({found.code})"))
+        found = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, way, count))
+        if "refused" in found:
+            refused[way] = found["refused"]
         else:
-            points.append(_point(way, found, tuple(times_ms[way]), count))
-    return Measured(tuple(points), tuple(refused))
+            words[way] = found["words"], found["bound"]
+            times_ms[way].append(found["ms"])
+    points = [
+        Point(
+            way.case.name, way.lowering, f"-O{way.level}", number, UNITS[count],
+            tuple(times_ms[way]), bound,
+        )
+        for way, (number, bound) in words.items()
+    ]  # fmt: skip
+    return Measured(tuple(points), tuple(refused.items()))
+
+
+def _timed(way: Way, count: Count) -> dict[str, Any]:
+    begin = perf_counter()
+    found = compiled_or_not(way)
+    taken_ms = (perf_counter() - begin) * 1e3
+    if isinstance(found, Diagnostic):
+        return {"refused": f"{found.message} ({found.code})"}
+    words, bound = _words(found, count)
+    return {"ms": taken_ms, "words": words, "bound": bound}
 
 
 def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
@@ -146,13 +171,14 @@ def compiled_or_not(way: Way) -> Compiled | Diagnostic:
         return run_passes(case.source, case.base, options)
     except Rejected as rejected:
         last = rejected.diagnostics[-1]
-        if not last.code.startswith(_DOES_NOT_FIT):
+        if not last.code.startswith(DOES_NOT_FIT):
             raise
         return last
 
 
-def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Count) -> Point:
-    """The bound is that of the logic; all words are at least the plan's analog ones more."""
+def _words(compiled: Compiled, count: Count) -> tuple[int, int | None]:
+    """The words and their bound, which is that of the logic; all words are at least the plan's
+    analog ones more."""
     choice, proof = compiled.choice, compiled.proof
     assert choice is not None
     assert proof is not None
@@ -162,6 +188,4 @@ def _point(way: Way, compiled: Compiled, times_ms: tuple[float, ...], count: Cou
         words = lowered.schedule.words_total
         if bound is not None:
             bound += sum(len(step.words) for step in lowered.plan.steps)
-    return Point(
-        way.case.name, way.lowering, f"-O{way.level}", words, UNITS[count], times_ms, bound
-    )
+    return words, bound

@@ -5,12 +5,14 @@ most 50 ms a point that is not its own work.
 
 Both are whole commands, the cluster's start included. The work of a point is what `times.csv` says
 of it, at least 0.3 s of it; what is left of the workers' time between the first point and the last
-is overhead.
+is overhead. Processor seconds of both commands are printed beside: they mean something on a busy
+machine, too.
 """
 
 from __future__ import annotations
 
 import csv
+import resource
 import subprocess
 import sys
 from pathlib import Path
@@ -45,8 +47,8 @@ def main() -> int:
         grid = Path(folder) / "grid.toml"
         slots = [*range(FEWEST_SLOTS, FEWEST_SLOTS + points)]
         grid.write_text(GRID.format(slots=slots))
-        serial_s, _ = swept(grid, 0)
-        two_s, between_s = swept(grid, WORKERS)
+        serial_s, _, serial_cpu_s = swept(grid, 0)
+        two_s, between_s, two_cpu_s = swept(grid, WORKERS)
         work_s = [float(row["seconds"]) for row in times(grid.with_name(str(WORKERS)))]
         tables = {(grid.with_name(out) / "table.csv").read_bytes() for out in ("0", str(WORKERS))}
     ratio = serial_s / two_s
@@ -55,6 +57,7 @@ def main() -> int:
     print(f"serial {serial_s:.1f} s, {WORKERS} workers {two_s:.1f} s: x {ratio:.2f} "
           f"(goal: {LEAST_RATIO})")  # fmt: skip
     print(f"overhead {overhead_ms:.1f} ms a point (goal: at most {MOST_OVERHEAD_MS:g})")
+    print(f"processors: serial {serial_cpu_s:.1f} s, {WORKERS} workers {two_cpu_s:.1f} s")
     print(f"the same table: {'yes' if len(tables) == 1 else 'NO'}")
     met = ratio >= LEAST_RATIO and overhead_ms <= MOST_OVERHEAD_MS and len(tables) == 1
     if min(work_s) < LEAST_WORK_S:
@@ -62,17 +65,25 @@ def main() -> int:
     return 0 if met else 1
 
 
-def swept(grid: Path, workers: int) -> tuple[float, float]:
-    """Seconds of the whole command, and from the first begin of a point to the last end."""
+def swept(grid: Path, workers: int) -> tuple[float, float, float]:
+    """Seconds of the whole command, from the first begin of a point to the last end, and of
+    processors, those of its workers with it."""
     out = grid.with_name(str(workers))
     arguments = ["sweep", str(grid), "--out", str(out), "--workers", str(workers)]
-    begin = perf_counter()
+    begin, before_s = perf_counter(), spent_s()
     subprocess.run([sys.executable, "-m", "nscc_cli", *arguments], check=True, capture_output=True)
-    whole_s = perf_counter() - begin
+    whole_s, cpu_s = perf_counter() - begin, spent_s() - before_s
     ended_s = [float(row["ended_s"]) for row in times(out)]
-    return whole_s, max(ended_s) - min(
+    began_s = [
         end_s - float(row["seconds"]) for end_s, row in zip(ended_s, times(out), strict=True)
-    )
+    ]
+    return whole_s, max(ended_s) - min(began_s), cpu_s
+
+
+def spent_s() -> float:
+    """Processor seconds of all commands that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def times(out: Path) -> list[dict[str, str]]:

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import zipfile
@@ -120,6 +122,56 @@ def test_the_packed_extension(tmp_path: Path) -> None:
         capture_output=True, text=True,
     )  # fmt: skip
     assert '[["NS0214",2]]' in failed.stdout + failed.stderr
+
+
+@pytest.mark.slow
+def test_in_the_workbench_itself(tmp_path: Path) -> None:
+    """The packed extension in VS Code's own window, served by code-server, seen by a browser.
+
+    NSCC_EDITOR names the folder where `npm install code-server playwright-core` was run.
+    """
+    modules, browser = Path(os.environ.get("NSCC_EDITOR", "")) / "node_modules", which_browser()
+    server = modules / "code-server/out/node/entry.js"
+    if not (server.is_file() and browser):
+        pytest.skip("NSCC_EDITOR names no folder with code-server, or chromium is not there")
+    subprocess.run(["make", "vsix", f"OUT={tmp_path}"], cwd=ROOT, check=True, timeout=600)
+    folder, port = tmp_path / "programs", free_port()
+    folder.mkdir()
+    program = Path(shutil.copy(ROOT / "examples/class_b.nsl", folder))
+    settings = tmp_path / "data/User/settings.json"
+    settings.parent.mkdir(parents=True)
+    settings.write_text(json.dumps({
+        "nscc.command": [sys.executable, "-m", "nscc_cli"],
+        "security.workspace.trust.enabled": False, "workbench.startupEditor": "none",
+    }))  # fmt: skip
+    own = ["--extensions-dir", str(tmp_path / "ext"), "--user-data-dir", str(tmp_path / "data")]
+    start = ["node", str(server), *own]
+    subprocess.run([*start, "--install-extension", str(tmp_path / "nscc.vsix")], check=True)
+    address = f"127.0.0.1:{port}"
+    options = ["--auth", "none", "--bind-addr", address, "--disable-telemetry"]
+    with subprocess.Popen([*start, *options], stdout=subprocess.PIPE, text=True) as serving:
+        try:
+            assert serving.stdout
+            assert any("HTTP server listening" in line for line in serving.stdout)
+            seen = said_by("workbench.mjs", modules / "playwright-core", browser,
+                           f"http://{address}", program)  # fmt: skip
+        finally:
+            serving.terminate()
+    assert re.search(r"\d+ words a frame, shortest slot", seen["remark"].replace("\xa0", " "))
+    assert seen["language"] == "Shutter program"
+    assert seen["tabs"][0].strip() == "class_b.nsl"
+    assert len(seen["tabs"]) == 2
+    assert any("NS0205" in each and "given twice" in each for each in seen["problems"])
+
+
+def which_browser() -> str | None:
+    return shutil.which("chromium") or shutil.which("google-chrome")
+
+
+def free_port() -> int:
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        return int(taken.getsockname()[1])
 
 
 def said_by(script: str, *arguments: object) -> Any:

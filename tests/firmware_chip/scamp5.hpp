@@ -15,10 +15,8 @@ constexpr dreg_t R0{0}, R1{1}, R2{2}, R3{3}, R4{4}, R5{5}, R6{6}, R7{7}, R8{8}, 
     R11{11}, R12{12};
 }  // namespace SCAMP5_PE
 
-enum { VS_FRAME_TRIGGER_CONST_LOOP = 0 };
-
 void vs_init();
-void vs_configure_frame_trigger(uint16_t mode, int rate);
+void vs_disable_frame_trigger();
 void vs_frame_loop_control();
 void scamp5_kernel(const uint32_t (*icw)[5], size_t count);
 void scamp5_load_in(int8_t value);

@@ -35,7 +35,7 @@ void reset() {
 }
 
 void vs_init() {}
-void vs_configure_frame_trigger(uint16_t, int) {}
+void vs_disable_frame_trigger() {}
 void vs_frame_loop_control() {}
 void scamp5_kernel(const uint32_t (*icw)[5], size_t count) {
     for (size_t i = 0; i < count; ++i) {

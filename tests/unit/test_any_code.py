@@ -14,7 +14,7 @@ torch = pytest.importorskip("torch")
 
 from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import any_clip, decoded_clip, decoded_still  # noqa: E402
-from nscc_training.any_code.lessons import mask_drawn  # noqa: E402
+from nscc_training.any_code.lessons import filmed, mask_drawn  # noqa: E402
 from nscc_training.any_code.measured import Measured  # noqa: E402
 from nscc_training.any_code.muon import orthogonal  # noqa: E402
 from nscc_training.any_code.network import exchanged  # noqa: E402
@@ -171,6 +171,27 @@ def test_masks_are_of_every_kind_and_open_everywhere() -> None:
     assert 5 < sum(tiled) < 55
 
 
+def test_films_of_lessons_are_what_their_codes_and_noise_say() -> None:
+    """Light through the masks, as far off as the variance says; what is saturated may be more."""
+    generator = np.random.default_rng(4)
+    picture = np.kron(generator.integers(0, 256, (40, 40)), np.ones((9, 9))).astype(np.uint8)
+    off, tiled = [], 0
+    for _ in range(12):
+        light, measured, shown = filmed([picture], generator, 2, 32)
+        assert bool((light >= 0).all())
+        # The display's white, in units of what is guessed for white.
+        assert float((light / shown.reshape(-1, 1, 1, 1)).max()) <= 1.001
+        gap = (measured.value - measured.of(light)) / measured.variance.sqrt()
+        off.append(gap[~measured.saturated].numpy())
+        assert bool((measured.value[measured.saturated] > 0).all())
+        mask = measured.mask[:, 0]
+        assert bool(mask.any(dim=1).all())
+        tiled += int(torch.equal(mask[..., :28], mask[..., 4:]))
+    # Codes below 0 do not exist: the darkest places are less far off.
+    assert 0.8 < np.concatenate(off).std() < 1.1
+    assert tiled >= 4
+
+
 def test_what_is_shipped_is_small() -> None:
     weights = files("nscc_training.any_code") / "weights.safetensors"
     assert len(weights.read_bytes()) <= 4 << 20
@@ -182,7 +203,8 @@ def test_training_goes_on_where_it_stopped(tmp_path: Path) -> None:
     (tmp_path / "in").mkdir()
     noise = np.random.default_rng(5).integers(0, 255, (80, 90), np.uint8)
     cv2.imwrite(str(tmp_path / "in/p.png"), cv2.GaussianBlur(noise, (0, 0), 2))
-    parts = (Part("noise", 2, 1, 16, 1e-3), Part("together", 1, 1, 16, 1e-3, 4))
+    films = Part("films", 1, 1, 16, 1e-3, 2, 4, films=1.0, exact=0.8)
+    parts = (Part("noise", 2, 1, 16, 1e-3), Part("together", 1, 1, 16, 1e-3, 4), films)
     weights = []
     for stops in ((parts,), (parts[:1], parts)):
         folder = tmp_path / f"out{len(stops)}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -10,6 +11,8 @@ from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
 
+from small_runs import SMALL  # noqa: E402
+
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.code_choices import ORDERED  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
@@ -17,6 +20,7 @@ from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.search import (  # noqa: E402
     MOVING,
     Motion,
@@ -25,7 +29,7 @@ from nscc_training.search import (  # noqa: E402
     texture_of,
     told_db,
 )
-from nscc_training.search.motion import design_motion  # noqa: E402
+from nscc_training.search.choose import design_motion  # noqa: E402
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),
@@ -138,7 +142,7 @@ def parts_of(**shutter: object) -> searching.Parts:
 
 def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) -> None:
     """With losses that count late places, against noise that must not lead astray."""
-    parts = parts_of(moves=16, judged=16)
+    parts = parts_of(moves=12, judged=12)
     asked = []
 
     def losses(_parts: object, codes: dict[str, np.ndarray], *_batch: object) -> np.ndarray:
@@ -148,7 +152,7 @@ def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(searching, "_losses", losses)
     monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 1.0)
-    found = [searching.search(parts, None, step) for step in range(40)]  # type: ignore[arg-type]
+    found = [searching.search(parts, None, step) for step in range(24)]  # type: ignore[arg-type]
     assert parts.encoder.codes()["start"].max() == 0
     assert found[-1] < 0.01
 
@@ -211,3 +215,22 @@ def test_the_command_says_what_it_chose(tmp_path: Path) -> None:
     assert "NS0744" in invoke(["design", "--motion", "scene"], tmp_path).err
     both = ["design", "--motion", "slow", "--looks", "4", "--scene", "builtin:hdr"]
     assert invoke(both, tmp_path).status == 2
+
+
+def test_a_searched_run_says_what_moved_and_goes_on_where_it_stopped(tmp_path: Path) -> None:
+    shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "moves": 6}
+    values = {**SMALL, "shutter": shutter, "decoder": {"learn": False}}
+    train(settings_of(values), tmp_path / "once")
+    train(settings_of(values), tmp_path / "twice", stop_after=1)
+    train(settings_of(values), tmp_path / "twice")
+    once, twice = (tmp_path / name / "result.json" for name in ("once", "twice"))
+    assert once.read_bytes() == twice.read_bytes()
+    result = json.loads(once.read_text())
+    codes, card = result["codes"], (tmp_path / "once/model_card.md").read_text()
+    start = make_encoder(ShutterSpec("b", 8, (2, 2)), "quad").codes()["stop"]
+    with np.load(tmp_path / "once/codes.npz") as found:
+        assert codes["moved"] == int((found["stop"] != start).sum())
+    assert isinstance(codes["start_alone_psnr_db"], float)
+    alone = result["robustness"][0]["psnr_db"] - codes["start_alone_psnr_db"]
+    assert (codes["moved"] == 0) == (alone == 0)
+    assert ("start alone" in card) == (codes["moved"] > 0)

@@ -7,8 +7,10 @@ import re
 import select
 import subprocess
 import time
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
+from struct import pack, unpack
 
 import numpy as np
 import pytest
@@ -23,7 +25,7 @@ from nscc_runtime.device import firmware
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
-from nscc_runtime.device.packets import MOST_DATA, VERSION, Kind
+from nscc_runtime.device.packets import MOST_DATA, VERSION, Kind, Packet
 from nscc_runtime.device.target_header import refresh_words, target_header
 from nscc_runtime.device.tasks import Taken
 from nscc_runtime.light import Light
@@ -128,21 +130,24 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
     assert taken.data == EmulatedChip(lambda _: light, target).exposure(container, 3)
 
 
-@needs_compiler
-@pytest.mark.parametrize("form", [[], ["-DDEVKIT_STUB_TABLE_FUNCTION"]], ids=["object", "function"])
-def test_the_scamp5d_layer_does_what_it_is_told(
-    form: list[str], tmp_path: Path, root: Path
-) -> None:
-    """The loader for the devkit, against a stand-in for its library: what it draws, launches and
-    waits, and what it sends back."""
-    program = tmp_path / "loader"
+@pytest.fixture(
+    scope="module", params=[(), ("-DDEVKIT_STUB_TABLE_FUNCTION",)], ids=["object", "function"]
+)
+def devkit_loader(
+    request: pytest.FixtureRequest, root: Path, tmp_path_factory: pytest.TempPathFactory
+) -> Path:
+    """The loader for the devkit, compiled against a stand-in for its library."""
+    form: tuple[str, ...] = request.param
+    program = tmp_path_factory.mktemp("devkit") / "loader"
     sources = [*sorted((firmware.SOURCES / "core").glob("*.cpp"))]
     sources += sorted((firmware.SOURCES / "scamp5d").glob("*.cpp"))
+    sources.append(root / "tests/firmware_chip/watchdog.cpp")
     includes = [
         f"-I{firmware.SOURCES / part}" for part in ("core", "port", "scamp5d", "targets/scamp5")
     ]
     found = firmware.compiler()
-    assert found is not None
+    if found is None:
+        pytest.skip("no C++ compiler: the firmware cannot be built")
     command = [
         found,
         *form,
@@ -155,12 +160,16 @@ def test_the_scamp5d_layer_does_what_it_is_told(
     ]
     command += [*includes, "-isystem", str(root / "tests/devkit_stub"), *map(str, sources)]
     subprocess.run([*command, "-o", str(program)], check=True)
+    return program
 
+
+def test_the_scamp5d_layer_does_what_it_is_told(devkit_loader: Path, tmp_path: Path) -> None:
+    """What it draws, launches and waits, and what it sends back."""
     target = target_of((256, 256))
     numbers = np.random.default_rng(6)
     stop = numbers.integers(1, 5, (256, 256))
     container = replace(bumps(target, None, stop, 4, "edges"), slot_us=(100.0, 50.5, 50.5, 200.0))
-    events, data = run_devkit(program, container, tmp_path)
+    events, data = run_devkit(devkit_loader, container, tmp_path)
 
     rows, cols = np.mgrid[:256, :256]
     assert data == ((3 * rows + 5 * cols + ord("A")) % 256).astype(np.uint8).T.tobytes()
@@ -203,17 +212,7 @@ def test_the_scamp5d_layer_does_what_it_is_told(
 
 def run_devkit(program: Path, container: object, folder: Path) -> tuple[list[str], bytes]:
     """A session with the devkit's loader over pipes: what it printed, and the frame."""
-    to_device, from_device = os.pipe(), os.pipe()
-    log = folder / "log"
-
-    ends = (to_device[0], from_device[1])
-    names = {"PORT_IN": str(ends[0]), "PORT_OUT": str(ends[1])}
-    with open(log, "wb") as out:
-        process = subprocess.Popen(
-            [str(program)], stdout=out, pass_fds=ends, env={**os.environ, **names}
-        )
-    for fd in ends:
-        os.close(fd)
+    process, to_device, from_device = started(program, folder)
     host = new_host(1, patience_s=60.0)
     upload = upload_of(container, bytes(32))  # type: ignore[arg-type]
     work = uploaded_and_captured(host, upload, 1, Channel.CODES)
@@ -221,13 +220,65 @@ def run_devkit(program: Path, container: object, folder: Path) -> tuple[list[str
     while host.running:
         data = host.poll(time.monotonic())
         while data:
-            data = data[os.write(to_device[1], data) :]
+            data = data[os.write(to_device, data) :]
         left = min(max(host.deadline - time.monotonic(), 0.0), 0.2)
-        if host.running and select.select([from_device[0]], [], [], left)[0]:
-            host.receive(os.read(from_device[0], 65536), time.monotonic())
-    os.close(to_device[1])
+        if host.running and select.select([from_device], [], [], left)[0]:
+            host.receive(os.read(from_device, 65536), time.monotonic())
+    os.close(to_device)
     assert process.wait(60) == 0
-    os.close(from_device[0])
+    os.close(from_device)
     taken = host.result
     assert isinstance(taken, Taken)
-    return log.read_text().splitlines(), taken.data
+    return (folder / "log").read_text().splitlines(), taken.data
+
+
+def started(program: Path, folder: Path) -> tuple[subprocess.Popen[bytes], int, int]:
+    """The devkit's loader, which prints to `log`; the ends of its pipes. The registers of its
+    watchdog are the file `watchdog`."""
+    to_device, from_device = os.pipe(), os.pipe()
+    ends = (to_device[0], from_device[1])
+    watchdog = folder / "watchdog"
+    watchdog.write_bytes(bytes(4096))
+    names = {"PORT_IN": str(ends[0]), "PORT_OUT": str(ends[1]), "WATCHDOG": str(watchdog)}
+    with open(folder / "log", "wb") as out:
+        process = subprocess.Popen(
+            [str(program)], stdout=out, pass_fds=ends, env={**os.environ, **names}
+        )
+    for fd in ends:
+        os.close(fd)
+    return process, to_device[1], from_device[0]
+
+
+def test_a_port_that_is_stuck_starves_the_watchdog(devkit_loader: Path, tmp_path: Path) -> None:
+    """The main loop feeds it, and nothing else: the LPC4357 then starts anew after four seconds."""
+    process, to_device, from_device = started(devkit_loader, tmp_path)
+
+    def fed(seconds: float) -> bool:
+        with open(tmp_path / "watchdog", "r+b", buffering=0) as registers:
+            registers.seek(8)
+            registers.write(bytes(4))
+            end = time.monotonic() + seconds
+            while time.monotonic() < end:
+                registers.seek(8)
+                if registers.read(4) == pack("<I", 0x55):
+                    return True
+                time.sleep(0.01)
+            return False
+
+    assert fed(20)
+    mode, counts = unpack("<2I", (tmp_path / "watchdog").read_bytes()[:8])
+    assert (mode, counts) == (3, 4 * 12_000_000 // 4)
+    # Nobody takes the answers, until the pipe is full and the library's `send` waits for ever.
+    hello = Packet(Kind.HELLO, 1, 1, bytes([VERSION, VERSION, 0, 0])).wire()
+    os.set_blocking(to_device, False)
+    with suppress(BlockingIOError):
+        while True:
+            os.write(to_device, hello * 50)
+            time.sleep(0.01)
+    assert not fed(0.5)
+    while select.select([from_device], [], [], 0.5)[0]:
+        os.read(from_device, 65536)
+    assert fed(20)
+    os.close(to_device)
+    assert process.wait(60) == 0
+    os.close(from_device)

@@ -313,6 +313,15 @@ def test_codes_of_a_converter_as_it_is(readout: str, tmp_path: Path) -> None:
 
 
 @needs_compiler
+def test_codes_where_no_register_is_left_to_spread_with(tmp_path: Path) -> None:
+    rules = "".join(f"bucket b{n} open when n == {n} + k\n" for n in range(6))
+    text = f"nsl 1\nframe 8 slots of 1ms\ncode k : 0..1\n{rules}pixels k = x % 2\n"
+    _, container, written = checked(tmp_path, text)
+    assert len(container.readouts) == 6
+    assert "scamp5_load_in" not in written
+
+
+@needs_compiler
 def test_pixels_that_look_at_other_levels_of_in(tmp_path: Path) -> None:
     text = (
         "nsl 2\nframe 8 slots of 1ms\nsense a when light > [10%, 60%] at n in [2, 5]\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import numpy as np
@@ -10,19 +11,26 @@ from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
 
-from small_runs import clip  # noqa: E402
+from small_runs import clip, trained  # noqa: E402
+from training_oracle import small_target  # noqa: E402
 
 from nscc.compiler import compile_source  # noqa: E402
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc.pipeline import Options  # noqa: E402
 from nscc.source import Source  # noqa: E402
 from nscc.words.container import Container  # noqa: E402
 from nscc_runtime.effects.crosstalk import smeared  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
 from nscc_runtime.sensor import default_sensor  # noqa: E402
+from nscc_runtime.simulate import Request, simulate  # noqa: E402
+from nscc_training.codes_files import load_codes  # noqa: E402
+from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
-from nscc_training.run_files import shipped_runs  # noqa: E402
+from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.run_files import WEIGHTS, shipped_runs  # noqa: E402
+from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
 
 TILE = (2, 2)
@@ -70,7 +78,8 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     ])  # fmt: skip
     exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
     generator = torch.Generator().manual_seed(1)
-    found = table.read_out(exposure.expand(3, -1, -1), share(program), model, generator).numpy()
+    codes, _full = table.read_out(exposure.expand(3, -1, -1), share(program), model, generator)
+    found = codes.numpy()
     for row, col in np.ndindex(2, 2):
         mine, theirs = (each[:, row::2, col::2] for each in (found, wanted))
         ideal = float(exposure[row, col]) / sensor.electrons_per_lsb
@@ -93,7 +102,7 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
     sensor = default_sensor(program.target)
     model = SensorModel.of(sensor, program.target)
     exposure = torch.full((1, 4, 4), 9000.0, dtype=torch.float64, requires_grad=True)
-    table.read_out(exposure, share(program), model, None).sum().backward()
+    table.read_out(exposure, share(program), model, None)[0].sum().backward()
     gain = exposure.grad * sensor.electrons_per_lsb
     assert ((gain > 0.8) & (gain < 1.05)).all()
 
@@ -115,3 +124,68 @@ def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: 
     assert "analog" in made.err
     baseline = ["evaluate", "gap-tv", "--data", ".", "--protocol", "video-v1", "--effects", "all"]
     assert "NS0841" in invoke(baseline, tmp_path).err
+
+
+def test_saturated_pixels_are_marked_as_the_emulator_marks_them(
+    program: Container, table: EmulatedSensor
+) -> None:
+    """Of light that fills some of the places, and of light just above the full well of one."""
+    sensor = default_sensor(program.target)
+    model = SensorModel.of(sensor, program.target)
+    rows, cols = program.target.rows, program.target.cols
+    for level in (1.4, 1.05 / float(share(program).max())):
+        light_e = np.full((rows, cols), level * sensor.full_well_e, np.float32)
+        light = Light.of_still(light_e, np.full(SLOTS, 1 / SLOTS))
+        chosen = Request.of(effects="all", seed=50, device_seed=50)
+        wanted = simulate(program, light, sensor, chosen).frame.saturated[0]
+        exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
+        generator = torch.Generator().manual_seed(2)
+        _, found = table.read_out(exposure[None], share(program), model, generator)
+        for row, col in np.ndindex(2, 2):
+            mine, theirs = found[0, row::2, col::2].numpy(), wanted[row::2, col::2]
+            assert mine.mean() == pytest.approx(theirs.mean(), abs=0.06)
+
+
+def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
+    """At rate 0 it stays what the other is; where that one has gone, it can still be loaded."""
+    shutter = {"slots": 4, "tile": [2, 2]}
+    first = trained(tmp_path / "a", shutter={**shutter, "init": "random"})
+    begun = trained(
+        tmp_path / "b", shutter={**shutter, "init": str(first), "learn": False},
+        decoder={"init": str(first)}, train={"rate": 0.0},
+    )  # fmt: skip
+    assert (begun / WEIGHTS).read_bytes() == (first / WEIGHTS).read_bytes()
+    codes = [load_codes(folder / "codes.npz")["stop"] for folder in (first, begun)]
+    np.testing.assert_array_equal(*codes)
+    (first / WEIGHTS).unlink()
+    assert load_run(begun).parts.settings.decoder.init == str(first)
+    card = (begun / "model_card.md").read_text().split("\n\n")[1]
+    score = json.loads((begun / "result.json").read_text())["headline"]["psnr_db"]
+    assert card.startswith(f"**{score:.2f} dB")
+    assert "no other\neffects of a chip" in card
+
+
+@pytest.mark.slow
+def test_a_run_under_effects_says_first_what_they_cost(tmp_path: Path) -> None:
+    chip = small_target(invoke(["targets", "scamp5", "--toml"], tmp_path).out, 64, 48)
+    (tmp_path / "chip.toml").write_text(chip)
+    shutter = {"slots": 4, "tile": [2, 2], "target": str(tmp_path / "chip.toml")}
+    run = trained(tmp_path / "r", shutter=shutter, sensor={"effects": "analog,shot"})
+    result = json.loads((run / "result.json").read_text())
+    assert list(result)[1] == "headline"
+    headline, rows = result["headline"], result["robustness"]
+    assert headline["effects"] == "analog,shot"
+    assert headline["psnr_db"] == rows[0]["psnr_db"] != headline["noise_alone_psnr_db"]
+    # A sensor that is off is emulated anew, not the old one with another name.
+    assert len({row["psnr_db"] for row in rows}) == len(rows)
+    card = (run / "model_card.md").read_text().split("\n\n")[1]
+    for key in ("psnr_db", "noise_alone_psnr_db"):
+        assert f"{headline[key]:.2f} dB" in card
+
+
+@pytest.mark.parametrize(("init", "name"), [("nowhere", "unet2d"), ("clip", "unet2d")])
+def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
+    with pytest.raises(Rejected) as refusal:
+        make_parts(settings_of({"decoder": {"name": name, "init": init}}))
+    assert refusal.value.diagnostics[0].code == "NS0815"
+    assert "decoder.init" in refusal.value.diagnostics[0].message

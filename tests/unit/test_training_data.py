@@ -51,6 +51,15 @@ def random_light(*shape: int, seed: int = 1) -> Any:
     return np.exp(np.random.default_rng(seed).normal(0, 2, shape))
 
 
+def test_clips_of_a_protocol_with_a_light_are_as_bright_as_that() -> None:
+    """50 lux: grey gathers 3636 electrons, whatever the unit of the source."""
+    light = random_light(8, 24, 24)
+    for factor in (1.0, 1e3):
+        of = {"s": factor * light}
+        (cut,) = batches(of, batch=1, slots=8, patch=24, protocol="deblur-v1").val()[:1]
+        assert np.median(cut.light[0].sum(dim=0).numpy()) == pytest.approx(3636, rel=1e-3)
+
+
 @pytest.mark.parametrize("size", [(40, 40), (300, 290)])
 def test_patches_of_one_exposure_share_level_and_peak(size: tuple[int, int]) -> None:
     """30 % of all that is exposed saturates, and 1 is its 99.9th percentile, in every patch."""
@@ -210,6 +219,28 @@ def test_clips_of_panoramas_are_encoded_where_values_are_taken_as_light(tmp_path
         assert three.light.dtype == np.float32
         assert 0 <= three.light.min() < three.light.max() <= 1
         assert (three.name, three.sha256) == (one.name, one.sha256)
+
+
+def test_a_photograph_gives_clips_whose_parts_move(tmp_path: Path) -> None:
+    """Of itself alone: what is in no photograph of the training's files is in none of its clips."""
+    import cv2
+
+    rng = np.random.default_rng(1)
+    for name, low in (("a.png", 0), ("b.jpg", 0), ("c.png", 128)):
+        picture = cv2.resize(rng.integers(low, low + 128, (40, 60), np.uint8), (480, 320))
+        cv2.imwrite(str(tmp_path / name), picture)
+    found = loaded(tmp_path, paths=4)
+    assert {s.name.partition(",")[0] for s in found.train} == {"b.jpg", "c.png"}
+    assert {s.name.partition(",")[0] for s in found.val} == {"a.png"}
+    moved = 0
+    for scene, again in zip(found.train, loaded(tmp_path, paths=4).train, strict=True):
+        assert np.array_equal(scene.light, again.light)
+        assert scene.light.shape == (3, 256, 256)
+        assert 0 <= scene.light.min() < scene.light.max() <= 1
+        moved += bool(np.abs(np.diff(scene.light, axis=0)).mean() > 1e-4)
+    assert moved >= 4
+    stored = loaded(tmp_path, paths=4, transfer="linear").train[0].light
+    assert np.all(stored >= found.train[0].light - 1e-6)
 
 
 def smooth_panorama() -> Any:

@@ -15,6 +15,7 @@ from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation import hdr_baselines  # noqa: E402
+from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.results import mean_of  # noqa: E402
 from nscc_training.evaluation.tables import ROWS, key_of, tables, text_of  # noqa: E402
 from nscc_training.run_files import shipped_evaluations  # noqa: E402
@@ -177,6 +178,26 @@ def test_tables_without_arguments_are_of_what_is_shipped(tmp_path: Path) -> None
     assert all("not run" in row["remark"] for row in rows if row["psnr_db"] is None)
     runs = invoke(["evaluate", "tables", "--runs", "r"], tmp_path)
     assert "--data" in runs.err
+
+
+def test_one_long_film_does_not_hide_the_others() -> None:
+    found = json.loads((shipped_evaluations() / "vid_learned_0.json").read_text())
+    assert result_text(found).count("by source 29.02 dB: 68 of 94 items are of one file") == 1
+    still = json.loads((shipped_evaluations() / "hdr_learned_0.json").read_text())
+    assert "by source" not in result_text(still)  # every panorama has four crops
+
+
+def test_results_under_effects_stand_in_no_table(tmp_path: Path) -> None:
+    """What a chip costs is not what the protocol's sensor gives: rows do not mix the two."""
+    name = "vid_learned_0.json"
+    found = json.loads((shipped_evaluations() / name).read_text())
+    (tmp_path / name).write_text(json.dumps(found))
+    chip = {**found, "mean": 1.0, "settings": {**found["settings"], "effects": "all"}}
+    for item in chip["items"]:
+        item["psnr_db"] = 1.0
+    (tmp_path / "chip.json").write_text(json.dumps(chip))
+    [row] = [row for row in tables(results=tmp_path) if row["row"] == "2D U-Net, d learned"]
+    assert row["psnr_db"] > 30
 
 
 def test_baselines_on_other_codes(tmp_path: Path) -> None:

@@ -9,6 +9,7 @@ readout. Crosstalk, which needs edges, is applied to the light as the emulator d
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import torch
@@ -18,6 +19,7 @@ from torch import Tensor
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Exchange
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
@@ -31,7 +33,7 @@ _DARKEST = 1 / 64
 _BENT = (0.85, 1.15)
 """Full wells between which registers and PIX bend what they hold: levels are dense there."""
 _DENSE = 1.03
-_CHIPS, _FRAMES = 8, 2
+CHIPS, _FRAMES = 8, 2
 """Chips whose pixels differ, and frames of each."""
 
 
@@ -41,12 +43,14 @@ class EmulatedSensor:
 
     `light_e` (K,) ascending from 0, electrons that fall over the frame; `code` and `spread`
     (K, r, c): mean and standard deviation of codes above the ADC's offset, before they are rounded;
-    `crosstalk`: the part of its charge that each of a pixel's four neighbours gets.
+    `full` (K, r, c): the part of the pixels that are marked as saturated; `crosstalk`: the part of
+    its charge that each of a pixel's four neighbours gets.
     """
 
     light_e: Tensor
     code: Tensor
     spread: Tensor
+    full: Tensor
     crosstalk: float
 
     def smeared(self, light: Tensor) -> Tensor:
@@ -61,8 +65,9 @@ class EmulatedSensor:
     def read_out(
         self, exposure_e: Tensor, share: Tensor, model: SensorModel,
         generator: torch.Generator | None,
-    ) -> Tensor:  # fmt: skip
-        """Codes above the ADC's offset, float32 (batch, rows, cols).
+    ) -> tuple[Tensor, Tensor]:  # fmt: skip
+        """Codes above the ADC's offset, float32 (batch, rows, cols), and where pixels are marked as
+        saturated, bool.
 
         `exposure_e` float64, electrons of the open slots; `share` (r, c) of the tile, the part of
         the frame in which each place is open. Without a generator there is no noise, nor any
@@ -76,12 +81,16 @@ class EmulatedSensor:
         after = after.clamp(1, len(known) - 1)
         part = (steady - known[after - 1]) / (known[after] - known[after - 1])
         codes = self._between(self.code, after, part.clamp(max=1))
+        known_part = part.detach().clamp(max=1)
+        full = self._between(self.full, after, known_part)
+        marked: Tensor = full > 0.5
         if generator is not None:
-            sigma = self._between(self.spread, after, part.detach().clamp(max=1))
+            sigma = self._between(self.spread, after, known_part)
             codes = codes + model.noise_factor * sigma * normal(codes, generator, torch.float32)
+            marked = full > torch.rand(full.shape, generator=generator).to(full)
         codes = rounded(codes) + model.adc_offset_lsb
         codes = saturated(codes, 0.0, float(model.top_code), model.slope)
-        return codes.float() - model.adc_offset_lsb
+        return codes.float() - model.adc_offset_lsb, marked
 
     def _between(self, table: Tensor, after: Tensor, part: Tensor) -> Tensor:
         """Values (batch, rows, cols) of a table (K, r, c) between entries `after` - 1 and that."""
@@ -94,11 +103,12 @@ class EmulatedSensor:
 
 
 def emulated_sensor(
-    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str
+    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS
 ) -> EmulatedSensor:
     """What the emulator makes of a program with pixels of a tile (rows, cols) and one bucket.
 
-    `effects` as `--effects` takes them; Rejected as there. Takes a few seconds.
+    `effects` as `--effects` takes them; Rejected as there. Takes seconds, half a minute where each
+    place has a shutter of its own; fewer `chips` take less, and see less of how they differ.
     """
     chosen = selected(effects)
     assert container.pixel_codes is not None
@@ -111,11 +121,11 @@ def emulated_sensor(
     weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
-    code, spread = _measured(container, tile, light_e, sensor, chosen)
+    code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips)
     exchange = chosen.part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
-    levels, codes, spreads = (torch.from_numpy(each) for each in (light_e, code, spread))
-    return EmulatedSensor(levels, codes, spreads, crosstalk)
+    tables = (torch.from_numpy(each) for each in (light_e, code, spread, full))
+    return EmulatedSensor(*tables, crosstalk)
 
 
 def emulated_codes(
@@ -125,22 +135,27 @@ def emulated_codes(
     """Codes above the ADC's offset (rows, cols), with `repeat` an axis in front, as `nscc run
     --effects` gives them; of a program with one bucket."""
     request = Request.of(effects=effects, seed=seed, device_seed=device_seed, repeat=repeat)
-    frame = simulate(container, light, sensor, request).frame.frame
-    return np.asarray(frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
+    return _codes_of(simulate(container, light, sensor, request).frame, sensor)
+
+
+def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
+    """Codes of the one bucket above the ADC's offset."""
+    return np.asarray(frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
 
 
 def _measured(
     container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
-    effects: Selection,
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
-    """Mean and standard deviation of codes (K, r, c). Levels stand side by side on the array, each
-    on columns of whole tiles; as many scenes as that takes."""
+    effects: Selection, chips: int,
+) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
+    """Mean and standard deviation of codes, and how many pixels are saturated (K, r, c). Levels
+    stand side by side on the array, each on columns of whole tiles; as many scenes as that takes.
+    """
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))
     held = across // times
     slot_s = np.asarray(container.slot_us)
-    sums, squares = np.zeros((2, len(light_e), *tile))
+    sums, squares, full = np.zeros((3, len(light_e), *tile))
     for first in range(0, len(light_e), held):
         levels = light_e[first : first + held]
         # What is left over at the right has the last level, and is not looked at.
@@ -149,13 +164,23 @@ def _measured(
         row[: len(levels) * width] = np.repeat(levels, width)
         still = np.broadcast_to(row, (rows, cols)).astype(np.float32)
         light = Light.of_still(np.ascontiguousarray(still), slot_s / slot_s.sum())
-        for chip in range(_CHIPS):
-            codes = emulated_codes(container, light, sensor, effects, chip, chip, _FRAMES)
-            part = codes[:, : down * tile[0], : len(levels) * width].astype(np.float64)
-            part = part.reshape(_FRAMES, down, tile[0], len(levels), times, tile[1])
-            each = slice(first, first + len(levels))
-            sums[each] += part.mean(axis=(0, 1, 4)).transpose(1, 0, 2) / _CHIPS
-            squares[each] += np.square(part).mean(axis=(0, 1, 4)).transpose(1, 0, 2) / _CHIPS
+        each = slice(first, first + len(levels))
+
+        def mean(
+            values: NDArray[Any], used: int = len(levels) * width, count: int = len(levels)
+        ) -> NDArray[np.float64]:
+            """Over frames and pixels of a place, (levels, r, c)."""
+            part = values[:, : down * tile[0], :used].astype(np.float64)
+            part = part.reshape(_FRAMES, down, tile[0], count, times, tile[1])
+            return part.mean(axis=(0, 1, 4)).transpose(1, 0, 2)
+
+        for chip in range(chips):
+            request = Request.of(effects=effects, seed=chip, device_seed=chip, repeat=_FRAMES)
+            frame = simulate(container, light, sensor, request).frame
+            codes = _codes_of(frame, sensor).astype(np.float64)
+            sums[each] += mean(codes) / chips
+            squares[each] += mean(np.square(codes)) / chips
+            full[each] += mean(frame.saturated[..., 0, :, :]) / chips
     # Rounding adds a twelfth, which codes get again when the table is used.
     variance = np.maximum(squares - np.square(sums) - 1 / 12, 0)
-    return sums, np.sqrt(variance)
+    return sums, np.sqrt(variance), full

@@ -15,6 +15,10 @@ from nscc.diagnostics.suggest import closest
 NAMES = ("hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1")
 
 
+_PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
+"""Photons of 555 nm a second on a square metre: 683 lumens are a watt of them."""
+
+
 @dataclass(frozen=True)
 class Protocol:
     """A protocol: its name, the digest of its file, and what it fixes."""
@@ -25,6 +29,20 @@ class Protocol:
 
     def __getitem__(self, key: str) -> Any:
         return self.values[key]
+
+    @property
+    def mid_grey_e(self) -> float | None:
+        """Electrons over the whole frame of what reflects as the median of a scene does, where the
+        protocol says how much light there is; None where scenes are scaled to a full well.
+
+        A lens of f-number A lights the sensor with 1 / (4 A^2) of what a matt surface sends back.
+        """
+        if "illuminance_lux" not in self.values:
+            return None
+        lux = self["illuminance_lux"] * self["reflectance"] / (4 * self["f_number"] ** 2)
+        counted_m2 = self["photosite_um2"] * 1e-12 * self["quantum_efficiency"]
+        seconds = self["frames"] * self["slot_us"] * 1e-6
+        return float(lux * _PHOTONS_OF_LUX * counted_m2 * seconds)
 
 
 def load_protocol(name: str) -> Protocol:

@@ -94,7 +94,9 @@ def reconstruct(
     """What a run's decoder makes of a frame file, with warnings.
 
     `dark` is a frame file of the same program without light, of many repeats: their mean, which
-    offsets of words and charge without light have left, is taken from the frame.
+    offsets of words and charge without light have left, is taken from the frame. A run that was
+    trained under effects knows the mean of each place of its tile: only what pixels differ from
+    that is taken.
 
     Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
     of another program or sensor (with `force` that is a warning, unless its size differs).
@@ -130,6 +132,8 @@ def reconstructed(
         raise _no_frame(name, f"{have}, the run's program {folder.parts.buckets}")
     if offset is not None and offset.shape[-2:] != size:
         raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+    if offset is not None and folder.parts.settings.sensor.effects:
+        offset = _of_pixels(offset, folder.parts.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
     if folder.parts.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
@@ -142,6 +146,15 @@ def reconstructed(
         for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
     return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
+
+
+def _of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
+    """What pixels (rows, cols) read without light above the mean of their place of a tile."""
+    found = np.empty_like(offset)
+    for row, col in np.ndindex(tile):
+        place = offset[row :: tile[0], col :: tile[1]]
+        found[row :: tile[0], col :: tile[1]] = place - place.mean()
+    return found
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:

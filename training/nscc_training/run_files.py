@@ -18,6 +18,7 @@ from nscc_training.programs import SENSOR_FILE, TARGET_FILE
 from nscc_training.protocols import load_protocol
 
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
+WEIGHTS = "decoder.safetensors"
 _SHIPPED = {"hdr": "hdr_learned_0", "clip": "vid_learned_0"}
 """Runs that come with nscc: what users call them, and their folder in training/results/runs."""
 _DARK = ("builtin:dark", "builtin:flat")
@@ -104,10 +105,12 @@ def run_capture(given: Path) -> RunCapture:
     part = sum(data.saturated) / len(data.saturated)
     percentile = 100 * (1 - part) if still else float(protocol.values.get(
         "full_well_percentile", 99))  # fmt: skip
-    well_e = float(protocol.values.get("full_well_e", 30000))
+    exposed_e = float(protocol.values.get("full_well_e", 30000))
+    if protocol.mid_grey_e is not None:
+        exposed_e, percentile = protocol.mid_grey_e, 50.0
     own_sensor = path / SENSOR_FILE
     own_target = path / TARGET_FILE if shutter.target.endswith(".toml") else None
-    exposure = f"{well_e:g}@{percentile:g}"
+    exposure = f"{exposed_e:g}@{percentile:g}"
     transfers: dict[str, Transfer] = {"linear": "linear", "srgb": "srgb"}
     return RunCapture(
         program, still, shutter.slots, shutter.slot_us, exposure, transfers.get(data.transfer),

@@ -62,6 +62,7 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
     # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
+    decoder = replace(settings.decoder, init="")
     train = settings.train
     if train.device == "cuda" and not torch.cuda.is_available():
         train = replace(train, device="auto")
@@ -69,7 +70,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
         shutter = replace(shutter, target=str(path / TARGET_FILE))
     if sensor.file and (path / SENSOR_FILE).is_file():
         sensor = replace(sensor, file=str(path / SENSOR_FILE))
-    parts = make_parts(replace(settings, shutter=shutter, sensor=sensor, train=train))
+    begun = replace(settings, shutter=shutter, decoder=decoder, sensor=sensor, train=train)
+    parts = make_parts(begun)
     parts = replace(parts, settings=settings)
     try:
         if (path / CODES_FILE).is_file():

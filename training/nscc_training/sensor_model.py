@@ -261,14 +261,15 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
     """A frame as decoders see it, whose saturated pixels are at least what full ones would be.
 
     `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters`
-    ([buckets,] N, rows, cols). PIX also fills while a shutter is yet to open: of steady light that
-    fills it until the shutter closes for the last time, the frame has the part in which it was
-    open.
+    ([buckets,] N, r, c) a tile that repeats. PIX also fills while a shutter is yet to open: of
+    steady light that fills it until the shutter closes for the last time, the frame has the part in
+    which it was open.
     """
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
     least = opened.sum(dim=-3) / (opened * slots).amax(dim=-3).clamp(min=1)
-    return torch.where(saturated, torch.maximum(frame, least.to(frame)), frame)
+    least = laid(least, *frame.shape[-2:]).to(frame)
+    return torch.where(saturated, torch.maximum(frame, least), frame)
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:

@@ -34,8 +34,8 @@ class ShutterSettings:
     exposures: int = key(Integer(2, 32), "of a pixel that looks: one more than it has looks", 5)
     init: str = key(
         Text(),
-        f"{', '.join(STARTS)}, learned (as quad), or a file: codes, .npz or .mat, or a program of "
-        "the class, .nsl", "quad",
+        f"{', '.join(STARTS)}, learned (as quad), a run, or a file: codes, .npz or .mat, or a "
+        "program of the class, .nsl", "quad",
     )  # fmt: skip
     learn: bool = key(Flag(), "false keeps the codes as they start", True)
     relaxation: str = key(
@@ -95,6 +95,10 @@ class DecoderSettings:
     size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
     width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
     sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
+    init: str = key(
+        Text(), "the run, a folder or one that comes with nscc, whose weights it begins with; "
+        "empty: drawn from the seed", "",
+    )  # fmt: skip
     learn: bool = key(
         Flag(), "false keeps it as it begins; with `any`, codes are judged by what favours none",
         True,
@@ -135,7 +139,10 @@ class DataSettings:
     together: int = key(_COUNT, "patches of a batch that are cut from one exposure of a scene", 1)
     scenes: int = key(_COUNT, "procedural scenes for training; a quarter as many to validate", 16)
     frames: int = key(_COUNT, "frames read of a clip", 128)
-    paths: int = key(_COUNT, "clips that a camera makes of a panorama, turning inside it", 4)
+    paths: int = key(
+        _COUNT, "clips that are made of a panorama, in which a camera turns, or of a photograph, "
+        "whose parts move", 4,
+    )  # fmt: skip
     val_items: int = key(_COUNT, "exposures in a validation, of `together` patches", 8)
     augment: bool = key(
         Flag(), "turn and mirror; contrast of stills; time of clips backwards", True

@@ -22,6 +22,22 @@ from nscc_training.evaluation.results import compare, mean_of, read_result
 
 HERE = Path(__file__).resolve().parent
 SEEDS = range(3)
+CODES = {
+    "quad": "2 x 2 pattern (`quad`)",
+    "two-phase": "`two-phase`",
+    "staggered": "`staggered`",
+    "cyclic": "`cyclic`, free bits",
+    "random": "random starts, seed 0",
+    "searched": "searched from `quad`",
+    "searched-random": "searched from those random starts",
+}
+"""The rows of `codes`, as `codes.py` names them, and what they are."""
+WAYS = {
+    "way_straight": "straight-through gradients",
+    "way_straight_noise": "the same, with noise of half a slot on the parameters",
+    "way_tried": "trial",
+    "way_search": "search",
+}
 
 
 @cache
@@ -120,15 +136,54 @@ def windows(name: str) -> str:
 
 def looks() -> str:
     """The table of pixels that look, as `nscc evaluate looks` prints it, of those with results."""
-    kept = [name for name in LOOKING if (HERE / "evaluations" / f"{name}.json").is_file()]
+    kept = [name for name in LOOKING if evaluated(name)]
     return rows_text([result(name) for name in kept]).rstrip()
+
+
+def codes() -> str:
+    """The table of codes behind the decoder for any code: a column a source, and what each gains
+    over the 2 x 2 pattern."""
+    there = [(name, told) for name, told in CODES.items() if evaluated(f"codes-{name}")]
+    sources = [item["file"] for item in result("codes-quad")["items"]]
+    head = ["code", "places moved", "words a slot", *(Path(file).stem for file in sources),
+            "mean", "over 2 x 2 (95 %)"]  # fmt: skip
+    rows = [head, ["---"] * len(head)]
+    for name, told in there:
+        found = result(f"codes-{name}")
+        settings = found["settings"]
+        left = f"{settings['moved']} of {settings['places']}" if "moved" in settings else ""
+        by_file = {item["file"]: item["psnr_db"] for item in found["items"]}
+        over = "" if name == "quad" else gain("codes-quad", f"codes-{name}", "psnr_db")
+        rows.append([
+            told, left, f"{settings['words_per_slot']:.1f}",
+            *(f"{by_file[file]:.1f}" for file in sources), mean(f"codes-{name}", "psnr_db"), over,
+        ])  # fmt: skip
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def ways() -> str:
+    """The table of ways to learn codes on one problem: what the start alone and what was learned is
+    worth behind the same decoder, on validation patches."""
+    rows = [["learned by", "places moved", "words a slot", "start alone", "learned"], ["---"] * 5]
+    for name, told in WAYS.items():
+        run = run_of(name)
+        report = run["codes"]
+        alone, learned = report["start_alone_psnr_db"], run["robustness"][0]["psnr_db"]
+        left = f"{report['moved']} of {report['places']}"
+        rows.append([told, left, words(name), f"{alone:.2f}", f"{learned:.2f}"])
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
+def evaluated(name: str) -> bool:
+    """Whether there is a result of that name."""
+    return (HERE / "evaluations" / f"{name}.json").is_file()
 
 
 FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
         mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows,
-        looks,
+        looks, codes, ways,
     )
 }  # fmt: skip
 

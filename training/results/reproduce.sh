@@ -2,8 +2,8 @@
 # Trains and evaluates everything in this folder again, on two cores in about five hours:
 #   bash training/results/reproduce.sh DATA OUT [OPTION OF nscc sweep ...]
 # DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4 and sci/*.mat. OUT is made: links to
-# the data as they are split, and two sweeps, of results.toml and linear.toml, with their runs and
-# results. Ended and started again it goes on.
+# the data as they are split, and three sweeps, of results.toml, linear.toml and successors.toml, with
+# their runs and results. Ended and started again it goes on.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -28,6 +28,7 @@ cp "$here"/*.toml .
 
 nscc sweep results.toml --out all "$@"
 nscc sweep linear.toml --out linear "$@"
+nscc sweep successors.toml --out successors "$@"
 nscc evaluate looks --data data/hdr_test --results all
 
 # What accuracy costs in time: the 2 x 2 pattern's decoders on the same captures.

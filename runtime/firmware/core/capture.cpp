@@ -51,14 +51,12 @@ Verdict Loader::capture(const Packet &packet) {
             return refused(TOO_LARGE, length);
         }
         forget_frame();
-        frame_.stage = Stage::LAUNCHING;
+        frame_.stage = Stage::ASKED;
         frame_.number = number;
         frame_.channels = channels;
         frame_.length = length;
         frame_.started_us = now_us_;
         frame_.sum.reset();
-        refresh();
-        program_.schedule().begin_frame();
     }
     const Schedule &schedule = program_.schedule();
     if (frame_.stage == Stage::FAILED) {
@@ -90,6 +88,12 @@ Verdict Loader::capture(const Packet &packet) {
 // Goes on with an exposure as far as it goes without waiting for long.
 void Loader::expose() {
     hurries_ = false;
+    // The answer goes first: a host that hears nothing asks again, and that would come meanwhile.
+    if (frame_.stage == Stage::ASKED && waiting_ == 0) {
+        frame_.stage = Stage::LAUNCHING;
+        refresh();
+        program_.schedule().begin_frame();
+    }
     if (frame_.stage == Stage::LAUNCHING) {
         const Schedule::Now now = program_.schedule().go_on();
         hurries_ = now == Schedule::Now::GLANCE;

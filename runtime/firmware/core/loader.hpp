@@ -23,6 +23,9 @@ public:
     // What was seen there: CANCEL is heard, and everything else lost, so that the host asks again.
     // Goes on with the frame.
     void glance(const uint8_t *data, size_t count, uint64_t now_us);
+    bool exposing() const {
+        return frame_.stage >= Stage::ASKED && frame_.stage <= Stage::READING_OUT;
+    }
     // Whether poll has something to do without new bytes.
     bool busy() const { return waiting_ > 0 || reads_ > 0 || exposing(); }
 
@@ -41,7 +44,7 @@ private:
     static constexpr uint32_t shared_bytes =
         ring > Program::plane_bytes ? ring : Program::plane_bytes;
 
-    enum class Stage : uint8_t { NONE, LAUNCHING, READING_OUT, READY, FAILED };
+    enum class Stage : uint8_t { NONE, ASKED, LAUNCHING, READING_OUT, READY, FAILED };
     struct Frame {
         Stage stage;
         Fault fault;
@@ -82,9 +85,6 @@ private:
     Verdict take(const uint8_t *data, size_t size);
     Verdict commit(bool &again);
     Verdict refuse(Verdict verdict);
-    bool exposing() const {
-        return frame_.stage == Stage::LAUNCHING || frame_.stage == Stage::READING_OUT;
-    }
     uint8_t shown_state() const { return uint8_t(exposing() ? State::EXPOSING : state_); }
     const uint8_t *entry(size_t number) const { return entries_ + entry_size * number; }
     uint32_t entry_length(size_t number) const { return get32(entry(number) + 2); }

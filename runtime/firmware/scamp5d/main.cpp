@@ -157,7 +157,11 @@ NSCC_SHARED_RAM Loader loader(chip);
 void serve() {
     static Turns turns(loader);
     while (true) {
-        vs_frame_loop_control();
+        // The library's own loop, which no trigger holds up, takes as long as it takes.
+        if (!loader.exposing()) {
+            vs_disable_frame_trigger();
+            vs_frame_loop_control();
+        }
         turns.take();
     }
 }
@@ -166,6 +170,5 @@ void serve() {
 
 int main() {
     vs_init();
-    vs_configure_frame_trigger(VS_FRAME_TRIGGER_CONST_LOOP, 1000);
     nscc::serve();
 }

@@ -8,6 +8,11 @@
 #include "port.hpp"
 #include "scan.hpp"
 #include "target.hpp"
+#include "watchdog.hpp"
+
+#ifndef NSCC_WATCHDOG
+#define NSCC_WATCHDOG 1
+#endif
 
 namespace nscc {
 
@@ -20,6 +25,21 @@ bool asked;
 
 uint8_t sending[256];
 bool sent_before;
+
+// While one of these is there, no interrupt comes.
+class InterruptsOff {
+public:
+#ifdef __arm__
+    InterruptsOff() { asm volatile("mrs %0, primask\n\tcpsid i" : "=r"(before_)::"memory"); }
+    ~InterruptsOff() { asm volatile("msr primask, %0" ::"r"(before_) : "memory"); }
+
+private:
+    uint32_t before_;
+#else
+    InterruptsOff() {}
+    ~InterruptsOff() {}
+#endif
+};
 
 uint32_t reversed(uint32_t byte) {
     byte = (byte & 0xf0) >> 4 | (byte & 0x0f) << 4;
@@ -77,8 +97,19 @@ uint64_t port_micros() {
     return uint64_t(rounds) << 32 | now;
 }
 
-// No public name of the library starts a watchdog: whoever starts one feeds it here.
-void port_feed_watchdog() {}
+// The first feed starts it. Compiled with -DNSCC_WATCHDOG=0 the chip's watchdog is left alone.
+void port_feed_watchdog() {
+#if NSCC_WATCHDOG
+    auto &watchdog = *reinterpret_cast<WatchdogRegisters *>(watchdog_address);
+    if (watchdog.mode == 0) {
+        watchdog.constant = watchdog_counts;
+        watchdog.mode = 3;
+    }
+    const InterruptsOff off;
+    watchdog.feed = 0xaa;
+    watchdog.feed = 0x55;
+#endif
+}
 
 // Addresses count columns from the right.
 bool port_scan(const areg_t &reg, uint32_t column, uint8_t *codes) {

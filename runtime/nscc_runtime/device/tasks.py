@@ -37,6 +37,7 @@ _READ_AHEAD = 6
 _READ_CHUNKS = 8
 _POLL_S = 0.02
 _LONGEST_POLL_S = 0.25
+_LONGEST_SILENCE_S = 5.0
 _BUSY_WAIT_S = 0.1
 _FIRST_WINDOW = 2048
 """Bytes that are sent ahead before anything is known of the line: more follow while nothing is
@@ -236,7 +237,7 @@ def capture(host: Host, wanted: Wanted) -> Task[Taken]:
 def _captured(host: Host, wanted: Wanted) -> Task[Captured]:
     """What the loader says of a frame that is exposed."""
     body = messages.Capture(wanted.number, wanted.channels).pack()
-    poll, extra = _POLL_S, 0.0
+    poll, extra, silent = _POLL_S, 0.0, False
     while True:
         try:
             reply = yield from host.ask(Kind.CAPTURE, body, extra_s=extra)
@@ -255,6 +256,10 @@ def _captured(host: Host, wanted: Wanted) -> Task[Captured]:
             return captured
         extra = min(2 * captured.estimate_ms / 1000, wanted.longest_s)
         host.check_patience(extra)
+        if not silent:
+            # While words run a loader has better to do than to answer.
+            silent = True
+            yield from pause(host, min(wanted.exposure_s(captured), _LONGEST_SILENCE_S))
         yield from pause(host, poll)
         poll = min(2 * poll, _LONGEST_POLL_S)
 

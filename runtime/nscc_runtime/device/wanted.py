@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nscc_runtime.device.messages import frame_bytes
+from nscc_runtime.device.messages import Captured, frame_bytes
 from nscc_runtime.device.objects import Upload
 from nscc_runtime.device.timing import LONGEST_US
 
@@ -33,6 +33,11 @@ class Wanted:
             return frame_bytes(self.channels, self.pixels, readouts, 0)
         own = readouts == program.readouts
         return own * frame_bytes(self.channels, program.pixels, readouts, program.states)
+
+    def exposure_s(self, captured: Captured) -> float:
+        """What its slots take, by the loader's figures and the host's own."""
+        own_ms = captured.estimate_ms if self.program is None else self.program.frame_ms
+        return min(own_ms, captured.estimate_ms) / 1000
 
     @property
     def longest_s(self) -> float:

@@ -61,6 +61,6 @@ CROSSTALK = Effect(
     sums=(Exchange(FRACTION, smeared),),
     fused=CannotHave("it goes through pixels one by one"),
     # Neighbours multiply what has to be counted.
-    words=InLoop("exchanges", {"exchanged": FRACTION}, cost_ns=60.0),
+    words=InLoop("exchanges", {"exchanged": FRACTION}),
     cost_ns=60.0,
 )

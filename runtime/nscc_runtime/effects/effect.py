@@ -72,7 +72,6 @@ class InLoop:
     `nscc_runtime.planner.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
     turns it on, `numbers` are its figures, `device_key` is that of its stream on the device,
     `draws_key` of its draws at words, where it has no `Errors`, `function` what is called.
-    `cost_ns`: nanoseconds a pixel that leaving it out saves there.
     """
 
     switch: str | None = None
@@ -80,7 +79,6 @@ class InLoop:
     device_key: str | None = None
     draws_key: str | None = None
     function: Callable[..., float] | None = None
-    cost_ns: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -110,7 +108,8 @@ class Effect:
     planner and, by its docstring, for people. `sums`: its parts in sums over slots; `fused`: in the
     loop that does a simple plan in one go; `words`: in the loops over the words of single pixels
     and of pixels that look.
-    `cost_ns`: nanoseconds a pixel that leaving it out saves, measured, to a factor of about two.
+    `cost_ns`: nanoseconds a pixel that leaving it out of sums saves, measured, to a factor of about
+    two; what it costs elsewhere follows from its parts (`nscc_runtime.planner.prices`).
     `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
     is marked (`nscc_runtime.effects.marks`).
     """

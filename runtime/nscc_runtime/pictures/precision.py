@@ -76,7 +76,8 @@ class Reading:
 
 
 def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading: Reading) -> Figure:
-    """All panels, with one scale of time. Raises ValueError where there is nothing to draw."""
+    """All panels, with one scale of time, and one of errors for those whose error is the same.
+    Raises ValueError where there is nothing to draw."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]
@@ -92,7 +93,11 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
     columns = min(_COLUMNS, len(problems))
     figure, grid = sheet.panels(len(problems), (sheet.WIDTH / max(columns, 1.4), 3.1), columns)
     labels = []
+    heights: dict[str, list[float]] = {}
+    for panel in problems:
+        heights.setdefault(panel.error, []).extend(_heights(panel, reading))
     for number, (axes, panel) in enumerate(zip(grid, problems, strict=True)):
+        _set_errors(axes, heights[panel.error] or [1.0], reading.linear)
         axes.set_xscale("log")
         axes.set_xlim(min(times) / room, max(times) * room)
         sheet.round_ticks(axes.xaxis)
@@ -120,6 +125,14 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
     return figure
 
 
+def _heights(panel: Panel, reading: Reading) -> list[float]:
+    """All that a panel's error axis has to hold."""
+    lines = reading.lines(panel.points)
+    found = [point.error for part in lines.values() for point in part]
+    found += [part[0].bound for part in lines.values() if part[0].bound]
+    return found + [guide.error for guide in panel.guides if guide.error]
+
+
 def _draw(
     axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: Reading,
     beaten: dict[int, bool],
@@ -128,9 +141,7 @@ def _draw(
     beats first."""
     lines = reading.lines(panel.points)
     bounds = {name: part[0].bound for name, part in lines.items() if part[0].bound}
-    heights = [point.error for part in lines.values() for point in part]
-    heights += [*bounds.values(), *(guide.error for guide in panel.guides if guide.error)]
-    bottom = _set_errors(axes, heights or [1.0], reading.linear)
+    bottom = axes.get_ylim()[0]
     names, labels = [], []
     for name, part in lines.items():
         colour, marker = looks[name]["color"], looks[name]["marker"]
@@ -162,8 +173,8 @@ def _draw(
     return names + [label for _, label in sorted(labels, key=lambda pair: pair[0])]
 
 
-def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> float:
-    """Scale, limits and ticks of the error axis; its lower end."""
+def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
+    """Scale, limits and ticks of the error axis."""
     if linear:
         least, most = min(heights), max(heights)
         margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)
@@ -175,4 +186,3 @@ def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> float:
         axes.set_yscale("log")
         axes.set_ylim(least / margin, most * margin)
     sheet.round_ticks(axes.yaxis)
-    return axes.get_ylim()[0]

@@ -54,13 +54,17 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
             )
             panels.append(Panel(study.scene, error, points, guides))
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
+    settings = [p.setting for each in studies for p in each.points if p.method == PLANNED]
+    unit = " in e" if all(setting.endswith("e") for setting in settings) else ""
     return precision_diagram(
         panels, "What the emulator's time buys",
-        "against the reference with all effects, same draws (hollow: dominated; numbers: tolerance "
-        f"in e); {times} on {device}",
+        "against the reference with all effects, same draws (hollow: dominated; beside the marks: "
+        f"tolerance{unit}); {times} on {device}",
         Reading(
             "time of one frame, ms", line=lambda point: _NAMES.get(point.method, ""),
-            text=lambda p: p.setting.removesuffix("e") if p.method == PLANNED else "",
+            text=lambda p: (
+                p.setting.removesuffix("e" if unit else "") if p.method == PLANNED else ""
+            ),
         ),
     )  # fmt: skip
 

@@ -21,10 +21,11 @@ def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device:
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
     ]
+    levels = " ".join(sorted({point.setting for point in points}))
     times = "one compilation" if repeats == 1 else f"median and range of {repeats} compilations"
     return precision_diagram(
         panels, "What compile time buys",
-        f"{words} at -O0 to -O3 (numbers; hollow: dominated) against {times}, from text to proof, "
+        f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
         f"on {device}",
         Reading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
     )  # fmt: skip

@@ -155,11 +155,12 @@ def compared(plan: Values, full: Values, weight: Values, pooled: int, tolerance_
     )
 
 
-def compared_rows(slots: int, total_e: Values) -> NDArray[np.intp]:
+def compared_rows(slots: int, total_e: Values, cells: int = _MOST_CELLS) -> NDArray[np.intp]:
     """The rows to compare where so many slots of a pixel are made: all, or bands of `_BAND` with
-    that of the brightest pixel. `total_e` (rows, cols): all the light of each pixel."""
+    that of the brightest pixel, of so many `cells` (slots x pixels). `total_e` (rows, cols): all
+    the light of each pixel."""
     height, cols = total_e.shape
-    wanted = _MOST_CELLS // (slots * cols) // _BAND
+    wanted = cells // (slots * cols) // _BAND
     bands = -(-height // _BAND)
     if wanted >= bands:
         return np.arange(height)

@@ -14,16 +14,18 @@ from nscc_runtime.effects import (
     AfterExposure,
     CannotHave,
     Effect,
-    InLoop,
     Selection,
+    everything,
     registered,
     selected,
 )
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.planner.lacking import Lacking
 from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
 from nscc_runtime.planner.predict import Forecast
+from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
 from nscc_runtime.remembered import remembered
 
@@ -35,10 +37,6 @@ _SHORT_CUTS = 0.6
 """Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
 
 _NOTHING = np.zeros(1)
-_REFERENCE = 2.0
-"""The reference, by the cost of the loop over words."""
-_WORD_NS, _SLOT_NS = 300.0, 60.0
-"""Of one pixel through its words, neighbours' counts included: nanoseconds a word, and a slot."""
 
 
 def plan_for(
@@ -65,7 +63,8 @@ def predicted_for(
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
     chooser = Chooser(program, light, plan.tolerance_e, device_seed, threads, chosen)
-    made = chooser.plan("taken from the plan given")
+    lacking = frozenset(plan.saturating_lack)
+    made = chooser.made(chooser.forced_off, lacking, "taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
     return replace(made, decisions=decisions, tolerance=plan.tolerance, signal_e=plan.signal_e)
@@ -103,8 +102,20 @@ class Chooser(Forecast):
                     if saved > 0:
                         fits.append((saved / max(then - now, 1e-12), sorted(names)))
             if not fits:
-                return self._made(dropped, forced_reason)
+                break
             dropped |= set(max(fits)[1])
+        lacking: frozenset[str] = frozenset()
+        if self._path(dropped) == "sums" and self.state(dropped) == "words":
+            free = dropped - self.forced_off - self.saturation - self.slow
+            lacking = self._lacking.chosen(free, limit - self._square(dropped))
+        return self.made(dropped, lacking, forced_reason)
+
+    @cached_property
+    def _lacking(self) -> Lacking:
+        return Lacking(
+            self.program, self.light, self.near, self.fields, self.forced_off, self.device_seed,
+            self.threads,
+        )  # fmt: skip
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
         """What may be left out next: an effect, saturation, or all that only the reference has."""
@@ -134,7 +145,10 @@ class Chooser(Forecast):
             return "sums"
         if any(effect.name in self.slow for effect in left):
             return "reference"
-        return "sums" if summed else "words"
+        if summed:
+            return "sums"
+        cheaper = self._all_words_ns(dropped) < self._reference_ns
+        return "words" if cheaper else "reference"
 
     @cached_property
     def _everywhere(self) -> bool:
@@ -146,36 +160,44 @@ class Chooser(Forecast):
     def _forced(self, effect: Effect) -> bool:
         return not self.effects.auto or effect.name in self.effects.forced
 
-    def _words_ns(self, pixels: int) -> float:
-        """Nanoseconds that so many pixels running through their words cost, shared over all."""
-        program = self.program
-        words = len(program.pixels.entries) / len(program.container.encoding)
-        each = _WORD_NS * words + _SLOT_NS * program.container.slots
-        return each * pixels / len(program.lanes)
+    @property
+    def _reference_ns(self) -> float:
+        return self.program.work.reference_ns(SHIPPED)
+
+    def _all_words_ns(self, dropped: frozenset[str]) -> float:
+        """Nanoseconds a pixel of all pixels running through their words."""
+        kept = everything().without(*dropped)
+        return self.program.work.words_ns(kept, SHIPPED, alone=False)
+
+    def _near_ns(self, lacking: frozenset[str]) -> float:
+        """Nanoseconds of one pixel near saturation that runs through its words."""
+        kept = everything().without(*lacking)
+        return self.program.work.words_ns(kept, SHIPPED, alone=True)
 
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
         path = self._path(dropped)
-        if path == "sums":
-            near = self.near if self.state(dropped) == "words" else ()
-            return self._words_ns(len(near))
-        return self._words_ns(len(self.program.lanes)) * (_REFERENCE if path == "reference" else 1)
+        if path == "reference":
+            return self._reference_ns
+        if path == "words":
+            return self._all_words_ns(dropped)
+        if self.state(dropped) != "words":
+            return 0.0
+        return self._near_ns(self.forced_off) * len(self.near) / len(self.program.lanes)
 
     def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
-        path = self._path(dropped)
         saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
-        effects = [effect for effect in self.present if effect.name in names]
-        if path == "sums":
-            return saved + sum(effect.cost_ns for effect in effects)
-        # The words are run in any case.
-        loops = (effect.words for effect in effects if path == "words")
-        return saved + sum(each.cost_ns for each in loops if isinstance(each, InLoop))
+        if self._path(dropped) != "sums":
+            return saved
+        return saved + sum(effect.cost_ns for effect in self.present if effect.name in names)
 
-    def _made(self, dropped: frozenset[str], forced_reason: str) -> Plan:
-        """The plan of these decisions."""
+    def made(self, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str) -> Plan:
+        """The plan that leaves these effects out; pixels near saturation have those of them that
+        are not `lacking` there and not forced off."""
         path = self._path(dropped)
         square, most = self.squares(dropped, path != "sums")
+        added = self._lacking.square(lacking) if lacking else _NOTHING
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
         reasons = [*self._reasons(dropped)]
@@ -184,15 +206,19 @@ class Chooser(Forecast):
             loop = "all" if path == "words" else "reference"
         return Plan(
             self.tolerance_e,
-            math.sqrt(float(np.max(square))),
-            math.sqrt(float(np.max(most))),
+            math.sqrt(float(np.max(square + added))),
+            math.sqrt(float(np.max(most + added))),
             loop,
             tuple(reasons),
             len(self.fields.sample.places) / len(self.program.lanes),
             tuple(cut for cut in cuts if cut.error_e > 0),
-            tuple(self._decision(each, dropped, forced_reason) for each in registered()),
+            tuple(
+                self._decision(each, dropped, float(np.max(added)), forced_reason)
+                for each in registered()
+            ),
             self.leak_nodes,
             self.closed,
+            saturating_lack=tuple(sorted(lacking)),
         )
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
@@ -205,22 +231,24 @@ class Chooser(Forecast):
                 yield f"{effect.name}: only the reference has it ({effect.words.reason})"
             elif path == "words" and isinstance(effect.sums, CannotHave):
                 yield f"{effect.name}: sums over the slots cannot have it ({effect.sums.reason})"
-        if path == "reference":
-            return
-        if self._everywhere:
+        if path != "sums" and self._everywhere:
             yield (
                 "counts would have to be spread over the slots of most pixels: the weights of a "
                 "code's slots differ too much for this tolerance"
             )
+        if path == "reference":
+            return
         if self.state(dropped) == "words":
             yield f"{len(self.near)} pixels may saturate"
 
-    def _decision(self, effect: Effect, dropped: frozenset[str], forced_reason: str) -> Decision:
+    def _decision(
+        self, effect: Effect, dropped: frozenset[str], added: float, forced_reason: str
+    ) -> Decision:
         forced = self._forced(effect)
         if effect.kind == "after":
             return after_exposure(effect, self.effects, self.program.sensor, forced_reason)
         rms, bias = self.contribution(effect)
-        then = math.sqrt(self._square(dropped | {effect.name}))
+        then = math.sqrt(self._square(dropped | {effect.name}) + added)
         cost = self._saved_ns(frozenset({effect.name}), dropped)
         choice: Choice = "kept"
         if effect not in self.present:

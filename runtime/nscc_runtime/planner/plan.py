@@ -76,7 +76,9 @@ class Plan:
     is counted. `other_states`: of a program that looks, the part of the pixels that end in other
     states than with every effect, at most MOST_OTHER_STATES; errors are those of the other pixels.
     `tolerance`: what was asked, as text, empty where that is not known; `signal_e`: the mean signal
-    that it is a part of, or None. As text a plan is the table that `nscc run` prints.
+    that it is a part of, or None. `saturating_lack`: the dropped effects that pixels near
+    saturation lack as well, whose words run with all others. As text a plan is the table that
+    `nscc run` prints.
     """
 
     tolerance_e: float
@@ -92,6 +94,7 @@ class Plan:
     other_states: float | None = None
     tolerance: str = ""
     signal_e: float | None = None
+    saturating_lack: tuple[str, ...] = ()
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -180,14 +183,14 @@ class Plan:
 
     @cached_property
     def kept_in_words(self) -> Selection:
-        """The effects on pixels that run through all their words because they may saturate: there
-        the others no longer add up, so only saturation itself and what the user forced is left out,
-        and what the loop over words cannot have.
+        """The effects on pixels that run through all their words because they may saturate: all but
+        those that they lack by the plan, saturation itself if it is dropped, what the user forced
+        off, and what the loop over words cannot have.
         """
         wanted, kept = self.wanted, self.kept
         lost = {e.name for e in wanted.effects if e.parts(Saturates) and e not in kept}
         lost |= {e.name for e in wanted.effects if isinstance(e.words, CannotHave)}
-        return wanted.without(*lost)
+        return wanted.without(*lost, *self.saturating_lack)
 
     def as_json(self) -> dict[str, Any]:
         """The plan as a frame file's `meta` has it."""
@@ -204,6 +207,7 @@ class Plan:
             "approximations": [asdict(each) for each in self.approximations],
             "leak_nodes": self.leak_nodes,
             "closed_slots_counted": self.closed,
+            "saturating_lack": list(self.saturating_lack),
             "other_states": self.other_states,
             "effects": [asdict(each) for each in self.decisions],
         }
@@ -230,6 +234,10 @@ class Plan:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
         if plan.tolerance.endswith("%") != (plan.signal_e is not None):
             raise ValueError(f"signal_e is {plan.signal_e}")
+        if not set(plan.saturating_lack) <= {
+            e.name for e in plan.decisions if e.decision == "dropped"
+        }:
+            raise ValueError(f"saturating_lack is {', '.join(plan.saturating_lack)[:60]}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")
         return plan

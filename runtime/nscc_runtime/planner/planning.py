@@ -21,7 +21,7 @@ from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
-from nscc_runtime.pool import processors
+from nscc_runtime.pool import threads_of
 
 
 class Planning(Protocol):
@@ -88,7 +88,7 @@ class PlanningBySums:
 
     @property
     def _threads(self) -> int:
-        return processors() if self.threads is None else self.threads
+        return threads_of(self.threads)
 
     @cached_property
     def _program(self) -> Program:

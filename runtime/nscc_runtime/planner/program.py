@@ -17,6 +17,7 @@ from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.overlap import Overlap
 from nscc_runtime.planner.pixels import Pixels
+from nscc_runtime.planner.prices import Work
 from nscc_runtime.planner.reach import Reach, reach_of
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
@@ -73,6 +74,11 @@ class Program:
     def fresh_pixels(self) -> Pixels:
         """The words as they are meant."""
         return Pixels.of(replace(self.reference, words=self.tables.fresh))
+
+    @cached_property
+    def work(self) -> Work:
+        """What a pixel has to do in the loop over words."""
+        return Work.of(self.pixels, self.container.slots)
 
     def words(self, kept: Selection) -> Pixels:
         """The loop over the words of single pixels."""

@@ -7,10 +7,12 @@ from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from time import perf_counter
+from typing import Any
 
 import numpy as np
 
 from nscc.tradeoff.points import Point
+from nscc.tradeoff.rows import Rows
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.frame_file import Frame
@@ -112,26 +114,32 @@ def measure(
     settings: Settings,
     gb_per_s: float,
     progress: Progress = iter,
+    rows: Rows | None = None,
 ) -> tuple[Study, ...]:
     """Errors of every method on every scene, then times in turn, so that what else the machine does
     is spread over all.
 
     Everything random has the seeds of `settings`: plan and reference draw the same numbers. The
-    program is analysed before and costs no method time. ValueError for less than 2 frames; Rejected
+    program is analysed before and costs no method time. What `rows` knows is not made again, of
+    scenes whose names differ. ValueError for less than 2 frames; Rejected
     (NS0746) for what is no tolerance, before anything is measured.
     """
     if settings.frames < 2 or settings.repeats < 1:
         raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
-    benches = [_Bench(program, scene, settings) for scene in scenes]
+    benches = [_Bench(program, scene, settings, rows or Rows()) for scene in scenes]
     for bench in benches[:1]:
         bench.warm()
     work = [*benches, *[bench for _ in range(settings.repeats) for bench in benches]]
     for bench in progress(work):
-        if bench.truth:
+        if bench.errors:
             bench.time()
         else:
             bench.compare()
     return tuple(bench.study(gb_per_s) for bench in benches)
+
+
+_Key = tuple[str, str]
+"""Method and setting."""
 
 
 @dataclass(eq=False)
@@ -141,11 +149,12 @@ class _Bench:
     program: Program
     scene: Scene
     settings: Settings
-    truth: list[Frame] = field(default_factory=list)
+    rows: Rows
     plans: dict[str, Plan] = field(default_factory=dict)
-    errors: dict[tuple[str, str], tuple[float, float]] = field(default_factory=dict)
-    times_ms: dict[tuple[str, str], list[float]] = field(default_factory=dict)
+    errors: dict[_Key, tuple[float, float]] = field(default_factory=dict)
+    times_ms: dict[_Key, list[float]] = field(default_factory=dict)
     missing: list[tuple[str, str]] = field(default_factory=list)
+    timed: int = 0
 
     def __post_init__(self) -> None:
         self.naive = Naive(self.program, self.scene.light)
@@ -170,6 +179,14 @@ class _Bench:
 
     def compare(self) -> None:
         """The errors of all methods, and the times of the reference's frames."""
+        self.plans = {each.name: self._plan(each) for each in self.tolerances}
+        found = self.rows.once(f"{self.scene.name}, errors", self._compared)
+        self.errors = {(method, setting): (e, lsb) for method, setting, e, lsb in found["errors"]}
+        self.missing = [(method, why) for method, why in found["missing"]]
+        for method in (REFERENCE, OTHER_DRAWS):
+            self.times_ms[method, "all"] = found["ms"]
+
+    def _compared(self) -> dict[str, Any]:
         settings, light, count = self.settings, self.scene.light, self.frames
         made = iter(
             reference_frames(
@@ -177,36 +194,42 @@ class _Bench:
                 seed=settings.seed, device_seed=settings.device_seed, count=count,
             )
         )  # fmt: skip
-        for _ in range(count):
-            self._timed(REFERENCE, "all", lambda: self.truth.append(next(made)))
-        self.times_ms[OTHER_DRAWS, "all"] = self.times_ms[REFERENCE, "all"]
-        self.errors[REFERENCE, "all"] = (0.0, 0.0)
-        self.errors[OTHER_DRAWS, "all"] = error(self.truth[1:], self.truth[:-1])
-        self.errors[SUMMED, "none"] = error([self.naive.summed()] * count, self.truth)
+        truth: list[Frame] = []
+        times_ms = [_ms(lambda: truth.append(next(made))) for _ in range(count)]
+        errors = {
+            (REFERENCE, "all"): (0.0, 0.0),
+            (OTHER_DRAWS, "all"): error(truth[1:], truth[:-1]),
+            (SUMMED, "none"): error([self.naive.summed()] * count, truth),
+        }
+        missing = []
         try:
             drawn = [self.naive.drawn(settings.seed + i) for i in range(count)]
-            self.errors[DRAWN, self.counted] = error(drawn, self.truth)
+            errors[DRAWN, self.counted] = error(drawn, truth)
         except ValueError as wrong:
-            self.missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
-        for tolerance in self.tolerances:
-            setting = tolerance.name
-            plan = self.plans[setting] = self._plan(tolerance)
-            found = error(list(self._planned(plan, count)), self.truth)
-            self.errors[PLANNED, setting] = self.errors[WITH_PLANNING, setting] = found
+            missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
+        for setting, plan in self.plans.items():
+            found = error(list(self._planned(plan, count)), truth)
+            errors[PLANNED, setting] = errors[WITH_PLANNING, setting] = found
+        rows = [(*key, *values) for key, values in errors.items()]
+        return {"errors": rows, "missing": missing, "ms": times_ms}
 
     def time(self) -> None:
         """One frame of every method but the reference."""
-        self._timed(SUMMED, "none", self.naive.summed)
+        turn, self.timed = self.timed, self.timed + 1
+        for method, setting, ms in self.rows.once(f"{self.scene.name}, {turn}", self._times):
+            self.times_ms.setdefault((method, setting), []).append(ms)
+
+    def _times(self) -> list[tuple[str, str, float]]:
+        found = [(SUMMED, "none", _ms(self.naive.summed))]
         if (DRAWN, self.counted) in self.errors:
-            self._timed(DRAWN, self.counted, partial(self.naive.drawn, self.settings.seed))
+            drawn = partial(self.naive.drawn, self.settings.seed)
+            found.append((DRAWN, self.counted, _ms(drawn)))
         for tolerance in self.tolerances:
-            setting, plan = tolerance.name, self.plans[tolerance.name]
-            begin = perf_counter()
-            self._plan(tolerance)
-            planning_ms = (perf_counter() - begin) * 1e3
-            self._timed(PLANNED, setting, partial(self._first, plan))
-            last_ms = self.times_ms[PLANNED, setting][-1]
-            self.times_ms.setdefault((WITH_PLANNING, setting), []).append(planning_ms + last_ms)
+            planning_ms = _ms(partial(self._plan, tolerance))
+            frame_ms = _ms(partial(self._first, self.plans[tolerance.name]))
+            found.append((PLANNED, tolerance.name, frame_ms))
+            found.append((WITH_PLANNING, tolerance.name, planning_ms + frame_ms))
+        return found
 
     def study(self, gb_per_s: float) -> Study:
         """What was found."""
@@ -229,11 +252,6 @@ class _Bench:
             tuple(self.missing),
         )
 
-    def _timed(self, method: str, setting: str, run: Callable[[], object]) -> None:
-        begin = perf_counter()
-        run()
-        self.times_ms.setdefault((method, setting), []).append((perf_counter() - begin) * 1e3)
-
     def _plan(self, tolerance: Tolerance) -> Plan:
         light, seed = unknown(self.scene.light), self.settings.device_seed
         return plan_for(self.program, light, tolerance.electrons, None, seed).asked(tolerance)
@@ -245,6 +263,13 @@ class _Bench:
         """Frames of a scene that is made ready anew: sums over the slots are part of the first."""
         light, settings = unknown(self.scene.light), self.settings
         return planned_frames(self.program, light, plan, settings.seed, settings.device_seed, count)
+
+
+def _ms(run: Callable[[], object]) -> float:
+    """How long that takes."""
+    begin = perf_counter()
+    run()
+    return (perf_counter() - begin) * 1e3
 
 
 def unknown(light: Light) -> Light:

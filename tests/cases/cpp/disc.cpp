@@ -7,7 +7,7 @@
 // digital    R1 fall at boundary 1; R2 fall at boundary 3
 // analog     A exposure of early; B exposure of late; C reset level of PIX; NEWS scratch of analog
 //            words
-// words      26 stored in 4 kernels, 26 a frame; 15 more load the codes and prepare readout
+// words      26 stored in 4 kernels, 26 a frame; 13 more load the codes and prepare readout
 // time       the exposure begins 3 us after the frame's first word and ends 1503 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
@@ -276,14 +276,12 @@ int main() {
 #endif
         scamp5_kernel_begin();
             all();
-            bus(NEWS, A);
-            bus(F, NEWS);
-            bus(NEWS, A, F, IN);
-            bus(A, NEWS);
-            bus(NEWS, B);
-            bus(F, NEWS);
-            bus(NEWS, B, F, IN);
-            bus(B, NEWS);
+            bus(F, A, IN);
+            bus(NEWS, A, IN);
+            bus(A, NEWS, F, IN);
+            bus(F, B, IN);
+            bus(NEWS, B, IN);
+            bus(B, NEWS, F, IN);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
         scamp5_output_image(B, display_1);

@@ -11,7 +11,7 @@
 //            13; R9 fall at boundary 14; R10 fall at boundary 15; R11 fall at boundary 16; R12 fall
 //            time, digit 1 is not 0
 // analog     A exposure of frame; B reset level of PIX; NEWS scratch of analog words
-// words      93 stored in 17 kernels, 93 a frame; 71 more load the codes and prepare readout
+// words      93 stored in 17 kernels, 93 a frame; 70 more load the codes and prepare readout
 // time       the exposure begins 2 us after the frame's first word and ends 2002 us after it; a
 //            launch waits for its moment on a clock that runs on, so that no error adds up; words
 //            take, by the target's figures, 0.2 us (analog) and 0.1 us (digital), a launch 1 us
@@ -603,10 +603,9 @@ int main() {
 #endif
         scamp5_kernel_begin();
             all();
-            bus(NEWS, A);
-            bus(F, NEWS);
-            bus(NEWS, A, F, IN);
-            bus(A, NEWS);
+            bus(F, A, IN);
+            bus(NEWS, A, IN);
+            bus(A, NEWS, F, IN);
         scamp5_kernel_end();
         scamp5_output_image(A, display_0);
     }

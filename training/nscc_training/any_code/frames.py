@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -47,6 +48,16 @@ class CodedFrame:
         codes for light, not for motion."""
         return bool((self.opened[..., :-1] >= self.opened[..., 1:]).all())
 
+    def part(self, rows: slice, cols: slice) -> CodedFrame:
+        """A rectangle of its pixels."""
+        value_e, variance_e2, saturated = (
+            each[:, rows, cols] for each in (self.value_e, self.variance_e2, self.saturated)
+        )
+        return replace(
+            self, value_e=value_e, variance_e2=variance_e2, saturated=saturated,
+            row=self.row[rows, cols],
+        )  # fmt: skip
+
     def clip(self) -> Measured:
         """As the frames of a clip, whose unit is electrons in a slot of mean length."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
@@ -77,27 +88,29 @@ def read_coded_frames(path: Path, program: Path | None = None) -> tuple[CodedFra
             arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
         meta = json.loads(str(arrays["meta"]))
     except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise no_coded_frame(path, said(error)) from error
+        raise nocoded_frame(path, said(error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
-        raise no_coded_frame(path, f"its schema is not {SCHEMA}")
+        raise nocoded_frame(path, f"its schema is not {SCHEMA}")
     if program is not None:
         arrays |= _table_of(program, meta)
     if "decode_row" not in arrays:
-        raise no_coded_frame(path, "it does not hold its pixels' shutters",
+        raise nocoded_frame(path, "it does not hold its pixels' shutters",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
     try:
         if "colours" not in meta:
-            return (_coded_frame(arrays, meta),)
+            return (coded_frame(arrays, meta),)
         told = ("frame", "saturated")
         return tuple(
-            _coded_frame(arrays | {name: arrays[name][k] for name in told if name in arrays}, meta)
+            coded_frame(arrays | {name: arrays[name][k] for name in told if name in arrays}, meta)
             for k in range(len(arrays["frame"]))
         )
     except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise no_coded_frame(path, f"its arrays do not fit together: {said(error)}") from error
+        raise nocoded_frame(path, f"its arrays do not fit together: {said(error)}") from error
 
 
-def _coded_frame(arrays: dict[str, NDArray[Any]], meta: dict[str, Any]) -> CodedFrame:
+def coded_frame(arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any]) -> CodedFrame:
+    """What a frame file with these arrays and this meta holds: one frame, or repeats. KeyError,
+    ValueError, IndexError or TypeError for arrays that are missing or do not fit together."""
     codes = arrays["frame"]
     codes = codes[None] if codes.ndim == 3 else codes
     saturated = arrays.get("saturated", arrays["frame"] == _TOP)
@@ -126,7 +139,7 @@ def _coded_frame(arrays: dict[str, NDArray[Any]], meta: dict[str, Any]) -> Coded
     )
 
 
-def _counts_photons(meta: dict[str, Any]) -> bool:
+def _counts_photons(meta: Mapping[str, Any]) -> bool:
     """Whether light came as photons: always, but in frames simulated without."""
     plan = meta.get("plan")
     if plan is None:
@@ -149,7 +162,7 @@ def _table_of(program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
     return found
 
 
-def no_coded_frame(path: Path, reason: str, help_text: str | None = None) -> Exception:
+def nocoded_frame(path: Path, reason: str, help_text: str | None = None) -> Exception:
     """NS0819 for a file that no light can be found from."""
     return rejected(
         "NS0819",

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 
 from nscc_training.data.sources import Scene, Scenes
+from nscc_training.protocols import load_protocol
 from nscc_training.settings import DataSettings
 
 _TRIES = 20
@@ -77,6 +78,7 @@ class Batches:
         batch: int, seed: int,
     ) -> None:  # fmt: skip
         self.scenes, self.settings = scenes, settings
+        self.grey_e = load_protocol(settings.protocol).mid_grey_e
         self.slots, self.full_well_e = slots, full_well_e
         self.batch, self.seed = batch, seed
 
@@ -104,8 +106,11 @@ class Batches:
     ) -> list[_Patch]:
         """Patches of one exposure."""
         for _ in range(_TRIES):
-            exposed = _Exposed.still if scene.light.ndim == 2 else _Exposed.clip
-            around = exposed(scene, self.settings, self.slots, generator)
+            if scene.light.ndim == 2:
+                around = _Exposed.still(scene, self.settings, generator)
+            else:
+                part = None if self.grey_e is None else self.grey_e / self.full_well_e
+                around = _Exposed.clip(scene, self.settings, self.slots, generator, part)
             if around.level > 0:
                 break
         if augment:
@@ -139,7 +144,7 @@ class _Exposed:
 
     @classmethod
     def still(
-        cls, scene: Scene, settings: DataSettings, _slots: int, generator: np.random.Generator
+        cls, scene: Scene, settings: DataSettings, generator: np.random.Generator
     ) -> _Exposed:
         """A crop whose given part of pixels saturates."""
         light = scene.light
@@ -156,14 +161,17 @@ class _Exposed:
 
     @classmethod
     def clip(
-        cls, scene: Scene, settings: DataSettings, slots: int, generator: np.random.Generator
-    ) -> _Exposed:
-        """A window whose 99th percentile over time fills a well; 1 is the source's white."""
+        cls, scene: Scene, settings: DataSettings, slots: int, generator: np.random.Generator,
+        grey: float | None = None,
+    ) -> _Exposed:  # fmt: skip
+        """A window whose 99th percentile over time fills a well, or whose median fills the part
+        `grey` of it; 1 is the source's white."""
         side = max(settings.patch, EXPOSED)
         row, col = _corner(scene.light, side, generator)
         first = int(generator.integers(len(scene.light) - slots + 1))
         light = scene.light[first : first + slots, row : row + side, col : col + side]
-        level = float(np.percentile(light.sum(axis=0, dtype=np.float64), 99))
+        total = light.sum(axis=0, dtype=np.float64)
+        level = float(np.percentile(total, 99) if grey is None else np.median(total) / grey)
         return cls(light, level, 1.0, f"{scene.name} from {first} at {row},{col}")
 
     def augmented(self, generator: np.random.Generator) -> _Exposed:

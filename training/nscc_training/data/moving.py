@@ -171,6 +171,11 @@ def pictures_in(folders: Sequence[Path]) -> list[Picture]:
     return [_shown(light) for light in lights_in(folders)]
 
 
+def picture_of(path: Path) -> Picture:
+    """One of these."""
+    return _shown(_light(path))
+
+
 def lights_in(folders: Sequence[Path]) -> list[NDArray[np.float32]]:
     """The light of pictures in folders and folders in them, halved until their shorter side is
     below 1000: detail as sharp as small cameras have it. NS0811 without any."""

@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.picture_files import LINEAR, read_picture
+from nscc_runtime.scenes.colour import Transfer, linear
+from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, read_picture
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
 from nscc_training.data.camera import turned
+from nscc_training.data.moving import moving, picture_of
 from nscc_training.import_paths import imported, is_import_path, own_code
 from nscc_training.scene_files import CLIPS, files_in, frames_in, light_in
 from nscc_training.settings import DataSettings
@@ -107,7 +108,7 @@ def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
             found = call(kind=what, part=part, slots=kind.slots, seed=kind.seed)
             pairs = [(str(name), np.asarray(light)) for name, light in found]
         return [_scene(name, light, kind) for name, light in pairs]
-    folder, endings = Path(where), LINEAR if kind.still else (*CLIPS, *LINEAR)
+    folder, endings = Path(where), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
     files = files_in(folder, endings)
     if not files:
         what = "stills" if kind.still else "clips"
@@ -135,8 +136,10 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
 
 
 def _read(path: Path, kind: _Kind) -> list[Scene]:
-    """The scenes of a file: one, or the clips of a panorama."""
+    """The scenes of a file: one, or the clips of a panorama or a photograph."""
     digest = sha256(path.read_bytes()).hexdigest()
+    if path.suffix.lower() in DISPLAY:
+        return _moved(path, digest, kind)
     if path.suffix.lower() in LINEAR:
         light = np.maximum(light_in(read_picture(path), "linear"), 0.0)
         if not kind.still:
@@ -152,14 +155,35 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
     """
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
-    for index in range(kind.settings.paths):
-        generator = np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
+    for index, generator in enumerate(_generators(digest, kind)):
         light = turned(panorama, generator, kind.slots, size)
         light /= np.float32(max(float(np.percentile(light, 99)), 1e-30))
         if kind.settings.transfer == "linear":
             light = srgb(np.clip(light, 0, 1))
         scenes.append(_scene(f"{name}, path {index}", light, kind, digest))
     return scenes
+
+
+def _moved(path: Path, digest: str, kind: _Kind) -> list[Scene]:
+    """The clips of a photograph: layers that are all cut from it, so that no other file is seen."""
+    size = max(kind.settings.patch, _CAMERA_SIDE)
+    picture = picture_of(path)
+    transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
+    return [
+        _scene(
+            f"{path.name}, path {index}",
+            linear(moving([picture], generator, kind.slots, size), transfer), kind, digest,
+        )
+        for index, generator in enumerate(_generators(digest, kind))
+    ]  # fmt: skip
+
+
+def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
+    """One for each of the clips that a file's scene is made of, fixed by file and seed."""
+    return [
+        np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
+        for index in range(kind.settings.paths)
+    ]
 
 
 def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:

@@ -27,7 +27,7 @@ def flat(channels: Sequence[int], task: Task, size: str) -> StillUNet:
 
 def deep(channels: Sequence[int], task: Task, size: str) -> ClipUNet:
     """The declared decoder `unet3d`."""
-    return ClipUNet(channels, task.slots, _GUESSES[size])
+    return ClipUNet(channels, task.slots, _GUESSES[size], task.buckets)
 
 
 class UNet(nn.Module):
@@ -117,7 +117,7 @@ class StillUNet(nn.Module):
     ) -> None:  # fmt: skip
         super().__init__()
         self.slots, self.sees_code, self.guesses = slots, sees_code, guesses and sees_code
-        known = (2 if slots is None else slots) if sees_code else 0
+        known = (2 if slots is None else buckets * slots) if sees_code else 0
         guessed = (slots or 1) if self.guesses else 0
         gates = slots if slots is not None and self.guesses else 0
         network = UNet(buckets + known + guessed, (slots or 1) + gates, widths, 2)
@@ -143,33 +143,34 @@ class StillUNet(nn.Module):
         assert self.slots is not None
         seen, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
-            volume, opened = _lifted(frame, shutters, self.slots)
-            seen.append(volume)
+            volumes, opened = _lifted(frame, shutters, self.slots)
+            seen += volumes
             if self.guesses:
-                guess = clip_guess(volume, *opened)
+                guess = clip_guess(_added(volumes), *opened)
                 seen.append(guess)
         found: Tensor = self.network(torch.cat(seen, dim=1)).float()
         return found if guess is None else gated(guess, *found.chunk(2, dim=1))
 
 
 class ClipUNet(nn.Module):
-    """3D U-Net on S^T E: the frame copied over time and masked by the shutters; of two buckets,
-    every slot has the frame that its light went to.
+    """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
 
     With `guesses` it sees the first guess, too, and says what must be added to it and how much of
     it is to stay (`gated`).
     """
 
-    def __init__(self, widths: Sequence[int], slots: int, guesses: bool = False) -> None:
+    def __init__(
+        self, widths: Sequence[int], slots: int, guesses: bool = False, buckets: int = 1
+    ) -> None:
         super().__init__()
         self.slots, self.guesses = slots, guesses
-        network = UNet(2 if guesses else 1, 2 if guesses else 1, widths, 3)
+        network = UNet(buckets + guesses, 2 if guesses else 1, widths, 3)
         self.network = begin_with_nothing(network) if guesses else network
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        volume, opened = _lifted(frame, shutters, self.slots)
-        guess = clip_guess(volume, *opened) if self.guesses else None
-        seen = [volume] if guess is None else [volume, guess]
+        volumes, opened = _lifted(frame, shutters, self.slots)
+        guess = clip_guess(_added(volumes), *opened) if self.guesses else None
+        seen = volumes if guess is None else [*volumes, guess]
         found: Tensor = self.network(torch.stack(seen, dim=1)).float()
         return found[:, 0] if guess is None else gated(guess, found[:, 0], found[:, 1])
 
@@ -183,15 +184,20 @@ def gated(guess: Tensor, added: Tensor, more: Tensor) -> Tensor:
     return added + guess * (1 + more)
 
 
-def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[Tensor, tuple[Tensor, ...]]:
-    """S^T E (batch, N, rows, cols), where every slot has its own bucket's, and each bucket's
-    shutters over the frame (N, rows, cols)."""
+def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
+    """S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows, cols).
+
+    Added up, two buckets' have something in every slot; apart they show where their light went.
+    """
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
     whole = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
     opened = shared_out(whole, len(frames)).unbind() if len(frames) > 1 else (whole,)
     # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
-    parts = [lifted(e * slots, way)[0] for e, way in zip(frames, opened, strict=True)]
-    return parts[0] if len(parts) == 1 else torch.stack(parts).sum(dim=0), opened
+    return [lifted(e * slots, way)[0] for e, way in zip(frames, opened, strict=True)], opened
+
+
+def _added(volumes: Sequence[Tensor]) -> Tensor:
+    return volumes[0] if len(volumes) == 1 else torch.stack([*volumes]).sum(dim=0)
 
 
 def begin_with_nothing(network: UNet) -> UNet:

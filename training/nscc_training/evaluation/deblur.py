@@ -30,8 +30,6 @@ Picture = NDArray[np.float64]
 BASELINES = ("long", "short", "any")
 _START = "poisson-disc"
 _TILE = (8, 8)
-_PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
-"""Photons of 555 nm a second on a square metre: 683 lumens are a watt of them."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,20 +71,11 @@ def panoramas(folder: Path) -> list[Path]:
     )
 
 
-def mid_grey_e(protocol: Protocol) -> float:
-    """Electrons over the whole frame of what reflects as the median of a view does.
-
-    A lens of f-number A lights the sensor with 1 / (4 A^2) of what a matt surface sends back.
-    """
-    lux = protocol["illuminance_lux"] * protocol["reflectance"] / (4 * protocol["f_number"] ** 2)
-    counted_m2 = protocol["photosite_um2"] * 1e-12 * protocol["quantum_efficiency"]
-    seconds = protocol["frames"] * protocol["slot_us"] * 1e-6
-    return float(lux * _PHOTONS_OF_LUX * counted_m2 * seconds)
-
-
 def moments(files: list[Path], protocol: Protocol) -> Iterator[Moment | Unusable]:
     """The views of panoramas, in order; a motion hangs on the numbers of panorama and view."""
     weights, slots = np.array(protocol["luminance"]), int(protocol["frames"])
+    wanted_e = protocol.mid_grey_e
+    assert wanted_e is not None
     for index, path in enumerate(files):
         picture = linear(read_picture(path), "linear")
         light = picture @ weights if picture.ndim == 3 else picture
@@ -102,7 +91,7 @@ def moments(files: list[Path], protocol: Protocol) -> Iterator[Moment | Unusable
             if not (np.isfinite(clip).all() and grey > 0):
                 yield Unusable(path.name, {"view": number}, "half of it is dark")
                 continue
-            yield Moment(path, number, clip * (mid_grey_e(protocol) / grey), protocol)
+            yield Moment(path, number, clip * (wanted_e / grey), protocol)
 
 
 def evaluate_deblur(

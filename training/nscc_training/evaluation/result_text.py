@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.files import Product
+from nscc_training.evaluation.results import mean_of
 
 
 def result_json(found: Any) -> str:
@@ -55,6 +56,14 @@ def result_text(found: dict[str, Any]) -> str:
             f"  mean {found['mean']:.2f} dB, sd {found['sd']:.2f}, {between}"
             f", {found['infinite']} infinite"
         )
+    counts = Counter(item["file"] for item in found["items"])
+    if len(set(counts.values())) > 1:
+        by_source = mean_of([found], "psnr_db", by_source=True)
+        most = max(counts.values())
+        if by_source is not None:
+            lines.append(
+                f"  by source {by_source:.2f} dB: {most} of {counts.total()} items are of one file"
+            )
     if found["decoder_ms"] is not None:
         lines.append(f"  {found['decoder_ms']:.0f} ms a scene on {found['device']}")
     return "\n".join(lines) + "\n"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import partial
 from hashlib import sha256
 from pathlib import Path
@@ -35,6 +35,9 @@ from nscc_training.reconstruct import decoded_frame
 from nscc_training.run_folder import RunFolder
 from nscc_training.sensor_model import frame_of, laid, shared_out
 from nscc_training.settings import Settings
+
+_SIZE = (256, 256)
+"""Rows and columns of what protocols expose."""
 
 Key = tuple[str, str, str]
 """What rows of tables know runs by: decoder, class, and what became of the codes: learned, words,
@@ -73,7 +76,6 @@ def evaluate_run(
     run has seen a file of `data`, or with `skip_seen` all of them, NS0821 where it was trained for
     something else than the protocol exposes, NS0811 for a folder without data.
     """
-    parts = folder.parts
     _check_kind(folder, protocol)
     find = {
         "hdr-v1": hdr.panoramas,
@@ -98,7 +100,7 @@ def evaluate_run(
                 "NS0841", "sci8 brings its own measurements, which no chip has made",
                 helps=("leave --effects out, or take video-v1",),
             )  # fmt: skip
-        decode = partial(_made_by_chip, folder, seed, _container(folder), effects)
+        decode = partial(_made_by_chip, folder, seed, container_of(folder), effects)
     if protocol.name == "hdr-v1":
         crops, unusable = hdr.parted(files, protocol)
         left_out += [crop.as_json() for crop in unusable]
@@ -112,8 +114,15 @@ def evaluate_run(
         every = list(scored(deblur.moments(files, protocol), decode, left_out))
     else:
         every = list(_sci(folder, files, protocol))
-    size, settings = (256, 256), parts.settings
-    subject = Subject(
+    subject = _subject(folder, every, seed, effects)
+    more["flops_size"] = [*_SIZE]
+    return with_arrays(protocol, subject, files, every, left_out, **more)
+
+
+def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str) -> Subject:
+    """What a result says of the run."""
+    parts, settings = folder.parts, folder.parts.settings
+    return Subject(
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
@@ -133,10 +142,8 @@ def evaluate_run(
         decoder_ms=1e3 * float(np.median([each.seconds for each in every])) if every else None,
         device=parts.device.type,
         parameters=parameter_count(parts.decoder),
-        flops=flops(parts.decoder, parts.slots, *size, parts.buckets),
+        flops=flops(parts.decoder, parts.slots, *_SIZE, parts.buckets),
     )  # fmt: skip
-    more["flops_size"] = list(size)
-    return with_arrays(protocol, subject, files, every, left_out, **more)
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
@@ -222,7 +229,9 @@ def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArr
     return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
 
 
-def _container(folder: RunFolder) -> Container:
+def container_of(folder: RunFolder) -> Container:
+    """A run's program, compiled."""
+    """A run's program, compiled."""
     chip = folder.parts.chip
     found = programs.compiled(programs.program_of(folder.parts.encoder, chip), chip).container
     assert found is not None

@@ -18,6 +18,7 @@ from nscc_training.evaluation import (
 )
 from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.protocols import load_protocol
+from nscc_training.run_files import run_path
 from nscc_training.run_folder import load_run
 
 _OF_PROTOCOL = {
@@ -33,10 +34,11 @@ def evaluate(
     trust_code: bool = False, skip_seen: bool = False, codes: str = "",
     effects: str = "",
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
-    """The result of a baseline or of a run folder, and the arrays it made, by name.
+    """The result of a baseline or of a run, and the arrays it made, by name.
 
-    Of a run, `trust_code` is as `load_run`'s and `skip_seen` as `evaluate_run`'s; of a baseline
-    `codes` names other shutters than its own, see `codes_named`. `effects`: as `evaluate_run`'s.
+    A run is a folder or the name of one that comes with nscc. Of it, `trust_code` is as
+    `load_run`'s, `skip_seen` and `effects` as `evaluate_run`'s; of a baseline `codes` names other
+    shutters than its own, see `codes_named`.
     Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0840
     for codes that it does not take, NS0841 for effects of what has none, NS0811 for a folder
     without its data, and what `load_run` and `evaluate_run` raise.
@@ -63,13 +65,14 @@ def evaluate(
                 )
             return several_frames.evaluate_several(chosen.name, subject, data, seed)
         return video_baselines.evaluate_video_baseline(subject, data, seed, codes)
-    if Path(subject).is_dir():
+    run = run_path(Path(subject))
+    if run.is_dir():
         if codes:
             raise rejected(
                 "NS0840", f"the run '{subject[:60]}' has codes of its own",
                 notes=("its decoder knows those alone",), helps=("leave --shutter out",),
             )  # fmt: skip
-        folder = load_run(Path(subject), trust_code=trust_code)
+        folder = load_run(run, trust_code=trust_code)
         return evaluate_run(folder, data, chosen, seed, skip_seen=skip_seen, effects=effects)
     raise rejected(
         "NS0810",

@@ -152,7 +152,8 @@ class _Place:
 
 
 def _held(folder: Path | None) -> list[dict[str, Any]]:
-    """The results in a folder that are of the protocols of tables, as these are today."""
+    """The results in a folder that are of the protocols of tables, as these are today, exposed by
+    the sensor that they fix."""
     if folder is None:
         return []
     _check_folder(folder, "NS0807", "results", "`nscc evaluate ... -o DIR/NAME.json` writes them")
@@ -161,6 +162,7 @@ def _held(folder: Path | None) -> list[dict[str, Any]]:
     return [
         found for found in every
         if found.get("protocol_sha256") == protocols.get(str(found.get("protocol")), "")
+        and not found.get("settings", {}).get("effects")
     ]  # fmt: skip
 
 

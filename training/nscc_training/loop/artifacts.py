@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
+from collections.abc import Callable
 from dataclasses import replace
 from hashlib import sha256
 from typing import Any
@@ -42,6 +43,8 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
     ("exposure x 2", {}, 2.0),
 )
 """Names, and factors: of the sensor's values, and of the exposure."""
+_FEW_CHIPS = 2
+"""Chips that stand for all where a sensor that is off is emulated."""
 
 
 def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict[str, bytes]:
@@ -66,8 +69,10 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
+    robustness = _robustness(parts, batches)
     result = {
         "schema": "nscc-run-1",
+        "headline": _headline(parts, batches, robustness[0]),
         "protocol": parts.protocol.name,
         "protocol_sha256": parts.protocol.sha256,
         "config_sha256": config_digest(parts.settings),
@@ -76,7 +81,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "stages": _stages(parts, batches, container_of.container),
         "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
         "data range the patch's peak, without noise",
-        "robustness": _robustness(parts, batches),
+        "robustness": robustness,
         "words_per_slot": words_per_slot(container_of),
         "codes": _codes_report(parts, batches),
         "parameters": parameter_count(parts.decoder),
@@ -130,13 +135,22 @@ def capture_toml(parts: Parts) -> str:
         "effects": parts.settings.sensor.effects,
         "scenes": "stills" if parts.still else "clips",
         "transfer": parts.settings.data.transfer,
-        "exposure": "30 % of the pixels saturate when always open" if parts.still
-        else "percentile 99 of the all-open sum is a full well",
+        "exposure": _exposure(parts),
         "normalisation": f"1 is a full well{slots or ' over the frame'}",
     }  # fmt: skip
     head = "# What the decoder was trained on; `nscc reconstruct` refuses frames of something else."
     lines = [head, *(f"{key} = {json.dumps(value)}" for key, value in values.items())]
     return "\n".join(lines) + "\n"
+
+
+def _exposure(parts: Parts) -> str:
+    """How bright scenes are."""
+    if parts.still:
+        return "30 % of the pixels saturate when always open"
+    grey_e = parts.protocol.mid_grey_e
+    if grey_e is None:
+        return "percentile 99 of the all-open sum is a full well"
+    return f"the median of the all-open sum is {grey_e:.0f} e"
 
 
 def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, Any]:
@@ -192,13 +206,30 @@ def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
     return finite_mean(values)
 
 
+def _headline(parts: Parts, batches: Batches, trained: dict[str, Any]) -> dict[str, Any]:
+    """What a run is worth on the sensor that it was `trained` under, and beside effects without."""
+    effects = parts.settings.sensor.effects
+    found = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
+    if effects:
+        settings = parts.settings
+        bare = replace(settings, sensor=replace(settings.sensor, effects=""))
+        alone = scored(replace(parts, settings=bare), batches.val(), parts.encoder.hard(),
+                       parts.model, settings.train.seed)  # fmt: skip
+        found |= {"noise_alone_psnr_db": decibels(alone.psnr_db), "noise_alone_ssim": alone.ssim}
+    return found
+
+
 def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
     """PSNR under a sensor and an exposure that are not those of training."""
     val, hard, seed = batches.val(), parts.encoder.hard(), parts.settings.train.seed
     found = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(parts.model, key) * factor for key, factor in factors.items()}
-        scores = scored(parts, val, hard, replace(parts.model, **values), seed, exposure)
+        others = {key: value for key, value in values.items() if key in parts.sensor.values}
+        where = parts
+        if others and parts.settings.sensor.effects:
+            where = replace(parts, sensor=parts.sensor.changed(**others), chips=_FEW_CHIPS)
+        scores = scored(where, val, hard, replace(parts.model, **values), seed, exposure)
         found.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
     return found
 
@@ -229,6 +260,23 @@ def _codes_report(parts: Parts, batches: Batches) -> dict[str, Any]:
     }
 
 
+def _headline_text(found: dict[str, Any], db: Callable[[float | str], str]) -> str:
+    """The headline of a run as a sentence."""
+    score = f"{db(found['psnr_db'])} dB, SSIM {found['ssim']:.4f}"
+    if not found["effects"]:
+        return (
+            f"**{score}** on validation patches under photon noise, readout noise and converter "
+            "alone. It knows no other\neffects of a chip: `nscc evaluate RUN --effects all` says "
+            "what they cost it."
+        )
+    alone = f"{db(found['noise_alone_psnr_db'])} dB, SSIM {found['noise_alone_ssim']:.4f}"
+    return (
+        f"**{score}** on validation patches under the emulated chip's effects (`{found['effects']}`"
+        f"), which it was trained\nunder; {alone} under photon noise, readout noise and converter "
+        "alone."
+    )
+
+
 def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
     """The model card."""
     settings = parts.settings
@@ -245,6 +293,8 @@ def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
     stages = " | ".join(db(result["stages"][k]) for k in ("soft", "hard", "compiled", "emulated"))
     rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
     return f"""# Model card
+
+{_headline_text(result["headline"], db)}
 
 A decoder `{settings.decoder.name}` ({settings.decoder.sized}, {result["parameters"]} parameters)
 and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \

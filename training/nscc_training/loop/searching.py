@@ -33,7 +33,8 @@ def search(parts: Parts, batch: Batch, step: int) -> float:
 
     Of `shutter.moves` the closed form takes the `shutter.judged` that it expects most of (of stills
     the first). Losses are those of the batch's patches under the same noise, and the words' weight.
-    A code is better where the mean over patches of what it gains is above its standard error.
+    A code is better where the mean over patches of what it gains is above its standard error. It
+    takes at most `shutter.most_words`, or fewer than the codes there are where these take more.
     """
     chosen = parts.settings.shutter
     parts.decoder.eval()
@@ -41,10 +42,12 @@ def search(parts: Parts, batch: Batch, step: int) -> float:
     own = codes_of(parts)
     tried = [moved(parts.encoder.spec, own, generator) for _ in range(chosen.moves)]
     kept, first = own, _losses(parts, own, batch, step)
-    losses = first
+    losses, most = first, chosen.most_words
+    if most and (words := _words(parts, own)) is not None and words > most:
+        most = np.nextafter(words, 0)
     for codes in _expected(parts, own, tried)[: chosen.judged]:
         words = _words(parts, codes)
-        if words is None or 0 < chosen.most_words < words:
+        if words is None or 0 < most < words:
             continue
         found = _losses(parts, codes, batch, step)
         gain = first - found

@@ -22,15 +22,17 @@ from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
 from nscc_training.design.chip import most_steps
-from nscc_training.emulated import EmulatedSensor, emulated_sensor
+from nscc_training.emulated import CHIPS, EmulatedSensor, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
+from nscc_training.problems import said
 from nscc_training.programs import MOST_LISTED, Chip, codes_in
 from nscc_training.protocols import Protocol, load_protocol
+from nscc_training.run_files import WEIGHTS, run_path
 from nscc_training.sensor_model import SensorModel
 from nscc_training.settings import Settings, ShutterSettings
 
@@ -42,7 +44,7 @@ class Parts:
     """Everything that a run is made of. `still` says whether scenes are stills or clips.
 
     `files` are a chip and a sensor of the user's own, as they were read: by the names that they
-    have in a run folder.
+    have in a run folder. So many `chips` stand for all in what `emulated` measures.
     """
 
     settings: Settings
@@ -57,6 +59,7 @@ class Parts:
     loss: Loss
     device: torch.device
     files: Mapping[str, bytes]
+    chips: int = CHIPS
 
     @property
     def slots(self) -> int:
@@ -78,8 +81,8 @@ class Parts:
         start = started_encoder(self.settings.shutter, self.chip, self.target, seed)
         found = programs.compiled(programs.program_of(start, self.chip), self.chip)
         assert found.container is not None
-        tile = start.spec.tile
-        return emulated_sensor(found.container, tile, self.sensor, self.settings.sensor.effects)
+        effects = self.settings.sensor.effects
+        return emulated_sensor(found.container, start.spec.tile, self.sensor, effects, self.chips)
 
 
 def make_parts(settings: Settings, seed: int | None = None) -> Parts:
@@ -126,6 +129,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
             decoder = make_decoder(made.name, made.size, task, made.width)
         except ValueError as error:
             raise _wrong("decoder.name", error) from error
+    if made.init:
+        _begin_with(decoder, made.init)
     decoder.requires_grad_(settings.decoder.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
@@ -182,13 +187,26 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         encoder.restrict(programs.legal_codes(spec, chip), drawn)
     if not named:
         try:
-            path = Path(chosen.init)
+            path = run_path(Path(chosen.init))
+            path = path / programs.CODES_FILE if path.is_dir() else path
             of_program = path.suffix.lower() == ".nsl"
             encoder.load_codes(codes_in(path, spec, chip) if of_program else load_codes(path))
         except ValueError as error:
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
             raise _wrong("shutter.init", reason) from error
     return encoder
+
+
+def _begin_with(decoder: nn.Module, run: str) -> None:
+    """Give a decoder the weights of a run. Rejected (NS0815) where there are none that fit it."""
+    from safetensors.torch import load_file
+
+    path = run_path(Path(run)) / WEIGHTS
+    try:
+        decoder.load_state_dict(load_file(str(path)))
+    except Exception as error:  # safetensors raises its own type and several others
+        reason = f"the weights of '{run[:200]}' do not fit: {said(error, 150)}"
+        raise _wrong("decoder.init", reason) from error
 
 
 def _check_effects(settings: Settings, encoder: Encoder) -> None:

@@ -16,7 +16,7 @@ from nscc_training.data import Batch
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import Parts
-from nscc_training.sensor_model import SensorModel, exposed, read_out, shared_out
+from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, shared_out
 
 
 @dataclass(frozen=True)
@@ -53,15 +53,16 @@ def decoded(
     if parts.encoder.spec.kind == LOOKS:
         return _decoded_looks(parts, light, shutters, model, generator)
     with torch.autocast(parts.device.type, enabled=False):
+        # What a frame means is the run's to say, under another sensor too.
         if parts.emulated is None or not model.shot_noise:
             exposure = exposed(light, shared_out(shutters, parts.buckets))
             codes = read_out(exposure, model, generator) - model.adc_offset_lsb
+            frame = parts.model.relative(codes)
         else:
             exposure = exposed(parts.emulated.smeared(light), shutters)
             share = shutters.detach().mean(dim=0)
-            codes = parts.emulated.read_out(exposure, share, model, generator)
-        # What a frame means is the run's to say, under another sensor too.
-        frame = parts.model.relative(codes)
+            codes, full = parts.emulated.read_out(exposure, share, model, generator)
+            frame = filled(parts.model.relative(codes), full, shutters.detach())
     mixed = parts.settings.train.dtype == "bf16"
     with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
         found: Tensor = parts.decoder(frame, shutters)

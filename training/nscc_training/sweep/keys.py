@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from hashlib import sha256
 from importlib import metadata
-from pathlib import Path
 
 from nscc import __version__
+from nscc.cache.contents import content
 from nscc.cache.digest import digest, package_digest, version_digest
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import Point
@@ -39,28 +38,6 @@ def kind_plain(value: object) -> object:
     if isinstance(value, float) and value.is_integer():
         return int(value)
     return value
-
-
-def content(path: Path) -> str:
-    """The digest of a file, or of all files of a folder by their names; "" where there is none."""
-    try:
-        if path.is_dir():
-            files = sorted(each for each in path.rglob("*") if each.is_file())
-            return digest([(each.relative_to(path).as_posix(), content(each)) for each in files])
-        status = path.stat()
-        return _content(path.resolve(), status.st_size, status.st_mtime_ns)
-    except (OSError, ValueError):
-        return ""
-
-
-@cache
-def _content(path: Path, _size: int, _mtime_ns: int) -> str:
-    """The digest of a file that has had this size since that time: large ones are read once."""
-    with open(path, "rb") as file:
-        running = sha256()
-        while block := file.read(1 << 20):
-            running.update(block)
-    return running.hexdigest()
 
 
 @cache

@@ -6,15 +6,14 @@
 
 from __future__ import annotations
 
-import fcntl
 import json
-import os
 from pathlib import Path
 from time import monotonic
 from types import TracebackType
 from typing import Any, Self
 
 from nscc.diagnostics.rejection import rejected
+from nscc.lines import Lines
 from nscc_training.sweep.point import Row
 
 ROWS, TIMES = "rows.jsonl", "times.csv"
@@ -32,8 +31,8 @@ class Store:
     def __init__(self, folder: Path) -> None:
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            self._rows = _Lines(folder / ROWS)
-            self._times = _Lines(folder / TIMES)
+            self._rows = Lines(folder / ROWS)
+            self._times = Lines(folder / TIMES)
         except BlockingIOError:
             raise rejected(
                 "NS0834",
@@ -72,36 +71,6 @@ class Store:
     ) -> None:  # fmt: skip
         self._rows.close()
         self._times.close()
-
-
-class _Lines:
-    """A text file that only grows, line by line. `lines` are those that were there, all whole: a
-    last one that was cut short is cut off. BlockingIOError where another process has it."""
-
-    def __init__(self, path: Path) -> None:
-        self._file = os.open(path, os.O_RDWR | os.O_CREAT | os.O_APPEND | os.O_CLOEXEC, 0o666)
-        try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            with open(self._file, "rb", closefd=False) as file:
-                data = file.read()
-            whole = data.rfind(b"\n") + 1
-            os.ftruncate(self._file, whole)
-        except BaseException:
-            os.close(self._file)
-            raise
-        self.lines = data[:whole].decode("utf-8", "replace").splitlines()
-
-    def add(self, line: str, *, sync: bool = False) -> None:
-        """Writes a line, with its end."""
-        data = line.encode()
-        while data:
-            data = data[os.write(self._file, data) :]
-        if sync:
-            os.fsync(self._file)
-
-    def close(self) -> None:
-        """Lets others have it."""
-        os.close(self._file)
 
 
 def _row(line: str) -> Row | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 from typing import Any
@@ -12,6 +13,7 @@ import numpy as np
 import torch
 
 from nscc.tradeoff.points import Point
+from nscc.tradeoff.rows import Rows
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.runs import check_unseen
@@ -82,38 +84,45 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
 
 
 def measure(
-    todo: Sequence[Case], settings: Settings, progress: Progress = iter
+    todo: Sequence[Case], settings: Settings, progress: Progress = iter, rows: Rows | None = None
 ) -> tuple[list[Point], int]:
     """Two points for each decoder of each case, and how often everything was timed.
 
-    A time is that of one scene, the mean over the scenes; the repeats go round all decoders.
+    A time is that of one scene, the mean over the scenes; the repeats go round all decoders. What
+    `rows` knows is not decoded again.
     """
+    rows = rows or Rows()
     for case in todo:
         for way in case.ways:
             way.run(case.taken[0].corner(_WARM))
     turns = [(case, way) for case in todo for way in case.ways]
-    times_ms: list[list[float]] = [[] for _ in turns]
-    made: list[list[Light]] = []
+    found: list[list[dict[str, Any]]] = [[] for _ in turns]
     begin = perf_counter()
     for turn in range(settings.repeats):
         before = perf_counter()
         for index, (case, way) in enumerate(progress(turns)):
-            start = perf_counter()
-            lights = [way.run(taken) for taken in case.taken]
-            times_ms[index].append((perf_counter() - start) * 1e3 / len(lights))
-            if turn == 0:
-                made.append(lights)
+            name = f"{case.name}, {way.method}, {way.setting}, {turn}"
+            found[index].append(rows.once(name, partial(_timed, case, way, scores=turn == 0)))
         now = perf_counter()
         if now - begin + (now - before) > settings.budget_s:
             break
     points = []
-    for (case, way), lights, times in zip(turns, made, times_ms, strict=True):
-        for unit, score in zip(UNITS, scored(case, lights), strict=True):
+    for (case, way), timed in zip(turns, found, strict=True):
+        times_ms = tuple(each["ms"] for each in timed)
+        for unit, score in zip(UNITS, timed[0]["scores"], strict=True):
             points.append(Point(
-                case.name, way.method, way.setting, score, unit, tuple(times),
+                case.name, way.method, way.setting, score, unit, times_ms,
                 more_is_better=True, device=way.device,
             ))  # fmt: skip
-    return points, len(times_ms[0]) if turns else 0
+    return points, len(found[0]) if turns else 0
+
+
+def _timed(case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
+    """How long a decoder takes for one scene, and where they are asked for its scores."""
+    start = perf_counter()
+    lights = [way.run(taken) for taken in case.taken]
+    taken_ms = (perf_counter() - start) * 1e3 / len(lights)
+    return {"ms": taken_ms, "scores": scored(case, lights) if scores else None}
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import asdict, dataclass, field, replace
 from functools import partial
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -21,6 +21,7 @@ from nscc.source import Source
 from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc.tradeoff.points import Point, Refused
+from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
 from nscc.words.container import Container
 from nscc_runtime import capture
@@ -144,34 +145,40 @@ def configurations(settings: Settings) -> list[Configuration]:
     return found
 
 
-def measure(settings: Settings, progress: Progress = iter) -> Measured:
+def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = None) -> Measured:
     """Compiles each configuration, and captures and decodes the scenes with its words.
 
-    The time of a point is the shortest slot. Raises Rejected for data that does not serve, and for
-    a target that does not exist.
+    The time of a point is the shortest slot. What `rows` knows is not made again. Raises Rejected
+    for data that does not serve, and for a target that does not exist.
     """
     target = load_target(settings.target, Path())
     todo = configurations(settings)
     benches = {kind: _bench(kind, target, settings) for kind in {each.kind for each in todo}}
     points: list[Point] = []
     refused: list[Refused] = []
+    rows = rows or Rows()
     for each in progress(todo):
-        bench, setting = benches[each.kind], f"{each.slots} slots"
-        shutters = _shutters(each, bench, settings)
-        found = compiled_for(each, shutters, settings)
-        if isinstance(found, Diagnostic):
-            refused.append(Refused(each.kind, each.method, setting, found.code, found.message))
-            continue
-        assert found.container is not None
-        words = f"{setting}, {found.container.words_per_frame} words"
-        points.append(
-            Point(
-                each.kind, each.method, words,
-                shutters.psnr_db(found.container), "psnr_db",
-                (found.shortest_slot_us / 1e3,), more_is_better=True,
-            )
-        )  # fmt: skip
+        name = f"{each.kind}, {each.method}, {each.slots}"
+        found = rows.once(name, partial(_row, each, benches[each.kind], settings))
+        if "code" in found:
+            refused.append(Refused(**found))
+        else:
+            points.append(Point(**{**found, "times_ms": tuple(found["times_ms"])}))
     return Measured(tuple(points), tuple(refused), target.name)
+
+
+def _row(each: Configuration, bench: _Bench, settings: Settings) -> dict[str, Any]:
+    """The fields of a configuration's Point, or of what Refused says of it."""
+    setting, shutters = f"{each.slots} slots", _shutters(each, bench, settings)
+    found = compiled_for(each, shutters, settings)
+    if isinstance(found, Diagnostic):
+        return asdict(Refused(each.kind, each.method, setting, found.code, found.message))
+    assert found.container is not None
+    words = f"{setting}, {found.container.words_per_frame} words"
+    psnr_db, slot_ms = shutters.psnr_db(found.container), found.shortest_slot_us / 1e3
+    return asdict(
+        Point(each.kind, each.method, words, psnr_db, "psnr_db", (slot_ms,), more_is_better=True)
+    )
 
 
 def compiled_for(

@@ -7,7 +7,6 @@ at many moments; what a frame then tells is worked out in closed form (`nscc_tra
 from __future__ import annotations
 
 from collections.abc import Sequence
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Literal, get_args
 
@@ -24,7 +23,8 @@ from nscc_training.design.make import Design, Frame
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.programs import Chip as Place
 from nscc_training.programs import program_of, words_per_slot
-from nscc_training.search import Motion, speeds_of, texture_of, told_db
+from nscc_training.search.expected import Motion, told_db
+from nscc_training.search.scene_motion import speeds_of, texture_of
 
 Kind = Literal["slow", "fast", "scene"]
 KINDS: tuple[Kind, ...] = get_args(Kind)
@@ -69,17 +69,20 @@ def design_motion(
         for name, (spec, start) in specs.items()
     }
     passed: list[str] = []
+    refused: Rejected | None = None
     for name in sorted(expected, key=lambda each: -expected[each]):
-        made = None
-        with suppress(Rejected):
+        try:
             text, made = _compiled(*specs[name], frame, _remark(kind, name))
-        if made is None:
+        except Rejected as error:
+            refused = error
             passed.append(f"{name} (does not fit)")
-        elif (words := words_per_slot(made)) > most_words:
-            passed.append(f"{name} ({words:.1f} words a slot)")
-        else:
+            continue
+        if (words := words_per_slot(made)) <= most_words:
             lines = _lines(name, expected, motions, passed)
             return MotionDesign(text, made, lines, name, expected)
+        passed.append(f"{name} ({words:.1f} words a slot)")
+    if refused and all(each.endswith("(does not fit)") for each in passed):
+        raise refused  # the compiler's own words say more
     raise rejected(
         "NS0843", f"no code for clips takes at most {most_words:g} words a slot here",
         notes=(f"passed over: {'; '.join(passed)}",),

@@ -1,0 +1,89 @@
+"""`nscc tradeoff PROGRAM`: which setting of each stage for a given error, and what it costs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from nscc.pipeline import LEVELS
+from nscc.tradeoff.device import processor_name
+from nscc.tradeoff.points import csv_text
+from nscc_cli import options as shared
+from nscc_cli.completion import SCENE
+from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
+from nscc_cli.options import PATH, SEED, some_option
+from nscc_cli.programs import compile_options
+from nscc_cli.support import CommonCommand, progress, say
+from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
+
+_STAGES = ("compile", "lowering", "slots", "effects", "decoder")
+_LEVELS = [str(level) for level in LEVELS]
+
+
+@click.command("of", cls=CommonCommand)
+@click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
+@click.option("--scene", type=SCENE, help="As in nscc run.")
+@click.option("--target-error", metavar="1%|5e|0.1lsb", default="1%", show_default=True,
+              help="The error to stay within: of the scene's mean signal, in electrons, or in "
+              "codes of the ADC.")  # fmt: skip
+@some_option("--stages", _STAGES, "NAME,..", "Stages to measure.")
+@some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
+@shared.repeats_option(3)
+@click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
+@click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")
+@shared.pixels_option
+@shared.scene_options
+@shared.sensor_options
+@shared.build_options
+@shared.trust_code_option
+@shared.tradeoff_options
+def command(program: Path, **options: Any) -> int:
+    """Which settings for an error of 1 %, of one program on one scene.
+
+    For each stage (compile level, lowering, slots and their length, effects and tolerance, decoder)
+    the fastest setting within --target-error with its time and its error; where there is none, the
+    fastest of the best. All errors are percent of the mean signal, all times are seconds, so that
+    the diagram has one axis of each. A RUN, or hdr and clip, stands for its own program, exposure,
+    sensor and decoder. With -o, --csv or --png every row is kept as it is measured: killed and
+    started again, it goes on. Ends with
+    status 1 where nothing could be measured.
+    """
+    from nscc_training.tradeoff.bench import Asked
+    from nscc_training.tradeoff.joint import joint_text, measure
+
+    files = output_files(options)
+    refuse_swapped(program, options["scene"])
+    run = _run_of(program)
+    captured = run_capture_of(run, options) if options["scene"] else None
+    scene = scene_of(options)
+    named = ("pixels", "sensor", "seed", "device_seed", "repeats", "trust_code")
+    asked = Asked(
+        program if captured is None else captured.program, scene, options["target_error"],
+        options["stages"], compile_options(options), tuple(map(int, options["levels"])), changes=options["sensor_set"],
+        run=run, **{name: options[name] for name in named},
+    )  # fmt: skip
+    with kept_rows(files, {**options, "program": asked.program, "run": run}) as rows:
+        joint = measure(
+            asked, rows, lambda each: say([each]), lambda stages: progress(stages, "measuring")
+        )
+        click.echo(joint_text(joint))
+        device = processor_name()
+
+        def png() -> bytes:
+            from nscc_runtime.pictures.sheet import png_of
+            from nscc_training.tradeoff.joint_diagram import joint_diagram
+
+            return png_of(joint_diagram, joint, asked.repeats, device)
+
+        makers = {"csv": lambda: csv_text(joint.points, device).encode(), "png": png}
+        write_files(files, makers, rows)
+    return 0 if joint.points else 1
+
+
+def _run_of(program: Path) -> Path | None:
+    """The run that is meant, if it is no file of a program."""
+    if program.suffix.lower() in (".nsl", ".icw"):
+        return None
+    return program

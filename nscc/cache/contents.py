@@ -1,0 +1,31 @@
+"""Digests of files and folders."""
+
+from __future__ import annotations
+
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+
+from nscc.cache.digest import digest
+
+
+def content(path: Path) -> str:
+    """The digest of a file, or of all files of a folder by their names; "" where there is none."""
+    try:
+        if path.is_dir():
+            files = sorted(each for each in path.rglob("*") if each.is_file())
+            return digest([(each.relative_to(path).as_posix(), content(each)) for each in files])
+        status = path.stat()
+        return _content(path.resolve(), status.st_size, status.st_mtime_ns)
+    except (OSError, ValueError):
+        return ""
+
+
+@cache
+def _content(path: Path, _size: int, _mtime_ns: int) -> str:
+    """The digest of a file that has had this size since that time: large ones are read once."""
+    with open(path, "rb") as file:
+        running = sha256()
+        while block := file.read(1 << 20):
+            running.update(block)
+    return running.hexdigest()

@@ -1,0 +1,50 @@
+"""A program with other slots: the same shutters in other times, or in fewer, longer slots."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from decimal import Decimal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.limits.families import MOST_DIGITS, book_text
+from nscc.source import Source
+from nscc.syntax.parse import parse
+from nscc.syntax.tree import EqualSlots, ListedSlots
+from nscc.words.container import Container
+
+
+def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
+    """The program with slots of these lengths; ValueError where its text has no frame."""
+    tree, _ = parse(source)
+    spans = [s.span for s in tree.statements if isinstance(s, EqualSlots | ListedSlots)]
+    if not spans:
+        raise ValueError(f"{source.name} has no frame")
+    times = [f"{Decimal(repr(float(us))):f}us" for us in slot_us]
+    frame = f"frame {len(times)} slots of {times[0]}"
+    if len(set(times)) > 1:
+        frame = f"frame slots [{', '.join(times)}]"
+    text = source.text
+    return Source(source.name, text[: spans[0].start] + frame + text[spans[0].end :])
+
+
+def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]] | None:
+    """A program that has `join` slots of this one in each of its own, and the code `id` (rows,
+    cols) of its pixels: open where the pixel is for half of that time or more.
+
+    None where that is no program to write down: slots that cannot be joined so, pixels that look,
+    or more shutters than a codebook holds.
+    """
+    codes, slots = container.pixel_codes, container.slots
+    if container.machine is not None or codes is None or slots % join or slots // join < 2:
+        return None
+    slot_us = np.array(container.slot_us).reshape(-1, join)
+    used, row = np.unique(container.table.shutter_of_code[codes], return_inverse=True)
+    opened = container.table.shutters[used].reshape(len(used), -1, *slot_us.shape)
+    share = (opened * slot_us).sum(axis=3) / slot_us.sum(axis=1)
+    rows, same = np.unique(share >= 0.5, axis=0, return_inverse=True)
+    if rows.size > MOST_DIGITS or (rows.sum(axis=1) > 1).any():
+        return None
+    text = book_text(slot_us.sum(axis=1).tolist(), container.buckets, rows)
+    return text, same.reshape(-1)[row].reshape(codes.shape).astype(np.int32)

@@ -1,0 +1,137 @@
+"""Which effects pixels near saturation can do without while they run through their words.
+
+What an effect does to them is guessed from its field, where no well cuts it off, and what all that
+is left out does together is measured: some of these pixels run with it and without.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import CannotHave, Selection, everything
+from nscc_runtime.light import Light
+from nscc_runtime.planner.effect_fields import BOTH, Fields
+from nscc_runtime.planner.prices import SHIPPED
+from nscc_runtime.planner.program import Program
+from nscc_runtime.remembered import remembered
+
+Values = NDArray[np.float64]
+
+_FEWEST, _MOST = 48, 256
+"""Pixels on which it is measured."""
+_CUT_E = 1.0
+"""Lost to what saturates: of more than that a pixel hardly changes."""
+_PART = 16
+"""Of this many pixels near saturation one is measured."""
+_SIGMAS = 2.0
+"""Standard errors of a measurement that has to fit as well."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lacking:
+    """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
+
+    `fields` are predictions on a sample of the scene. Threads change no bit.
+    """
+
+    program: Program
+    light: Light
+    near: NDArray[np.int64]
+    fields: Fields
+    forced_off: frozenset[str]
+    device_seed: int
+    threads: int
+
+    def chosen(self, dropped: frozenset[str], room: float) -> frozenset[str]:
+        """Of the effects in `dropped`, which a plan leaves out elsewhere, those that these pixels
+        lack as well: what saves most, as long as it adds at most `room` square electrons to the
+        mean over the array.
+        """
+        if len(self.near) < 2 * _FEWEST:
+            return frozenset()
+        found: list[str] = []
+        while True:
+            left = [
+                (self._words_ns(frozenset([*found, name])), name)
+                for name in sorted(dropped.difference(found))
+                if self._guessed(frozenset([*found, name])) <= room
+            ]
+            if not left or min(left)[0] >= self._words_ns(frozenset(found)):
+                break
+            found.append(min(left)[1])
+        # Measuring takes time: it is all of them, or the one that saves most.
+        tried = (frozenset(found), frozenset(found[:1]))
+        fits = (names for names in tried if self._pays(names) and self._most(names) <= room)
+        return next(fits, frozenset())
+
+    def _pays(self, lacking: frozenset[str]) -> bool:
+        """Whether leaving effects out saves more of a frame than measuring what it does takes."""
+        before, after = self._words_ns(frozenset()), self._words_ns(lacking)
+        return (before - after) * len(self.near) > (before + after) * len(self._places)
+
+    def square(self, lacking: frozenset[str]) -> Values:
+        """What leaving effects out adds to the mean square error over the array, (buckets,)."""
+        mean, _ = self._measured(lacking)
+        return mean
+
+    def _most(self, lacking: frozenset[str]) -> float:
+        mean, error = self._measured(lacking)
+        return float(np.max(mean + _SIGMAS * error))
+
+    @remembered
+    def _measured(self, lacking: frozenset[str]) -> tuple[Values, Values]:
+        """What leaving effects out adds to the mean square, and its standard error."""
+        if not lacking:
+            none = np.zeros(len(self.fields.expected))
+            return none, none
+        full = self._held(frozenset())
+        before = (full - self._held(self.forced_off)) ** 2 if self.forced_off else 0.0
+        added = (full - self._held(self.forced_off | lacking)) ** 2 - before
+        part = len(self.near) / len(self.program.lanes)
+        error = added.std(axis=1) / np.sqrt(added.shape[1])
+        return np.maximum(added.mean(axis=1), 0.0) * part, error * part
+
+    @cached_property
+    def _places(self) -> NDArray[np.int64]:
+        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST)
+        return self.near[:: len(self.near) // wanted]
+
+    @cached_property
+    def _every(self) -> Selection:
+        every = everything()
+        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+
+    @remembered
+    def _held(self, lacking: frozenset[str]) -> Values:
+        """Exposures (buckets, places) by the words, all drawn alike."""
+        program = self.program
+        found, _ = program.pixels.exposures(
+            self.light, program.slot_s, self._places, self._every.without(*lacking),
+            device_seed=self.device_seed, threads=self.threads,
+        )  # fmt: skip
+        return found
+
+    def _words_ns(self, lacking: frozenset[str]) -> float:
+        """Nanoseconds of a pixel."""
+        kept = self._every.without(*self.forced_off, *lacking)
+        return self.program.work.words_ns(kept, SHIPPED, alone=True)
+
+    def _guessed(self, lacking: frozenset[str]) -> float:
+        """The mean square that leaving effects out adds, by their fields."""
+        fields, near = self.fields, self.fields.sample.near
+        cut = np.abs(fields.fixed[BOTH][:, near]) > _CUT_E
+        fixed, variance = np.zeros(cut.shape), np.zeros(cut.shape)
+        for name in lacking:
+            behind = fields.after.get(name)
+            if name in fields.fixed:
+                passed = 0.0 if behind is None else behind[:, near]
+                fixed += np.where(cut, passed, fields.fixed[name][:, near])
+            if name in fields.variance:
+                here = fields.variance[name][:, near]
+                variance += here if behind is not None else np.where(cut, 0.0, here)
+        weight = fields.sample.weight
+        return float(np.max((fixed**2 + variance) @ (weight[near] / weight.sum())))

@@ -1,0 +1,96 @@
+"""What ways of simulating cost: the prices by which plans are chosen.
+
+Plans are chosen by `SHIPPED`, so that the same input gives the same plan on every machine.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Counted, Exchange, SlowWords
+from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.pixels import Pixels
+
+
+@dataclass(frozen=True)
+class Prices:
+    """Nanoseconds of one core, each for one pixel.
+
+    `slot_of_reference`: the reference, a slot. Of the loop over words: `pixel` to begin one;
+    `word`; `error`, one of a word's small errors; `slot`, the light of a slot at one site (a pixel
+    or a neighbour); `count`, the electrons of a group of slots drawn at a site; `split`, one count
+    halved.
+    """
+
+    slot_of_reference: float
+    pixel: float
+    word: float
+    error: float
+    slot: float
+    count: float
+    split: float
+    summed: float
+    light: float
+    planned: float
+    plan_ms: float
+
+
+SHIPPED = Prices(
+    slot_of_reference=450.0, pixel=1000.0, word=60.0, error=55.0, slot=14.0, count=300.0,
+    split=60.0, summed=90.0, light=0.5, planned=60.0, plan_ms=8.0,
+)  # fmt: skip
+"""Measured on a core of an x86 server at about 3 GHz; what they add up to is right to a factor of
+about 1.6."""
+
+_SHARED_SITES = 2.5
+"""What a pixel and its neighbours cost, in sites, where all of these are simulated as well."""
+
+
+@dataclass(frozen=True)
+class Work:
+    """What a pixel has to do in the loop over words, in the mean over lanes: words that act, the
+    boundaries where they do, groups of slots; and the slots of a frame."""
+
+    words: float
+    boundaries: float
+    groups: float
+    slots: int
+
+    @classmethod
+    def of(cls, pixels: Pixels, slots: int) -> Work:
+        """Of a program laid out for the loop."""
+        acting = pixels.entries["acts"].astype(bool)
+        lanes = len(pixels.entry_start) - 1
+        lane = np.repeat(np.arange(lanes), np.diff(pixels.entry_start))[acting]
+        places = lane * (slots + 1) + pixels.entries["boundary"][acting]
+        groups = len(np.unique(pixels.groups + np.arange(lanes)[:, None] * len(pixels.group_ids)))
+        return cls(len(lane) / lanes, len(np.unique(places)) / lanes, groups / lanes, slots)
+
+    def reference_ns(self, prices: Prices) -> float:
+        """Of a pixel in the reference."""
+        return prices.slot_of_reference * self.slots
+
+    def words_ns(self, kept: Selection, prices: Prices, *, alone: bool) -> float:
+        """Of a pixel through its words with the effects in `kept`, its neighbours' charge found for
+        it `alone` or for all pixels."""
+        errors = len(kept.errors()) * self.words
+        sources = len(kept.having(Counted))
+        splits = self._nodes(kept.part(SlowWords) is not None)
+        counted = self.groups * (prices.count + prices.split * splits)
+        sites = 1.0 if kept.part(Exchange) is None else SITES if alone else _SHARED_SITES
+        return (
+            prices.pixel + prices.word * self.words + prices.error * errors
+            + sites * (prices.slot * self.slots + sources * counted)
+        )  # fmt: skip
+
+    def _nodes(self, slow: bool) -> float:
+        """Nodes of the tree over the slots that a pixel's counts are split at: those on the way to
+        its boundaries, and to the slots behind them where light falls while words run."""
+        ends, found, width = self.boundaries * (2.0 if slow else 1.0), 0.0, 1
+        while width < self.slots:
+            found += min(width, ends)
+            width *= 2
+        return found

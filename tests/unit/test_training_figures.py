@@ -1,0 +1,42 @@
+"""The paper's figures from the runs that come with nscc."""
+
+from __future__ import annotations
+
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+torch = pytest.importorskip("torch")
+Image = pytest.importorskip("PIL.Image")
+
+from small_runs import clip, one_crop  # noqa: E402
+
+NAMES = ["fig3_coded_frame", "fig5_frames", "fig6_shutters", "fig7_exposures", "fig8_tones"]
+
+
+@pytest.mark.slow
+def test_figures_of_scenes_of_ones_own(tmp_path: Path) -> None:
+    """Of a folder's panorama and clip; the built-in scenes give others, but the same shutters."""
+    (tmp_path / "d").mkdir()
+    one_crop(tmp_path / "d/p.hdr")
+    clip(tmp_path / "d/c.mat", 16, 256)
+    for line in (["-o", "built-in"], ["--data", "d", "--effects", "shot,adc", "-o", "own"]):
+        made = invoke(["evaluate", "figures", *line], tmp_path)
+        assert made.status == 0, made.err
+    same = []
+    for name in NAMES:
+        pair = [(tmp_path / folder / f"{name}.png").read_bytes() for folder in ("built-in", "own")]
+        pictures = [np.asarray(Image.open(io.BytesIO(png)).convert("L")) for png in pair]
+        assert all(picture.std() > 10 for picture in pictures)
+        same.append(pair[0] == pair[1])
+    assert same == [name == "fig6_shutters" for name in NAMES]
+
+
+def test_figures_under_effects_that_there_are_not(tmp_path: Path) -> None:
+    made = invoke(["evaluate", "figures", "--effects", "moonlight", "-o", "f"], tmp_path)
+    assert made.status == 2
+    assert "NS0756" in made.err
+    assert not (tmp_path / "f").exists()

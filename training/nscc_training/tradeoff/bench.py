@@ -1,0 +1,261 @@
+"""One program on one scene, captured by the emulated chip in other words and other slots."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.containers import is_compiled, load_container, with_pixels
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.pipeline import Options
+from nscc.source import Source
+from nscc.syntax.parse import read_source
+from nscc.tradeoff.rows import Rows
+from nscc.words.container import Container
+from nscc.words.file import to_bytes
+from nscc_runtime.effects import selected
+from nscc_runtime.light import Light
+from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.response import response_of
+from nscc_runtime.scenes import Scene
+from nscc_runtime.sensor import load_sensor
+from nscc_runtime.simulate import Request, Simulated, simulate
+
+Values = NDArray[np.float64]
+
+STAGE_NAMES = ("compile", "lowering", "slots", "effects", "decoder")
+_CAPTURED_TO = 0.5
+"""Frames of the chip have every effect, to this part of the target."""
+_NAMED = 3
+"""Effects that are named as the largest."""
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A program on a scene and the error to stay within, as a command line has them.
+
+    `target_error` is text as `--tolerance` takes it; `stages` are measured; `levels` of -O are compared, the other stages
+    have the words of `options`; times are medians of `repeats`. `run` is the folder whose program
+    that is, if it is one's, and `trust_code` lets it execute Python code of its own.
+    """
+
+    program: Path
+    scene: Scene
+    target_error: str
+    stages: tuple[str, ...] = STAGE_NAMES
+    options: Options = field(default_factory=Options)
+    levels: tuple[int, ...] = (0, 1, 2)
+    pixels: Path | None = None
+    sensor: Path | None = None
+    changes: tuple[str, ...] = ()
+    seed: int = 0
+    device_seed: int = 0
+    repeats: int = 3
+    run: Path | None = None
+    trust_code: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Bench:
+    """What all stages share. `said` is told what reading the scene has to say."""
+
+    asked: Asked
+    rows: Rows
+    said: Callable[[Diagnostic], None]
+
+    @cached_property
+    def source(self) -> Source | None:
+        """The program's text; None of one that is compiled already."""
+        return None if is_compiled(self.asked.program) else read_source(self.asked.program)
+
+    @cached_property
+    def container(self) -> Container:
+        """Its words, with codes for its pixels."""
+        container, messages = load_container(self.asked.program, self.asked.options)
+        for each in messages:
+            self.said(each)
+        return with_pixels(container, self.asked.program, self.asked.pixels)
+
+    @cached_property
+    def sensor(self) -> Any:
+        """The sensor that all frames have."""
+        return load_sensor(self.container.target, self.asked.sensor, self.asked.changes)
+
+    @cached_property
+    def light(self) -> Light:
+        """The scene in the program's own slots."""
+        return self.asked.scene.light(self.container.slot_us, self.container.target, self.said)
+
+    @cached_property
+    def ideal_e(self) -> Values:
+        """The light (buckets, rows, cols) that falls while pixels are open; of pixels that look the
+        light of the whole frame, which is what they tell."""
+        return self._ideal_e(self.container, self.light)
+
+    @cached_property
+    def signal_e(self) -> float:
+        """The mean of that, each at most the full well. Rejected (NS0826) for a dark scene."""
+        found = mean_signal_e(self.ideal_e, self.sensor)
+        if found > 0:
+            return found
+        raise rejected(
+            "NS0826",
+            f"'{self.asked.scene.name}' leaves no light in the frame to have an error of",
+            notes=("errors are compared as parts of the mean signal, and it is 0 electrons",),
+            helps=("name a scene with light, such as --scene builtin:hdr, or one that the open "
+                   "pixels see",),
+        )  # fmt: skip
+
+    @cached_property
+    def target(self) -> Tolerance:
+        """The error to stay within. Rejected (NS0827) for what is none."""
+        return target_of(self.asked.target_error, self.sensor, lambda: self.signal_e)
+
+    @cached_property
+    def shot_percent(self) -> float:
+        """The shot noise of the ideal frame alone, in percent of the signal."""
+        return 100 * math.sqrt(float(np.abs(self.ideal_e).mean())) / self.signal_e
+
+    def once(self, name: str, measure: Callable[[], Any]) -> Any:
+        """What `measure` gives, kept under that name for this program, scene and target."""
+        return self.rows.once(f"{name} {self._key}", measure)
+
+    @cached_property
+    def _key(self) -> str:
+        decides = to_bytes(self.container) + self.light.sha256().encode()
+        return sha256(decides + repr(self.target).encode()).hexdigest()[:16]
+
+    @cached_property
+    def largest(self) -> tuple[tuple[str, float], ...]:
+        """The effects that move the program's own frame most, and by how much, in percent of the
+        signal, as its plan predicts; none where there is no plan."""
+        plan = self.taken.plan
+        known = [(d.name, d.predicted_rms_e or 0.0) for d in plan.decisions] if plan else []
+        known.sort(key=lambda each: -each[1])
+        return tuple((name, 100 * rms_e / self.signal_e) for name, rms_e in known[:_NAMED] if rms_e)
+
+    def error_percent(self, container: Container, own: Container | None = None) -> float:
+        """How far a frame with every effect is from the light that fell, root mean square of the
+        worst bucket in percent of the mean signal.
+
+        `container` has codes for its pixels. `own`: the program that it stands for, in slots that
+        last as long altogether. Gain and offset that words are known to have are taken off; pixels
+        that are marked as saturated say nothing and do not count.
+        """
+        digest = sha256(to_bytes(container)).hexdigest()[:16]
+        return float(self.once(f"frame {digest}", lambda: self._error(container, own)))
+
+    def _error(self, container: Container, own: Container | None) -> float:
+        if container.slot_us == self.container.slot_us:
+            light = self.light
+        else:
+            light = self.asked.scene.light(container.slot_us, container.target)
+        if own is None:
+            ideal_e = self._ideal_e(container, light)
+        else:
+            ideal_e = self._ideal_e(own, self.asked.scene.light(own.slot_us, own.target))
+        frame = self._captured(container, light).frame
+        if container.machine is not None:
+            told, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
+            counted = (np.isfinite(sure) & np.isfinite(told)).any(axis=0)[None]
+            seen_e = merged_image(told, sure)[None] * (sum(container.slot_us) * 1e-6)
+        else:
+            counted = frame.valid & ~frame.saturated
+            seen_e = response_of(container, self.sensor).electrons(frame.frame)
+        return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
+
+    @cached_property
+    def taken(self) -> Simulated:
+        """The program's own frame with every effect."""
+        return self._captured(self.container, self.light)
+
+    def _captured(self, container: Container, light: Light) -> Simulated:
+        """A frame with every effect."""
+        tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
+        request = Request.of(
+            effects="all", seed=self.asked.seed, device_seed=self.asked.device_seed,
+            **({} if container.target.streamed else {"tolerance": tolerance}),
+        )  # fmt: skip
+        return simulate(container, light, self.sensor, request)
+
+    def _ideal_e(self, container: Container, light: Light) -> Values:
+        if container.machine is not None:
+            return np.asarray(light.total_e(), np.float64)[None]
+        none = selected("none")
+        exact = simulate(container, light, self.sensor, Request.of(effects="none")).frame
+        response = response_of(container, self.sensor, none)
+        return np.asarray((exact.exposure_e - response.zero_e) / response.gain)
+
+
+def rms_percent(
+    seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
+) -> float:
+    """The root mean square difference (buckets, rows, cols) where `counted`, of the bucket where it
+    is largest, in percent of the signal; infinite where nothing counts."""
+    each = [
+        float(np.mean((seen - ideal)[here] ** 2)) if here.any() else math.inf
+        for seen, ideal, here in zip(seen_e, ideal_e, counted, strict=True)
+    ]
+    return 100 * math.sqrt(max(each)) / signal_e
+
+
+def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
+    """The slots of a program, as parts of a frame of another length."""
+    whole = sum(container.slot_us)
+    return tuple(us / whole * frame_us for us in container.slot_us)
+
+
+def target_of(text: str, sensor: Any, signal_e: Callable[[], float]) -> Tolerance:
+    """The error to stay within: `1%` of the mean signal, `5e`, `0.1lsb`. Rejected (NS0827) for
+    anything else, and for more than the signal itself."""
+    reason = None
+    try:
+        found = tolerance_of(text, sensor, signal_e)
+    except Rejected as refused:
+        if refused.diagnostics[0].code != "NS0746":
+            raise
+        reason = f"a target is a number above 0 with its unit, not '{text[:40]}'"
+    else:
+        if found.electrons < signal_e():
+            return found
+        reason = (
+            f"a target of {text[:40]} is no target: the mean signal is {signal_e():.3g} electrons, "
+            "so that a black frame is as near"
+        )
+    raise rejected(
+        "NS0827",
+        reason,
+        notes=("%: of the scene's mean signal; e: electrons; lsb: codes of the ADC",),
+        helps=("write --target-error 1%, --target-error 50e or --target-error 0.5lsb",),
+    )
+
+
+def times_ms(repeats: int, run: Callable[[], object], clock: Callable[[], float]) -> list[float]:
+    """How long it takes, as often as asked."""
+    found = []
+    for _ in range(repeats):
+        begin = clock()
+        run()
+        found.append((clock() - begin) * 1e3)
+    return found
+
+
+def scaled_text(target: str, factor: float) -> str:
+    """A tolerance so many times another, in its unit: 3 % for 1 %."""
+    unit = target.strip().lstrip("0123456789.eE+-") if not target.strip().endswith("e") else "e"
+    return f"{float(target.strip().removesuffix(unit)) * factor:g}{unit}"
+
+
+def whole_ticks(slot_us: float, tick_us: float = 0.01) -> float:
+    """The shortest slot that is written down easily and no shorter: programs are for readers."""
+    return round(max(1, math.ceil(slot_us / tick_us - 1e-6)) * tick_us, 6)

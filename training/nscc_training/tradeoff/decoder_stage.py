@@ -1,0 +1,170 @@
+"""What is made of one frame, by every decoder that takes it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+from time import perf_counter
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.tradeoff.points import Point
+from nscc_runtime.decode_table import with_table
+from nscc_runtime.frame_file import FrameFile, meta
+from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
+from nscc_runtime.merge import light_estimate, readouts
+from nscc_runtime.response import response_of
+from nscc_runtime.simulate import Simulated
+from nscc_training.tradeoff.bench import Bench, rms_percent, times_ms
+from nscc_training.tradeoff.stages import PERCENT, Found
+
+Values = NDArray[Any]
+
+CLIP_VALUES = 1 << 18
+"""Slots x pixels of a clip that is decoded: of longer ones a smaller middle of the array."""
+TV_ITERATIONS = (10, 40)
+ANY_STAGES = (2, 8)
+
+
+class _Way(NamedTuple):
+    """A decoder at a setting; `made` is what it makes, `truth` what that is compared with, both
+    (T, rows, cols)."""
+
+    method: str
+    setting: str
+    run: Callable[[], Values]
+    truth: Values
+
+
+def decoding(bench: Bench) -> Found:
+    """Decoders by iterations, stages and precision: seconds for a frame with every effect.
+
+    Pictures where all shutters open with the frame or pixels look, clips else, as `nscc
+    reconstruct any` makes them. Raises ModuleNotFoundError without torch where one is needed.
+    """
+    taken = bench.taken
+    container = bench.container
+    notes: list[str] = []
+    if container.machine is not None:
+        ways = list(_of_looks(bench, taken))
+    else:
+        ways = list(_of_codes(bench, taken, notes))
+    points = []
+    for way in ways:
+        values = bench.once(f"decoder {way.method} {way.setting}", partial(_timed, bench, way))
+        points.append(
+            Point("decoder", way.method, way.setting, values["error"], PERCENT, tuple(values["ms"]))
+        )
+    return Found(tuple(points), notes=tuple(notes))
+
+
+def _timed(bench: Bench, way: _Way) -> dict[str, Any]:
+    found: list[Values] = []
+    taken_ms = times_ms(bench.asked.repeats, lambda: found.append(way.run()), perf_counter)
+    made, truth = np.asarray(found[0], np.float64), np.asarray(way.truth, np.float64)
+    known = np.isfinite(made)
+    error = rms_percent(made[None], truth[None], known[None], float(truth.mean()))
+    return {"error": error, "ms": taken_ms}
+
+
+def _of_looks(bench: Bench, taken: Simulated) -> Iterator[_Way]:
+    frame_s = sum(bench.container.slot_us) * 1e-6
+    told = taken.frame.told
+    truth = np.asarray(bench.light.total_e())[None]
+
+    def merged() -> Values:
+        return merged_image(told[LIGHT], told[DEVIATION])[None] * frame_s
+
+    yield _Way("exposure over time", "", merged, truth)
+    yield from _of_run(bench, taken, truth)
+
+
+def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way]:
+    from nscc_training.any_code.decode import decoded_clip, decoded_still
+    from nscc_training.any_code.frames import coded_frame
+    from nscc_training.any_code.stills import STILL_STAGES
+
+    container, light, frame = bench.container, bench.light, taken.frame
+    about = meta(container, light, frame, taken.origin)
+    file = with_table(FrameFile.of(container, light, frame, about), container)
+    coded = coded_frame({"frame": frame.frame, "saturated": frame.saturated, **file.kept}, about)
+    if coded.is_still:
+        truth = np.asarray(light.total_e())[None]
+        yield _Way("merged", "neighbours", partial(_merged, bench, taken), truth)
+        still = coded.still()
+        yield _Way("any", f"{STILL_STAGES} stages", lambda: decoded_still(still).numpy(), truth)
+        yield from _of_run(bench, taken, truth)
+        return
+    middle = _middle(frame.frame.shape, container.slots)
+    if coded.row[middle].size < coded.row.size:
+        rows, cols = (part.stop - part.start for part in middle)
+        notes.append(f"clips were decoded on the middle {rows} x {cols} pixels")
+    part, clip = coded.part(*middle), np.asarray(light.part(*middle).dense())
+    slots = (part.slot_us / part.slot_us.mean()).astype(np.float32)[:, None, None]
+    measured = part.clip()
+    if len(container.buckets) == 1 and np.all(part.slot_us == part.slot_us[0]):
+        for count in TV_ITERATIONS:
+            run = partial(_by_tv, measured, count)
+            yield _Way("gap-tv", f"{count} iterations", run, clip)
+    for count in ANY_STAGES:
+        yield _Way(
+            "any", f"{count} stages",
+            lambda count=count: decoded_clip(measured, count)[0].numpy() * slots, clip,
+        )  # fmt: skip
+    yield from _of_run(bench, taken, np.asarray(light.dense()))
+
+
+def _merged(bench: Bench, taken: Simulated) -> Values:
+    """Electrons over the frame (1, rows, cols) from neighbours: the mean of the buckets."""
+    container = bench.container
+    response = response_of(container, bench.sensor, taken.effects)
+    told = [light_estimate(each) for each in readouts(container, taken.frame, response)]
+    frame_s = sum(container.slot_us) * 1e-6
+    light = np.nanmean([np.where(known, found, np.nan) for found, known in told], axis=0)
+    return np.asarray(light)[None] * frame_s
+
+
+def _by_tv(measured: Any, iterations: int) -> Values:
+    """The clip (N, rows, cols) that total variation makes, which wants whites to be 1."""
+    from nscc_training.any_code.decode import white
+    from nscc_training.baselines.sci import gap_tv
+
+    unit = float(white(measured)[0])
+    frame, mask = measured.value[0, 0].numpy() / unit, measured.mask[0, 0].numpy()
+    return np.asarray(gap_tv(frame.astype(np.float32), mask, iterations=iterations)) * unit
+
+
+def _of_run(bench: Bench, taken: Simulated, truth: Values) -> Iterator[_Way]:
+    """The decoder of the run, where the program is a run's, in both number formats."""
+    if bench.asked.run is None:
+        return
+    import torch
+
+    from nscc_training.reconstruct import decoded_frame
+    from nscc_training.run_folder import load_run
+
+    folder = load_run(bench.asked.run, trust_code=bench.asked.trust_code)
+    frame, opened = taken.frame, taken.frame.told.get(OPEN)
+    share = None if opened is None else (opened[0] / bench.container.slots).astype(np.float32)
+    chosen = folder.parts.settings.decoder
+
+    def run(dtype: str) -> Values:
+        with torch.autocast(folder.parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
+            made = decoded_frame(folder, frame.frame[0], frame.saturated[0], share)
+        return made[None] if folder.parts.still else made
+
+    for dtype in ("f32", "bf16"):
+        yield _Way(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth)
+
+
+def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:
+    """The rows and columns of the largest middle part of which a clip is decoded."""
+    side = max(16, int((CLIP_VALUES / slots) ** 0.5) // 16 * 16)
+    found = []
+    for length in shape[-2:]:
+        here = min(side, length)
+        start = (length - here) // 2
+        found.append(slice(start, start + here))
+    return found[0], found[1]

@@ -1,0 +1,135 @@
+"""What follows the words: how truly a frame is emulated, and what is made of it."""
+
+from __future__ import annotations
+
+from functools import partial
+from time import perf_counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.tradeoff.points import Point
+from nscc_runtime.effects import everything, selected
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.looked_light import OPEN
+from nscc_runtime.planless import planless
+from nscc_runtime.planner.audit import bands, compared_rows
+from nscc_runtime.planning import planning_of
+from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.simulate import Request, simulate
+from nscc_runtime.tradeoff.study import unknown
+from nscc_training.tradeoff.bench import Bench, rms_percent, scaled_text
+from nscc_training.tradeoff.stages import PERCENT, Found
+
+Values = NDArray[np.float64]
+
+PARTS = (0.1, 0.3, 1.0, 3.0)
+"""Tolerances of plans, as parts of the target."""
+COMPARED = 1 << 20
+"""Slots x pixels that the reference makes, in bands of rows."""
+
+
+def effects(bench: Bench) -> Found:
+    """Plans of several tolerances, every effect, and the reference: seconds to emulate a frame.
+
+    Errors are from the reference with the same draws. Raises Rejected (NS0750) for a chip that is
+    sent planes, of which nothing is approximated.
+    """
+    container, asked = bench.container, bench.asked
+    if container.target.streamed:
+        raise planless("comparing tolerances")
+    truth = _Truth(bench)
+    ways = [("auto", scaled_text(asked.target_error, part)) for part in PARTS]
+    ways.append(("all", scaled_text(asked.target_error, 1.0)))
+
+    def measured(chosen: str, tolerance: str) -> dict[str, Any]:
+        error, first_ms, next_ms = 0.0, [], []
+        for _ in range(asked.repeats):
+            # A scene that nothing has been found out about yet: its sums are part of a frame.
+            begin, light = perf_counter(), unknown(bench.light)
+            planning = planning_of(container, bench.sensor, light, asked.device_seed)
+            plan = planning.plan(tolerance, selected(chosen))
+            planned = perf_counter()
+            frame = next(iter(planning.frames(plan, asked.seed, 1)))
+            first_ms.append((perf_counter() - begin) * 1e3)
+            next_ms.append((perf_counter() - planned) * 1e3)
+            error = error or truth.percent(frame)
+        return {"error": error, "first": first_ms, "next": next_ms}
+
+    planning_of(container, bench.sensor, bench.light, asked.device_seed).ready()
+    found = {" ".join(way): partial(measured, *way) for way in ways}
+    values = {way: bench.once(f"effects {way}", each) for way, each in found.items()}
+    points = [
+        Point("effects", line, way, each["error"], PERCENT, tuple(each[key]))
+        for line, key in (("with planning", "first"), ("planned", "next"))
+        for way, each in values.items()
+    ]
+    took_ms = bench.once("effects reference", lambda: truth.took_ms)
+    points.append(Point("effects", "reference", "all", 0.0, PERCENT, (took_ms,)))
+    return Found(tuple(points), notes=truth.notes)
+
+
+class _Truth:
+    """A frame of the reference, or bands of its rows; made when it is first asked for."""
+
+    def __init__(self, bench: Bench) -> None:
+        self._bench = bench
+        height = bench.light.shape[0]
+        self._rows: NDArray[np.intp] = np.arange(height)
+        if bench.container.machine is None:
+            total_e, slots = bench.light.total_e(), bench.container.slots
+            self._rows = compared_rows(slots, total_e, COMPARED)
+        self.share = len(self._rows) / height
+        self._made: tuple[Values, NDArray[np.bool_], Any, float] | None = None
+
+    @property
+    def took_ms(self) -> float:
+        """How long the whole frame takes."""
+        return self._frame[3] / self.share
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader has to know."""
+        if self.share == 1:
+            return ()
+        return (
+            f"the reference ran {len(self._rows)} of {self._bench.light.shape[0]} rows, spread "
+            "evenly: errors are theirs, and its time is theirs scaled to all",
+        )
+
+    def percent(self, frame: Frame) -> float:
+        """The error of a frame, where both end in the same states."""
+        exposure_e, valid, opened, _ = self._frame
+        counted = valid & frame.valid[:, self._rows]
+        if opened is not None:
+            counted = counted & (opened == frame.told[OPEN])
+        return rms_percent(
+            frame.exposure_e[:, self._rows], exposure_e, counted, self._bench.signal_e
+        )
+
+    @property
+    def _frame(self) -> tuple[Values, NDArray[np.bool_], Any, float]:
+        if self._made is None:
+            begin = perf_counter()
+            made = self._looked() if self._bench.container.machine else self._summed()
+            self._made = (*made, (perf_counter() - begin) * 1e3)
+        return self._made
+
+    def _summed(self) -> tuple[Values, NDArray[np.bool_], Any]:
+        bench = self._bench
+        reference = Reference.of(bench.container, bench.sensor, everything())
+        scene = scene_of(bench.container, bench.light)
+        seeds = bench.asked.seed, bench.asked.device_seed
+        parts = [reference.expose_rows(scene, band, *seeds) for band in bands(self._rows)]
+        exposure_e = np.concatenate([part.exposure_e for part in parts], axis=1)
+        return exposure_e, np.concatenate([part.valid for part in parts], axis=1), None
+
+    def _looked(self) -> tuple[Values, NDArray[np.bool_], Any]:
+        bench = self._bench
+        request = Request.of(
+            effects="all", fidelity="reference", seed=bench.asked.seed,
+            device_seed=bench.asked.device_seed,
+        )  # fmt: skip
+        frame = simulate(bench.container, bench.light, bench.sensor, request).frame
+        return frame.exposure_e, frame.valid, frame.told[OPEN]

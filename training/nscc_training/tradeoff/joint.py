@@ -1,0 +1,173 @@
+"""Which setting for an error of 1 %? One program on one scene, stage by stage."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from nscc.columns import columns
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.tradeoff.points import Point, dominated
+from nscc.tradeoff.rows import Rows
+from nscc_training.tradeoff.bench import Asked, Bench
+from nscc_training.tradeoff.chip_stages import compiling, lowering, slots
+from nscc_training.tradeoff.decoder_stage import decoding
+from nscc_training.tradeoff.frame_stages import effects
+from nscc_training.tradeoff.stages import Found, Misfit
+
+NEAR = 1.05
+"""Where no setting is within the target, the fastest one of at most so many times the least error
+is advised."""
+
+STAGES: dict[str, tuple[str, str, Callable[[Bench], Found]]] = {
+    "compile": ("to compile", "the chip's frame", compiling),
+    "lowering": ("shortest frame of the chip", "the chip's frame", lowering),
+    "slots": ("a frame of the chip", "the chip's frame", slots),
+    "effects": ("to emulate a frame", "from the reference, same draws", effects),
+    "decoder": ("to decode a frame", "from the scene's light", decoding),
+}
+"""By name: what the time is of, what the error is of, and what measures it."""
+
+
+@dataclass(frozen=True)
+class Advice:
+    """A stage's best setting: the fastest within the target, or else the fastest near the least
+    error; None where nothing could be measured."""
+
+    stage: str
+    point: Point | None
+    reached: bool
+
+
+@dataclass(frozen=True)
+class Joint:
+    """All stages: their points, what could not be measured, and why, and what is advised.
+
+    Errors are percent of the mean signal, root mean squares. `target`: as it was asked for;
+    `target_percent`, `shot_percent`: what it is of the signal, and what the light's own noise is;
+    `largest`: the effects that the chip's frame is furthest off by.
+    """
+
+    program: str
+    scene: str
+    target: str
+    stages: tuple[str, ...]
+    target_percent: float
+    shot_percent: float
+    signal_e: float
+    points: tuple[Point, ...]
+    largest: tuple[tuple[str, float], ...]
+    misfits: tuple[Misfit, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def advice(self) -> tuple[Advice, ...]:
+        """A setting for each stage."""
+        return tuple(
+            advised(stage, [p for p in self.points if p.case == stage], self.target_percent)
+            for stage in self.stages
+        )
+
+
+Progress = Callable[[Sequence[str]], Iterable[str]]
+"""Hands the stages' names on one by one, and may show how far that is."""
+
+
+def measure(
+    asked: Asked,
+    rows: Rows | None = None,
+    said: Callable[[Diagnostic], None] = lambda _: None,
+    progress: Progress = iter,
+) -> Joint:
+    """Measures the stages that are asked for. Raises Rejected for a program, scene or target that is none, before
+    anything is timed; a setting, or a stage, that cannot be had is a misfit with its reason."""
+    bench = Bench(asked, rows or Rows(), said)
+    target = bench.target
+    points: list[Point] = []
+    misfits: list[Misfit] = []
+    notes: list[str] = []
+    for name in progress(asked.stages):
+        try:
+            found = STAGES[name][2](bench)
+        except (Rejected, ModuleNotFoundError) as why:
+            misfits.append(Misfit.of(name, "", why))
+            continue
+        points += found.points
+        misfits += found.misfits
+        notes += [f"{name}: {note}" for note in found.notes]
+    return Joint(
+        asked.program.name, asked.scene.name, asked.target_error, asked.stages,
+        100 * target.electrons / bench.signal_e, bench.shot_percent, bench.signal_e,
+        tuple(points), bench.largest, tuple(misfits), tuple(notes),
+    )  # fmt: skip
+
+
+def advised(stage: str, points: Sequence[Point], target_percent: float) -> Advice:
+    """What to take of a stage's points."""
+    if not points:
+        return Advice(stage, None, reached=False)
+    within = [point for point in points if point.error <= target_percent]
+    least = min(point.error for point in points)
+    near = within or [point for point in points if point.error <= NEAR * least]
+    fastest = min(near, key=lambda point: (point.time_ms, point.error))
+    return Advice(stage, fastest, reached=bool(within))
+
+
+def joint_text(joint: Joint) -> str:
+    """The answer for a reader, then every point of every stage."""
+    head = (
+        f"{joint.program} on {joint.scene}: {joint.target} is {joint.target_percent:.3g} % of the "
+        f"mean signal, {joint.signal_e:.4g} e; the light's own noise is {joint.shot_percent:.3g} %"
+    )
+    rows = [("stage", "setting", "time", "error %", "time of", "error of", "")]
+    for each in joint.advice:
+        time_of, error_of, _ = STAGES[each.stage]
+        if each.point is None:
+            rows.append((each.stage, "none", "", "", time_of, error_of, "not measured: see below"))
+            continue
+        point = each.point
+        rows.append((
+            each.stage, _setting(point), si_seconds(point.time_ms), f"{point.error:.3g}", time_of,
+            error_of, "" if each.reached else "above the target: the best there is",
+        ))  # fmt: skip
+    if joint.largest:
+        named = ", ".join(f"{name} {percent:.3g} %" for name, percent in joint.largest)
+        head += f"\nthe largest errors of the chip's frame: {named} (`nscc effects NAME` says more)"
+    parts = [head, columns(rows, left=(0, 1, 4, 5, 6)), _points_text(joint.points)]
+    parts += ["\n".join(_misfit_lines(joint.misfits))] if joint.misfits else []
+    parts += ["\n".join(joint.notes)] if joint.notes else []
+    return "\n\n".join(parts)
+
+
+def _points_text(points: Sequence[Point]) -> str:
+    rows = [("stage", "method", "setting", "time", "error %", "")]
+    before = ("", "")
+    for point, beaten in zip(points, dominated(points), strict=True):
+        here = (point.case, point.method)
+        rows.append((
+            point.case if point.case != before[0] else "", point.method if here != before else "",
+            point.setting, si_seconds(point.time_ms), f"{point.error:.3g}",
+            "dominated" if beaten else "",
+        ))  # fmt: skip
+        before = here
+    return columns(rows, left=(0, 1, 2, 5))
+
+
+def _misfit_lines(misfits: Sequence[Misfit]) -> Iterator[str]:
+    for each in misfits:
+        where = ", ".join(filter(None, (each.stage, each.setting)))
+        yield f"{where}: {each.reason}" + (f" ({each.code})" if each.code else "")
+
+
+def _setting(point: Point) -> str:
+    return f"{point.method}, {point.setting}" if point.setting else point.method
+
+
+def si_seconds(time_ms: float) -> str:
+    """A time with three digits in the unit that suits it: 2.5 us, 31 ms, 1.2 s."""
+    steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
+    unit, factor = next(
+        ((unit, factor) for limit, unit, factor in reversed(steps) if time_ms >= limit),
+        ("ns", 1e6),
+    )
+    return f"{time_ms * factor:.3g} {unit}"

@@ -1,0 +1,43 @@
+"""What a stage of the joint tradeoff gives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.requirements import line_for
+from nscc.tradeoff.points import Point
+
+PERCENT = "percent"
+"""The unit of all errors: of the mean signal."""
+
+
+@dataclass(frozen=True)
+class Misfit:
+    """A setting, or with "" a whole stage, that cannot be had: the code of the message that says
+    why, and its text."""
+
+    stage: str
+    setting: str
+    code: str
+    reason: str
+
+    @classmethod
+    def of(
+        cls, stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError
+    ) -> Misfit:
+        """The misfit that a message tells of."""
+        if isinstance(why, ModuleNotFoundError):
+            name = why.name or "a package"
+            return cls(stage, setting, "NS0904", f"{name} is missing: {line_for(name)}")
+        found = why.diagnostics[0] if isinstance(why, Rejected) else why
+        return cls(stage, setting, found.code, found.message)
+
+
+@dataclass(frozen=True)
+class Found:
+    """A stage's points, what of it cannot be had, and what a reader has to know of its numbers."""
+
+    points: tuple[Point, ...]
+    misfits: tuple[Misfit, ...] = ()
+    notes: tuple[str, ...] = ()
