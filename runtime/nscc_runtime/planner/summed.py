@@ -218,7 +218,7 @@ class Readout:
             "electrons_per_code": code.electrons(sensor),
             "offset": code.offset(sensor),
             "top": float(target.top_code),
-            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+            "readout_noise": kept.converter_lsb(sensor),
         }
         return cls(given, converters[0][0].stream if converters else 0)
 
