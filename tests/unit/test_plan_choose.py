@@ -20,7 +20,7 @@ from nscc_runtime.planner.program import Program
 from nscc_runtime.sensor import Sensor
 
 # What is forced off here breaks its tolerance on purpose, and a capture says so.
-pytestmark = pytest.mark.filterwarnings("ignore:warning.NS0749")
+pytestmark = pytest.mark.filterwarnings("ignore:warning.NS07(49|93)")
 ROWS, COLS = 32, 48
 
 
