@@ -165,7 +165,11 @@ class Chooser(Promises):
         return f"left out, the noise would change by {self._noise_change(dropped):.1%}"
 
     def _worst(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> Worst:
-        return self.worst(dropped, self._path(dropped) != "sums", lacking)
+        found = self.worst(dropped, self._path(dropped) != "sums", lacking)
+        if not lacking:
+            return found
+        near = self._lacking(self.state(dropped)).worst(lacking)
+        return Worst(max(found.p999_e, near.p999_e), max(found.max_e, near.max_e))
 
     @remembered
     def _noise_change(
