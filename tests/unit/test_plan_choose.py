@@ -310,3 +310,21 @@ def test_wells_that_are_smaller_than_registers(name: str, tolerance: float) -> N
     assert found.kept
     # What clipping costs is known from above.
     assert 0.85 * found.err <= found.plan.predicted_e <= 2.0 * found.err + 0.05
+
+
+def test_what_a_plan_costs_adds_up_and_is_at_most_that_of_all() -> None:
+    """Saturating pixels lack what the plan drops; the table's last column is the plan's time."""
+    container = case("b edges", 8, rows=64, cols=64)
+    light, sensor = scene("saturated", 8, 64, 64), sensor_of(container)
+    plan, everything = (made(container, light, sensor, 50.0, name) for name in ("auto", "all"))
+    assert plan.cost is not None
+    assert everything.cost is not None
+    table = str(plan).splitlines()
+    end = next(i for i, line in enumerate(table) if line.startswith("predicted error"))
+    took = [
+        float(line.split()[-1]) for line in table[1:end]
+        if line.startswith("(") or (" kept " in line and line[-1].isdigit() and "." in line[-5:])
+    ]  # fmt: skip
+    assert sum(took) == pytest.approx(plan.cost.total_ms, abs=0.01 * len(took))
+    assert plan.cost.total_ms <= plan.cost.all_ms == pytest.approx(everything.cost.total_ms)
+    assert set(plan.saturating_lack) <= {e.name for e in plan.decisions if e.decision == "dropped"}
