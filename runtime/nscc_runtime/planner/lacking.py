@@ -17,15 +17,17 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import drawn_by
+from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
-_FEWEST, _MOST = 48, 256
+_FEWEST, _MOST = 48, 1024
 """Pixels on which it is measured."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
-_PART = 16
+_PART = 4
 """Of this many pixels near saturation one is measured."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
@@ -80,6 +82,14 @@ class Lacking:
         mean, _ = self._measured(lacking)
         return mean
 
+    def worst(self, lacking: frozenset[str]) -> Worst:
+        """What these pixels lack, forced or not, at the worst of them."""
+        error = self._held(self.forced_off | lacking) - self._held(frozenset())
+        rest = len(self.program.lanes) - len(self.near)
+        weight = np.append(np.full(error.shape[1], len(self.near) / error.shape[1]), rest)
+        error = np.pad(error, ((0, 0), (0, 1)))
+        return worst_of(error, np.zeros_like(error), weight, len(self.program.lanes))
+
     def _most(self, lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
         return float(np.max(mean + _SIGMAS * error))
@@ -100,7 +110,8 @@ class Lacking:
     @cached_property
     def _places(self) -> NDArray[np.int64]:
         wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST)
-        return self.near[:: len(self.near) // wanted]
+        # In step with no tile of codes.
+        return self.near[np.unique(drawn_by(np.ones(len(self.near)), wanted))]
 
     @cached_property
     def _every(self) -> Selection:
