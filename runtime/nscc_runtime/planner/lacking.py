@@ -35,13 +35,15 @@ _SIGMAS = 2.0
 class Lacking:
     """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
 
-    `fields` are predictions on a sample of the scene. Threads change no bit.
+    `fields` are predictions on a sample of the scene, `running`: which of it are such pixels.
+    Threads change no bit.
     """
 
     program: Program
     light: Light
     near: NDArray[np.int64]
     fields: Fields
+    running: NDArray[np.bool_]
     forced_off: frozenset[str]
     device_seed: int
     threads: int
@@ -122,16 +124,24 @@ class Lacking:
 
     def _guessed(self, lacking: frozenset[str]) -> float:
         """The mean square that leaving effects out adds, by their fields."""
-        fields, near = self.fields, self.fields.sample.near
-        cut = np.abs(fields.fixed[BOTH][:, near]) > _CUT_E
-        fixed, variance = np.zeros(cut.shape), np.zeros(cut.shape)
-        for name in lacking:
-            behind = fields.after.get(name)
-            if name in fields.fixed:
-                passed = 0.0 if behind is None else behind[:, near]
-                fixed += np.where(cut, passed, fields.fixed[name][:, near])
-            if name in fields.variance:
-                here = fields.variance[name][:, near]
-                variance += here if behind is not None else np.where(cut, 0.0, here)
-        weight = fields.sample.weight
-        return float(np.max((fixed**2 + variance) @ (weight[near] / weight.sum())))
+        fixed, variance = guessed(self.fields, self.running, lacking)
+        return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
+
+
+def guessed(
+    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
+) -> tuple[Values, Values]:
+    """Means and variances (buckets, pixels of a sample) of what pixels of it lack that run through
+    their words without some effects; nothing where saturation cuts it off."""
+    fixed, variance = np.zeros(fields.expected.shape), np.zeros(fields.expected.shape)
+    if not lacking:
+        return fixed, variance
+    cut = np.abs(fields.fixed[BOTH]) > _CUT_E
+    for name in sorted(lacking):
+        behind = fields.after.get(name)
+        if name in fields.fixed:
+            fixed += np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+        if name in fields.variance:
+            here = fields.variance[name]
+            variance += np.where(cut, 0.0, here) if behind is None else here
+    return fixed * running, variance * running
