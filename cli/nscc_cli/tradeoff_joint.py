@@ -9,7 +9,7 @@ import click
 
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
-from nscc.tradeoff.points import csv_text
+from nscc.tradeoff.points import STAGES, csv_text
 from nscc_cli import options as shared
 from nscc_cli.completion import SCENE
 from nscc_cli.frames import refuse_swapped, run_capture_of, scene_of
@@ -18,7 +18,6 @@ from nscc_cli.programs import compile_options
 from nscc_cli.support import CommonCommand, progress, say
 from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
-_STAGES = ("compile", "lowering", "slots", "effects", "decoder")
 _LEVELS = [str(level) for level in LEVELS]
 
 
@@ -28,7 +27,7 @@ _LEVELS = [str(level) for level in LEVELS]
 @click.option("--target-error", metavar="1%|5e|0.1lsb", default="1%", show_default=True,
               help="The error to stay within: of the scene's mean signal, in electrons, or in "
               "codes of the ADC.")  # fmt: skip
-@some_option("--stages", _STAGES, "NAME,..", "Stages to measure.")
+@some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)
 @click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
@@ -61,8 +60,8 @@ def command(program: Path, **options: Any) -> int:
     named = ("pixels", "sensor", "seed", "device_seed", "repeats", "trust_code")
     asked = Asked(
         program if captured is None else captured.program, scene, options["target_error"],
-        options["stages"], compile_options(options), tuple(map(int, options["levels"])), changes=options["sensor_set"],
-        run=run, **{name: options[name] for name in named},
+        options["stages"], compile_options(options), tuple(map(int, options["levels"])),
+        changes=options["sensor_set"], run=run, **{name: options[name] for name in named},
     )  # fmt: skip
     with kept_rows(files, {**options, "program": asked.program, "run": run}) as rows:
         joint = measure(

@@ -14,6 +14,9 @@ COLUMNS = (
     "method", "setting", "error", "error_unit", "time_ms", "spread_ms", "device", "dominated",
 )  # fmt: skip
 
+STAGES = ("compile", "lowering", "slots", "effects", "decoder")
+"""Of the joint tradeoff of one program, in the order in which they follow each other."""
+
 
 @dataclass(frozen=True)
 class Point:

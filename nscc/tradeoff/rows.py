@@ -58,10 +58,6 @@ class Rows:
             self._known[name] = json.loads(line)[1]
         return self._known[name]
 
-    def __len__(self) -> int:
-        """How many are known."""
-        return len(self._known)
-
     def done(self) -> None:
         """Removes the file: the products hold what it held, and who measures again wants new
         times."""

@@ -68,6 +68,7 @@ def capture(
     device_seed: int = Request.device_seed,
     repeat: int | None = Request.repeat,
     threads: int | None = Request.threads,
+    torch_device: str | None = Request.torch_device,
 ) -> Capture:
     """Capture a scene with a program on the emulated chip, or `repeat` frames of it.
 
@@ -81,7 +82,9 @@ def capture(
     the worst pixel, a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or a
     file of one, which is written where there is none. `fidelity` "reference" executes words slot
     by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns. `threads`, by
-    default as many as there are processors, change no bit.
+    default as many as there are processors, change no bit. `torch_device` ("cuda", "cpu") has a
+    plan's frames drawn and added up by torch, many repeats at once, with the same random numbers;
+    what plans leave to the words of single pixels stays on the processor.
 
     Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
     not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
@@ -98,12 +101,16 @@ def capture(
         whole(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
     if threads is not None:
         whole(call, "threads", threads, least=1)
+    if torch_device is not None:
+        from nscc_runtime.torch_device import check_device
+
+        check_device(call, torch_device)
     file = _plan(call, plan)
     request = Request.of(
         effects=_effects(call, effects), tolerance=_tolerance(call, "tolerance", tolerance),
         tolerance_max=_tolerance(call, "tolerance_max", tolerance_max), plan=file,
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
-        repeat=repeat, threads=threads,
+        repeat=repeat, threads=threads, torch_device=torch_device,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))

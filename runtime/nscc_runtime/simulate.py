@@ -46,7 +46,7 @@ class Request:
     `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
     effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
     `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
-    bit.
+    bit. A `torch_device` draws and adds up the frames of a plan by sums, many at once.
     """
 
     effects: Selection
@@ -59,6 +59,7 @@ class Request:
     device_seed: int = 0
     repeat: int | None = None
     threads: int | None = None
+    torch_device: str | None = None
 
     @classmethod
     def of(
@@ -257,7 +258,9 @@ def _planned(
     from nscc_runtime.planning import planning_of
 
     timings, device_seed = listener.timings, request.device_seed
-    planning = planning_of(container, sensor, light, device_seed, request.threads)
+    planning = planning_of(
+        container, sensor, light, device_seed, request.threads, request.torch_device
+    )
     _say_compiling(listener, planning.compiled, "planner")
     check(container, light)
     digest = _digest(container)
@@ -297,6 +300,7 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     frames = listener.progress(made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
+    frame: Frame
     (frame,) = frames
     return frame
 

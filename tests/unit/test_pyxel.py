@@ -26,7 +26,8 @@ pytestmark = [
 pytest.importorskip("pyxel", reason="Pyxel is not installed: pip install 'nscc[pyxel]'")
 
 SIDE, SLOTS, REPEATS = 64, 16, 10
-FULL_WELL_E = 600
+SENSOR = {"full_well_e": 600, "electrons_per_lsb": 40}
+FULL_WELL_E = SENSOR["full_well_e"]
 RATES_E = (80.0, 300.0, 520.0, 560.0, 580.0, 590.0, 600.0, 640.0)
 """Electrons a slot of eight bands of rows, from far below the well to above it."""
 LIMIT = 4.5
@@ -69,7 +70,7 @@ def ours(request: pytest.FixtureRequest, container: Any) -> list[Band]:
     scene = np.repeat(light()[None], SLOTS, axis=0).astype(np.float32)
     more = {"tolerance": "0.5e"} if request.param == "planned" else {"fidelity": "reference"}
     taken = capture(
-        container, scene, sensor={"full_well_e": FULL_WELL_E}, effects="shot,full_well",
+        container, scene, sensor=SENSOR, effects="shot,full_well",
         repeat=REPEATS, **more,
     )  # fmt: skip
     return banded(taken.exposure_e[:, 0], taken.saturated[:, 0], taken.frame[:, 0])
@@ -82,7 +83,7 @@ def theirs(container: Any) -> list[Band]:
     from pyxel.models.photon_collection import shot_noise
     from pyxel.models.readout_electronics.simple_adc import apply_simple_adc
 
-    sensor = sensor_for(container, full_well_e=FULL_WELL_E)
+    sensor = sensor_for(container, **SENSOR)
     step_e, offset = sensor.electrons_per_lsb, sensor.adc_offset_lsb
     # Pyxel's converter cuts off where a chip's rounds: its range begins half a code lower.
     least_e = -(offset + 0.5) * step_e

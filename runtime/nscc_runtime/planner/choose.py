@@ -23,7 +23,7 @@ from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planner.lacking import Lacking
-from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
+from nscc_runtime.planner.plan import Approximation, Choice, Cost, Decision, Loop, Plan
 from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
@@ -241,6 +241,33 @@ class Chooser(Promises):
             return saved
         return saved + sum(effect.cost_ns for effect in self.present if effect.name in names)
 
+    def _own_ns(self, name: str, dropped: frozenset[str]) -> float:
+        """The same of one effect, without what single pixels near saturation take: the table has a
+        row for these."""
+        saved = self._saved_ns(frozenset({name}), dropped)
+        paths = self._path(dropped - {name}), self._path(dropped | {name})
+        if paths != ("sums", "sums"):
+            return saved
+        return saved - self._path_ns(dropped - {name}) + self._path_ns(dropped | {name})
+
+    def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> tuple[float, float]:
+        """Nanoseconds a pixel of a frame, and those of them of pixels near saturation."""
+        if self._path(dropped) != "sums":
+            return self._path_ns(dropped), 0.0
+        running = len(self.running(self.state(dropped)))
+        near = self._near_ns(lacking) * running / len(self.program.lanes)
+        passes = len(self.light.frames) * len(self.program.container.buckets)
+        effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
+        return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
+
+    def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
+        """What the plan takes that leaves these effects out."""
+        ms = len(self.program.lanes) * 1e-6
+        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms
+        total, near = self._frame_ns(dropped, self.forced_off | lacking)
+        every, _ = self._frame_ns(frozenset(), frozenset())
+        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + planning_ms)
+
     def made(self, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str) -> Plan:
         """The plan that leaves these effects out; pixels near saturation have those of them that
         are not `lacking` there and not forced off."""
@@ -273,6 +300,7 @@ class Chooser(Promises):
             predicted_max_e=worst.max_e,
             noise_ratio=self.noise_ratio(dropped, path != "sums", lacking),
             saturating_lack=tuple(sorted(lacking)),
+            cost=self._cost(dropped, lacking),
         ).told(self.allowed, self.allowed_max)
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
@@ -304,7 +332,7 @@ class Chooser(Promises):
             return after_exposure(effect, self.effects, self.program.sensor, forced_reason)
         rms, bias = self.contribution(effect)
         then = math.sqrt(self._square(dropped | {effect.name}) + added)
-        cost = self._saved_ns(frozenset({effect.name}), dropped)
+        cost = self._own_ns(effect.name, dropped)
         choice: Choice = "kept"
         if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0

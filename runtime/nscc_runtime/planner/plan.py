@@ -68,6 +68,37 @@ class Approximation:
     error_e: float
 
 
+@dataclass(frozen=True)
+class Cost:
+    """What a frame takes, planning included: milliseconds of one core by the prices that plans are
+    chosen by. `saturating_ms`: the words of pixels near saturation; `all_ms`: the same frame with
+    every effect.
+    """
+
+    total_ms: float
+    saturating_ms: float
+    planning_ms: float
+    all_ms: float
+
+    def rows(self, effects_ms: float, saturating: str) -> list[tuple[str, str, float]]:
+        """What is not an effect's own: its name, what it is, and milliseconds; with `effects_ms`
+        for the effects that are kept, the total."""
+        rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
+        found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
+        if self.saturating_ms > 0:
+            found.insert(0, ("(saturating)", saturating, self.saturating_ms))
+        return [*found, ("(the rest)", "light added up and read out", rest_ms)]
+
+    @property
+    def said(self) -> str:
+        """What it saves of all, in words."""
+        saved = 1.0 - self.total_ms / self.all_ms if self.all_ms > 0 else 0.0
+        return (
+            f"saves {saved:.0%} of all: {self.total_ms:.2f} ms of a core instead of "
+            f"{self.all_ms:.2f}, by shipped prices"
+        )
+
+
 @dataclass(frozen=True, repr=False)
 class Plan:
     """All that a run needs to know beside program, scene and sensor.
@@ -84,8 +115,8 @@ class Plan:
     `tolerance_max`, `tolerance_max_e`: what was asked of the largest, empty and None where nothing
     was. `noise_ratio`: the standard deviation of exposures over frames by that with every effect;
     None where it is not predicted. `saturating_lack`: the dropped effects that pixels near
-    saturation lack as well, whose words run with all others. As text a plan is the table that
-    `nscc run` prints.
+    saturation lack as well, whose words run with all others. `cost`: None where there are no prices
+    for it. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -108,6 +139,7 @@ class Plan:
     tolerance_max_e: float | None = field(default=None, metadata=_LATER)
     noise_ratio: float | None = field(default=None, metadata=_LATER)
     saturating_lack: tuple[str, ...] = field(default=(), metadata=_LATER)
+    cost: Cost | None = field(default=None, metadata=_LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -127,6 +159,7 @@ class Plan:
             cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
             other = (f"{each.other_states:.2%}" if each.other_states else "",) if looks else ()
             rows.append((each.name, rms, bias, choice, each.reason, cost, *other))
+        rows += self._costs()
         lines = [
             columns(rows, left=(0, 3, 4)),
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
@@ -147,7 +180,21 @@ class Plan:
         lines += [f"short cut: {each.name}, {each.error_e:.2g} e" for each in self.approximations]
         loop = _LOOPS[self.slot_loop]
         lines.append(": ".join(filter(None, (loop, "; ".join(self.slot_loop_reasons)))))
+        if self.cost is not None:
+            lines.append(self.cost.said)
         return "\n".join(lines)
+
+    def _costs(self) -> list[tuple[str, ...]]:
+        """The rows of what takes time and is no effect's own."""
+        if self.cost is None:
+            return []
+        kept_ms = sum(each.cost_ms_model for each in self.decisions if each.decision == "kept")
+        lack = ", ".join(self.saturating_lack)
+        saturating = "their words one by one" + (f", without {lack}" if lack else "")
+        return [
+            (name, "", "", "", what, f"{cost_ms:.2f}")
+            for name, what, cost_ms in self.cost.rows(kept_ms, saturating)
+        ]
 
     def _repr_html_(self) -> str:
         said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
@@ -259,6 +306,7 @@ class Plan:
             "leak_nodes": self.leak_nodes,
             "closed_slots_counted": self.closed,
             "saturating_lack": list(self.saturating_lack),
+            "cost": None if self.cost is None else asdict(self.cost),
             "other_states": self.other_states,
             "effects": [asdict(each) for each in self.decisions],
         }
@@ -287,8 +335,8 @@ class Plan:
             asked = plan.tolerance.endswith(unit) or plan.tolerance_max.endswith(unit)
             if asked != (part_of_e is not None):
                 raise ValueError(f"{name} is {part_of_e}")
-        dropped = {each.name for each in plan.decisions if each.decision == "dropped"}
-        if not dropped.issuperset(plan.saturating_lack):
+        kept = {each.name for each in plan.decisions if each.decision == "kept"}
+        if not kept.isdisjoint(plan.saturating_lack):
             raise ValueError(f"saturating_lack is {', '.join(plan.saturating_lack)[:60]}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")

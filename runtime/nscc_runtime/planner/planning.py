@@ -68,13 +68,16 @@ class Planning(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class PlanningBySums:
-    """Of a program whose shutters are fixed. `threads`, None for all processors, change no bit."""
+    """Of a program whose shutters are fixed. `threads`, None for all processors, change no bit;
+    `torch_device`: where frames are drawn and added up, None for the processor.
+    """
 
     container: Container
     sensor: Sensor
     light: Light
     device_seed: int = 0
     threads: int | None = None
+    torch_device: str | None = None
 
     @property
     def compiled(self) -> bool:
@@ -120,8 +123,9 @@ class PlanningBySums:
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """See `Planning`."""
         return planned_frames(
-            self._program, self.light, plan, seed, self.device_seed, count, self.threads
-        )
+            self._program, self.light, plan, seed, self.device_seed, count, self.threads,
+            self.torch_device,
+        )  # fmt: skip
 
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
         """See `Planning`."""

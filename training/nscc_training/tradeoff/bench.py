@@ -19,6 +19,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.syntax.parse import read_source
+from nscc.tradeoff.points import STAGES
 from nscc.tradeoff.rows import Rows
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
@@ -33,7 +34,6 @@ from nscc_runtime.simulate import Request, Simulated, simulate
 
 Values = NDArray[np.float64]
 
-STAGE_NAMES = ("compile", "lowering", "slots", "effects", "decoder")
 _CAPTURED_TO = 0.5
 """Frames of the chip have every effect, to this part of the target."""
 _NAMED = 3
@@ -44,15 +44,16 @@ _NAMED = 3
 class Asked:
     """A program on a scene and the error to stay within, as a command line has them.
 
-    `target_error` is text as `--tolerance` takes it; `stages` are measured; `levels` of -O are compared, the other stages
-    have the words of `options`; times are medians of `repeats`. `run` is the folder whose program
-    that is, if it is one's, and `trust_code` lets it execute Python code of its own.
+    `target_error` is text as `--tolerance` takes it; `stages` are measured; `levels` of -O are
+    compared, the other stages have the words of `options`; times are medians of `repeats`. `run` is
+    the folder whose program that is, if it is one's, and `trust_code` lets it execute Python code
+    of its own.
     """
 
     program: Path
     scene: Scene
     target_error: str
-    stages: tuple[str, ...] = STAGE_NAMES
+    stages: tuple[str, ...] = STAGES
     options: Options = field(default_factory=Options)
     levels: tuple[int, ...] = (0, 1, 2)
     pixels: Path | None = None
@@ -181,10 +182,12 @@ class Bench:
 
     def _captured(self, container: Container, light: Light) -> Simulated:
         """A frame with every effect."""
-        tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
+        tolerance = None
+        if not container.target.streamed:  # it has no plans, and is exact
+            tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
-            effects="all", seed=self.asked.seed, device_seed=self.asked.device_seed,
-            **({} if container.target.streamed else {"tolerance": tolerance}),
+            effects="all", tolerance=tolerance, seed=self.asked.seed,
+            device_seed=self.asked.device_seed,
         )  # fmt: skip
         return simulate(container, light, self.sensor, request)
 

@@ -44,7 +44,8 @@ class Joint:
     """All stages: their points, what could not be measured, and why, and what is advised.
 
     Errors are percent of the mean signal, root mean squares. `target`: as it was asked for;
-    `target_percent`, `shot_percent`: what it is of the signal, and what the light's own noise is;
+    `stages` were measured; `target_percent`, `shot_percent`: what it is of the signal, and what the
+    light's own noise is;
     `largest`: the effects that the chip's frame is furthest off by.
     """
 
@@ -79,8 +80,11 @@ def measure(
     said: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = iter,
 ) -> Joint:
-    """Measures the stages that are asked for. Raises Rejected for a program, scene or target that is none, before
-    anything is timed; a setting, or a stage, that cannot be had is a misfit with its reason."""
+    """Measures the stages that are asked for.
+
+    Raises Rejected for a program, scene or target that is none, before anything is timed; a
+    setting, or a stage, that cannot be had is a misfit with its reason.
+    """
     bench = Bench(asked, rows or Rows(), said)
     target = bench.target
     points: list[Point] = []

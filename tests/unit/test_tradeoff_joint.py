@@ -1,0 +1,250 @@
+"""`nscc tradeoff PROGRAM`: its errors are those of frames, its advice the fastest setting."""
+
+from __future__ import annotations
+
+import csv
+import io
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+from PIL import Image
+
+from nscc.compiler import compile_source
+from nscc.containers import with_pixels
+from nscc.pipeline import Options
+from nscc.source import Source
+from nscc.target.load import builtin_target, target_toml
+from nscc.tradeoff.points import COLUMNS, Point
+from nscc.tradeoff.slots import in_fewer, with_slot_us
+from nscc_runtime import capture
+from nscc_runtime.scenes import Scene
+from nscc_training.tradeoff.bench import Asked, rms_percent, scaled_text
+from nscc_training.tradeoff.joint import advised, measure, si_seconds
+
+SIDE, SLOTS = 32, 8
+QUICK = Options(level=0)
+TEXT = f"""nsl 1
+target "small.toml"
+frame {SLOTS} slots of 1ms    # a comment
+code stop : 1..{SLOTS}
+open when n < stop
+pixels stop = tile [[1, 4], [6, 8]]
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    """A folder with a small target and a program for it."""
+    text = target_toml(builtin_target("scamp5"))
+    small = text.replace("rows = 256", f"rows = {SIDE}").replace("cols = 256", f"cols = {SIDE}")
+    (tmp_path / "small.toml").write_text(small)
+    (tmp_path / "p.nsl").write_text(TEXT)
+    return tmp_path
+
+
+def point(error: float, time_ms: float) -> Point:
+    return Point("effects", "m", f"{error}", error, "percent", (time_ms,))
+
+
+def test_advice_is_the_fastest_within_the_target() -> None:
+    points = [point(0.1, 30), point(0.9, 8), point(1.0, 6), point(1.1, 2)]
+    found = advised("effects", points, 1.0)
+    assert (found.point, found.reached) == (points[2], True)
+
+
+def test_without_one_it_is_the_fastest_of_the_best() -> None:
+    points = [point(5.0, 30), point(5.2, 8), point(5.3, 2)]
+    found = advised("effects", points, 1.0)
+    assert (found.point, found.reached) == (points[1], False)
+    assert advised("effects", [], 1.0).point is None
+
+
+def test_errors_are_of_the_worst_bucket() -> None:
+    ideal = np.full((2, 1, 4), 100.0)
+    seen = ideal + np.array([[[3.0, -3.0, 3.0, 999.0]], [[1.0, 1.0, 1.0, 1.0]]])
+    counted = np.array([[[True, True, True, False]], [[True] * 4]])
+    assert rms_percent(seen, ideal, counted, 100.0) == pytest.approx(3.0)
+    assert rms_percent(seen, ideal, counted & False, 100.0) == np.inf
+
+
+@pytest.mark.parametrize(
+    ("text", "tenth"), [("1%", "0.1%"), ("5e", "0.5e"), (".5lsb", "0.05lsb"), ("1e2e", "10e")]
+)
+def test_parts_of_a_target_keep_its_unit(text: str, tenth: str) -> None:
+    assert scaled_text(text, 0.1) == tenth
+
+
+@pytest.mark.parametrize(
+    ("time_ms", "text"),
+    [(0.0025, "2.5 us"), (31.4, "31.4 ms"), (1250.0, "1.25 s"), (1e-5, "10 ns")],
+)
+def test_times_are_in_si_units(time_ms: float, text: str) -> None:
+    assert si_seconds(time_ms) == text
+
+
+def test_other_slot_times_change_the_frame_alone() -> None:
+    source = Source("p.nsl", TEXT)
+    equal = with_slot_us(source, [2.5] * SLOTS).text
+    assert equal == TEXT.replace("8 slots of 1ms", "8 slots of 2.5us")
+    listed = with_slot_us(source, [1.0, 2.0]).text
+    assert "frame slots [1.0us, 2.0us]    # a comment\n" in listed
+
+
+def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
+    own = with_pixels(compile_source(Source("p.nsl", TEXT), folder, QUICK).container, "p.nsl")
+    text, codes = in_fewer(own, 4)
+    y, x = np.mgrid[:SIDE, :SIDE]
+    stop = np.array([[1, 4], [6, 8]])[y % 2, x % 2]
+    opened = np.arange(SLOTS)[:, None, None] < stop
+    wanted = opened.reshape(2, 4, SIDE, SIDE).mean(axis=1) >= 0.5
+    options = Options(level=0, target=own.target)
+    fewer = compile_source(Source("few.nsl", text), folder, options).container
+    fewer = with_pixels(fewer, "few.nsl", {"id": codes})
+    found = fewer.table.shutters[fewer.table.shutter_of_code[fewer.pixel_codes]][:, :, 0]
+    np.testing.assert_array_equal(found.transpose(2, 0, 1), wanted)
+    assert fewer.slot_us == (4000.0, 4000.0)
+    assert in_fewer(own, 3) is None
+
+
+def test_errors_of_plans_are_those_of_their_frames(folder: Path) -> None:
+    asked = Asked(
+        folder / "p.nsl",
+        Scene("builtin:flat:9000"),
+        "2%",
+        stages=("effects",),
+        options=QUICK,
+        repeats=1,
+    )
+    joint = measure(asked)
+    container = compile_source(Source("p.nsl", TEXT), folder, QUICK).container
+    exact = capture(container, "builtin:flat:9000")
+    assert joint.signal_e == pytest.approx(float(exact.exposure_e.mean()))
+    full = capture(container, "builtin:flat:9000", effects="all", fidelity="reference")
+    for tolerance in ("0.2%", "2%", "6%"):
+        planned = capture(container, "builtin:flat:9000", effects="auto", tolerance=tolerance)
+        away = planned.exposure_e - full.exposure_e
+        percent = 100 * float(np.sqrt((away**2).mean())) / joint.signal_e
+        first, again = (p.error for p in joint.points if p.setting == f"auto {tolerance}")
+        assert first == again == pytest.approx(percent)
+    [reference] = [p for p in joint.points if p.method == "reference"]
+    assert reference.error == 0.0
+    assert joint.target_percent == pytest.approx(2.0)
+
+
+def test_errors_of_the_chip_are_those_of_its_frames(folder: Path) -> None:
+    """A frame with every effect, what words are known to do taken off, beside the exact sums."""
+    scene = "builtin:flat:20000"
+    asked = Asked(folder / "p.nsl", Scene(scene), "2%", stages=("lowering",), options=QUICK)
+    found = {p.method: p for p in measure(asked).points}
+    for lowering in ("accumulate", "edges"):
+        options = Options(level=0, lowering=lowering)
+        container = compile_source(Source("p.nsl", TEXT), folder, options).container
+        exact_e = capture(container, scene).exposure_e
+        frame = capture(container, scene, effects="all", tolerance=0.01 * float(exact_e.mean()))
+        away = frame.response.electrons(frame.frame) - exact_e
+        percent = 100 * np.sqrt((away**2).mean()) / exact_e.mean()
+        assert found[lowering].error == pytest.approx(percent)
+        frame_ms = SLOTS * compile_source(Source("p.nsl", TEXT), folder, options).shortest_slot_us
+        assert found[lowering].time_ms == pytest.approx(frame_ms / 1e3)
+
+
+def test_the_command(folder: Path) -> None:
+    stages = "compile,lowering"
+    command = ["tradeoff", "p.nsl", "--scene", "builtin:flat:20000", "--stages", stages,
+               "--levels", "0", "--repeats", "1", "-O", "0", "-o", "out"]  # fmt: skip
+    done = invoke(command, folder)
+    assert (done.status, done.err) == (0, "wrote out.csv, out.png\n")
+    assert "1% is 1 % of the mean signal" in done.out
+    rows = [*csv.reader(io.StringIO((folder / "out.csv").read_text()))]
+    assert tuple(rows[0]) == COLUMNS
+    assert {row[0].split(", ")[0] for row in rows[1:]} == set(stages.split(","))
+    assert {row[3] for row in rows[1:]} == {"percent"}
+    with Image.open(folder / "out.png") as picture:
+        assert picture.width > 600
+    assert not [*folder.glob("*.jsonl")]
+
+
+@pytest.mark.parametrize(
+    ("more", "code"),
+    [
+        (["--target-error", "0%"], "NS0827"),
+        (["--target-error", "5"], "NS0827"),
+        (["--target-error", "nan%"], "NS0827"),
+        (["--target-error", "100%"], "NS0827"),
+        (["--target-error", "1e9e"], "NS0827"),
+        (["--scene", "builtin:dark"], "NS0826"),
+        (["--scene", "p.nsl"], "NS0780"),
+        (["--scene", ""], "NS0744"),
+    ],
+)
+def test_what_is_no_question_is_refused_before_it_is_measured(
+    folder: Path, more: list[str], code: str
+) -> None:
+    done = invoke(
+        ["tradeoff", "p.nsl", "--scene", "builtin:flat:9000", *more, "-O", "0", "-o", "o"], folder
+    )
+    assert (done.status, done.codes, done.out) == (2, [code], "")
+    assert not [*folder.glob("o.[cp]*")]
+
+
+def test_what_is_compiled_already_has_no_levels(folder: Path) -> None:
+    assert invoke(["build", "p.nsl", "-O", "0", "-o", "p.icw"], folder).status == 0
+    command = ["tradeoff", "p.icw", "--scene", "builtin:flat:9000", "--repeats", "1"]
+    done = invoke([*command, "--stages", "compile,effects"], folder)
+    assert done.status == 0
+    assert "compile: the program is compiled already" in done.out
+
+
+def test_pixels_that_look(folder: Path) -> None:
+    text = 'nsl 2\ntarget "small.toml"\nframe 8 slots of 1ms\n' + (
+        "sense lit when light > 30% at n in [2, 4]\nstate shut : 0..2 = 0\n"
+        "next shut = looks when lit and shut == 0\nopen when shut == 0\nread shut\n"
+    )
+    (folder / "look.nsl").write_text(text)
+    command = ["tradeoff", "look.nsl", "--scene", "builtin:flat:9000", "--repeats", "1", "-O", "0"]
+    done = invoke([*command, "--stages", "compile,lowering,effects", "--levels", "0"], folder)
+    assert (done.status, done.err) == (0, "")
+    assert "lowering: there is one way for pixels that look" in done.out
+    refused = invoke(["tradeoff", "emulator", "look.nsl", "--scene", "builtin:flat:9000"], folder)
+    assert (refused.status, refused.codes) == (2, ["NS0828"])
+
+
+def test_a_chip_that_is_sent_planes_has_no_plans(folder: Path) -> None:
+    (folder / "tap.nsl").write_text(
+        "nsl 1\ntarget dual-tap\nframe 4 slots of 1ms\nopen when true\n"
+    )
+    command = ["tradeoff", "tap.nsl", "--scene", "builtin:flat:9000", "--repeats", "1", "-O", "0"]
+    done = invoke([*command, "--stages", "effects"], folder)
+    assert done.status == 1
+    assert "(NS0750)" in done.out
+    refused = invoke(["tradeoff", "emulator", "tap.nsl", "--scene", "builtin:flat:9000"], folder)
+    assert (refused.status, refused.codes) == (2, ["NS0750"])
+
+
+def test_other_names_are_no_program(folder: Path) -> None:
+    done = invoke(["tradeoff", "emulater"], folder)
+    assert (done.status, done.codes) == (2, ["NS0781"])
+    assert "nscc tradeoff emulator" in done.err
+
+
+@pytest.mark.slow
+def test_the_decoders_of_a_run(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    command = [
+        "tradeoff",
+        "hdr",
+        "--scene",
+        "builtin:hdr",
+        "--stages",
+        "decoder",
+        "--repeats",
+        "1",
+        "-O",
+        "0",
+    ]
+    done = invoke(command, tmp_path)
+    assert (done.status, done.err) == (0, "")
+    for name in ("merged", "any", "f32", "bf16"):
+        assert name in done.out
