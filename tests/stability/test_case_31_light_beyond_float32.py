@@ -25,6 +25,7 @@ def test_case_31_sums(lowering: str) -> None:
     assert np.array_equal(found.frame[0], np.where(STOP > 0, 255, 0))
 
 
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
 @pytest.mark.parametrize("lowering", LOWERINGS)
 @pytest.mark.parametrize("effects", ["shot", "full_well", "shot,full_well,prnu", "all"])
 def test_case_31_with_effects(lowering: str, effects: str) -> None:

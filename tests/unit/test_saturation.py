@@ -15,6 +15,8 @@ from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames
 
+pytestmark = pytest.mark.filterwarnings("ignore:warning.NS0793")
+
 SHAPE = (24, 32)
 WELL, REGISTER, CONVERTER, RESET_LEVEL = 1, 2, 4, 8
 FULL_E, KNEE = 30000.0, 0.9
@@ -129,7 +131,7 @@ def test_registers_lose_in_many_small_steps_what_no_single_one_shows() -> None:
 
 
 @pytest.mark.parametrize("electrons", [1e8, 1e30])
-@pytest.mark.parametrize("effects", ["none", "auto", "all", "full_well,dead_time"])
+@pytest.mark.parametrize("effects", ["none", "auto", "all", "full_well,dead_time,black_sun"])
 def test_a_flooded_scene_is_saturated_everywhere(
     lit: tuple[Container, np.ndarray], electrons: float, effects: str
 ) -> None:
