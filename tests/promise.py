@@ -29,10 +29,19 @@ SceneMaker = Callable[[int, int, int, float], np.ndarray]
 
 @dataclass(frozen=True)
 class Outcome:
-    """A run beside the reference: errors (pools, buckets) in electrons, and the plan."""
+    """A run beside the reference: errors (pools, buckets) in electrons, and the plan.
+
+    `p999_e`, `max_e`: what one pixel in a thousand passes, and the largest error; `noise_ratio`:
+    the standard deviation over frames by that of the reference, None where that has none, with its
+    standard error.
+    """
 
     plan: Plan
     errors: np.ndarray
+    p999_e: float
+    max_e: float
+    noise_ratio: float | None
+    noise_ratio_error: float
 
     @property
     def err(self) -> float:
@@ -43,6 +52,20 @@ class Outcome:
     def kept(self) -> bool:
         """Whether the error is within 1.1 times the tolerance."""
         return self.err <= 1.1 * self.plan.tolerance_e
+
+    @property
+    def broken(self) -> list[str]:
+        """Which of a plan's promises do not hold."""
+        plan, found = self.plan, []
+        if not self.kept:
+            found.append(f"rms {self.err:.4g} e of {plan.tolerance_e:.4g} e")
+        if plan.tolerance_max_e is not None and self.max_e > 1.1 * plan.tolerance_max_e:
+            found.append(f"worst {self.max_e:.4g} e of {plan.tolerance_max_e:.4g} e")
+        if self.noise_ratio is not None and plan.noise_ratio is not None:
+            room = 0.02 + 3 * self.noise_ratio_error
+            if abs(self.noise_ratio - plan.noise_ratio) > room:
+                found.append(f"noise x {self.noise_ratio:.4f}, said {plan.noise_ratio:.4f}")
+        return found
 
     @property
     def counts(self) -> bool:
@@ -87,20 +110,36 @@ def outcome(
     container: Container,
     light: Light,
     sensor: Sensor,
-    tolerance_e: float,
+    tolerance: float | str,
     full: np.ndarray,
     seed: int = 3,
     device_seed: int = 5,
     effects: str = "auto",
+    tolerance_max: float | str | None = None,
 ) -> Outcome:
     """Plan and run as many frames as `full` has, and compare: all in one pool."""
     taken = capture(
-        container, light, sensor=sensor, effects=effects, tolerance=tolerance_e, seed=seed,
-        device_seed=device_seed, repeat=len(full),
+        container, light, sensor=sensor, effects=effects, tolerance=tolerance, seed=seed,
+        device_seed=device_seed, repeat=len(full), tolerance_max=tolerance_max,
     )  # fmt: skip
     assert taken.valid.all()
-    square = (taken.exposure_e - full) ** 2
-    return Outcome(taken.plan, np.sqrt(square.mean(axis=(0, 2, 3)))[None])
+    size = np.abs(taken.exposure_e - full)
+    errors = np.sqrt((size**2).mean(axis=(0, 2, 3)))[None]
+    p999_e = float(np.quantile(size, 0.999, axis=(0, 2, 3)).max())
+    ratio = _noise_ratio(taken.exposure_e, full)
+    return Outcome(taken.plan, errors, p999_e, float(size.max()), *ratio)
+
+
+def _noise_ratio(mine: np.ndarray, full: np.ndarray) -> tuple[float | None, float]:
+    """Of frames (frames, ..), by pixels whose draws are the same; its standard error."""
+    if len(full) < 2:
+        return None, 0.0
+    a, b = (each.var(axis=0, ddof=1).reshape(-1) for each in (mine, full))
+    if b.mean() < 1e-9:
+        return None, 0.0
+    ratio = math.sqrt(a.mean() / b.mean())
+    error = (a - ratio**2 * b).std() / math.sqrt(len(a)) / b.mean()
+    return ratio, float(error / (2 * max(ratio, 1e-9)))
 
 
 def _smooth(rng: np.random.Generator, rows: int, cols: int, waves: int = 6) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Programs, scenes and sensors drawn at random, each beside the reference."""
+"""Programs, scenes, sensors and tolerances drawn at random, each beside the reference."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from promise import SCENES, TOLERANCES, Outcome, full_frames, outcome, pool, sce
 from reference_programs import sensor_of
 
 from nscc.words.container import Container
+from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, parameters
 
 ROWS = COLS = 64
@@ -56,3 +57,41 @@ def draws(seed: int) -> list[Draw]:
         )
         found.append(Draw(said, each))
     return found
+
+
+def promises(seed: int, plans: int = 4, side: int = 48, frames: int = 6) -> list[Draw]:
+    """A program on a scene of its own, at `plans` tolerances of every kind, with and without one of
+    the worst pixel."""
+    rng = np.random.default_rng([7, seed])
+    program, slots = rng.choice(list(CASES)), int(rng.choice([4, 8, 16]))
+    container = case(program, slots, f"{rng.choice([100, 500, 2000])}us", side, side)
+    sensor = random_sensor(container, rng) if rng.random() < 0.4 else sensor_of(container)
+    name, light = _any_scene(rng, slots, side, sensor.full_well_e)
+    full = full_frames(container, light, sensor, frames, 3, 5)
+    found = []
+    for _ in range(plans):
+        tolerance = rng.choice(["0.1noise", "0.3noise", "1%", "0.05lsb", "5e", "50e"])
+        if tolerance == "1%" and not light.total_e().any():
+            tolerance = "5e"
+        most = f"{10 ** rng.uniform(1.0, 3.0):.3g}e" if rng.random() < 0.5 else None
+        each = outcome(container, light, sensor, str(tolerance), full, tolerance_max=most)
+        said = (
+            f"seed {seed}: {program}, {slots} slots, {name}, {tolerance}, worst {most}: "
+            f"{each.err:.4g} e, predicted {each.plan.predicted_e:.4g}; {'; '.join(each.broken)}"
+        )
+        found.append(Draw(said, each))
+    return found
+
+
+def _any_scene(rng: np.random.Generator, slots: int, side: int, full_e: float) -> tuple[str, Light]:
+    """A scene by its name, dimmer or brighter; one at about a full well; or one with suns."""
+    kind = rng.choice(["known", "known", "well", "suns"])
+    name = str(rng.choice(list(SCENES)))
+    frames = np.array(scene(name, slots, side, side).frames) * np.float32(10 ** rng.uniform(-1, 1))
+    if kind == "well":
+        frames[...] = full_e / slots * rng.uniform(0.97, 1.03)
+        return "at a full well", Light.of_clip(frames)
+    if kind == "suns":
+        rows, cols = rng.integers(0, side, (2, 5))
+        frames[:, rows, cols] = np.float32(full_e * 10 ** rng.uniform(0, 6))
+    return f"{name}{', suns' if kind == 'suns' else ''}", Light.of_clip(frames)

@@ -13,8 +13,8 @@ from nscc_cli.frames import frame_path, scene_of, sensor_of, summary, write_fram
 from nscc_cli.programs import load_program
 from nscc_cli.support import done, progress, say
 
-_SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "audit", "plan", "like",
-               "fit", "color", "first", "single")  # fmt: skip
+_SIMULATION = ("effects", "seed", "device_seed", "fidelity", "tolerance", "tolerance_max", "audit",
+               "plan", "like", "fit", "color", "first", "single")  # fmt: skip
 _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 
 

@@ -29,7 +29,8 @@ if TYPE_CHECKING:
 
 _MOST_REPEATS = 10000
 _SIMULATION = (
-    "effects", "tolerance", "plan", "audit", "fidelity", "seed", "device_seed", "repeat",
+    "effects", "tolerance", "tolerance_max", "plan", "audit", "fidelity", "seed", "device_seed",
+    "repeat",
 )  # fmt: skip
 """Options that say how to simulate; those not given have the defaults of `nscc_runtime`."""
 
@@ -69,8 +70,9 @@ _SIMULATION = (
               help="reference: effects slot by slot, exactly (slow). planned (default): to a "
               "tolerance.")  # fmt: skip
 @click.option("--tolerance", metavar="5e|0.1lsb|1%",
-              help="RMS error that a plan may make (default: 5e); %: of the mean "
-              "signal.")  # fmt: skip
+              help="RMS error that a plan may make; %: of the mean signal. Without it, 0.1 of the "
+              "frame's own noise.")  # fmt: skip
+@click.option("--tolerance-max", metavar="T", help="The same of the worst pixel (default: any).")
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
 @click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
 @shared.sensor_options

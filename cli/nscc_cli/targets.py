@@ -40,8 +40,9 @@ def _checked_times(
 @click.option("--toml", is_flag=True, help="Print a complete file that --target accepts.")
 @click.option("--limits", is_flag=True, help="Compile every class at growing sizes: what fits, "
               "what cannot, what is unknown.")  # fmt: skip
-@click.option("--compare", "compared", nargs=2, metavar="A B", help="Compile the program NAME for "
-              "two chips: what fits, shortest slot, data rate, expected noise.")  # fmt: skip
+@click.option("--compare", "compared", nargs=2, type=TARGET, metavar="A B",
+              help="Compile the program NAME for two chips: what fits, shortest slot, data rate, "
+              "expected noise.")  # fmt: skip
 @click.option("--json", "as_json", is_flag=True, help="Print limits or comparison for programs.")
 @click.option("--slot", "slots", multiple=True, metavar="TIME", callback=_checked_times,
               help="Length of the slots that limits are found for; may be repeated (default: 1ms "

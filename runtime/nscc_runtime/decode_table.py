@@ -22,6 +22,7 @@ from nscc_runtime.effects.parts import (
     CountedLight,
     Errors,
     Leak,
+    LitLevel,
     Part,
     SlowWords,
     WordGain,
@@ -32,7 +33,7 @@ from nscc_runtime.reference.trace import analog_words
 from nscc_runtime.reference.weights import Backward, Weights, backward
 
 _KNOWN: tuple[type[Part], ...] = (
-    Converter, CountedDark, CountedLight, Errors, Leak, SlowWords, WordGain,
+    Converter, CountedDark, CountedLight, Errors, Leak, LitLevel, SlowWords, WordGain,
 )  # fmt: skip
 """What is told from the words, or is the reader's to know; of others the plan says how large."""
 _PLACES = np.arange(1024, dtype=np.int64)
@@ -107,6 +108,7 @@ def _response(
     found = backward(
         container, analog_words(container), word.gain(sensor) if word else 1.0,
         1.0 / leak.tau_s(sensor) if leak else 0.0, kept.part(SlowWords) is not None,
+        kept.part(LitLevel) is not None,
     )  # fmt: skip
     slot_s = np.array(container.slot_us, np.float64) * 1e-6
     open_s = shutters @ slot_s

@@ -60,6 +60,7 @@ def capture(
     sensor: SensorLike = None,
     effects: str | Selection | None = None,
     tolerance: str | float | None = None,
+    tolerance_max: str | float | None = None,
     plan: Plan | str | Path | None = None,
     fidelity: Fidelity = "planned",
     audit: bool = Request.audit,
@@ -67,6 +68,7 @@ def capture(
     device_seed: int = Request.device_seed,
     repeat: int | None = Request.repeat,
     threads: int | None = Request.threads,
+    torch_device: str | None = Request.torch_device,
 ) -> Capture:
     """Capture a scene with a program on the emulated chip, or `repeat` frames of it.
 
@@ -76,10 +78,13 @@ def capture(
 
     `effects`: "none" (the default: exact sums of light), "auto", "all" or names, as `nscc run
     --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb", "1%" of the mean
-    signal, or electrons), a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or
-    a file of one, which is written where there is none. `fidelity` "reference" executes words slot
+    signal, "0.1noise", the default, of the frame's own noise, or electrons), a `tolerance_max` of
+    the worst pixel, a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or a
+    file of one, which is written where there is none. `fidelity` "reference" executes words slot
     by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns. `threads`, by
-    default as many as there are processors, change no bit.
+    default as many as there are processors, change no bit. `torch_device` ("cuda", "cpu") has a
+    plan's frames drawn and added up by torch, many repeats at once, with the same random numbers;
+    what plans leave to the words of single pixels stays on the processor.
 
     Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
     not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
@@ -96,11 +101,16 @@ def capture(
         whole(call, "repeat", repeat, least=1, most=_MOST_REPEATS)
     if threads is not None:
         whole(call, "threads", threads, least=1)
+    if torch_device is not None:
+        from nscc_runtime.torch_device import check_device
+
+        check_device(call, torch_device)
     file = _plan(call, plan)
     request = Request.of(
-        effects=_effects(call, effects), tolerance=_tolerance(call, tolerance), plan=file,
+        effects=_effects(call, effects), tolerance=_tolerance(call, "tolerance", tolerance),
+        tolerance_max=_tolerance(call, "tolerance_max", tolerance_max), plan=file,
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
-        repeat=repeat, threads=threads,
+        repeat=repeat, threads=threads, torch_device=torch_device,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
@@ -147,6 +157,7 @@ def plan(
     sensor: SensorLike = None,
     effects: str | Selection = "auto",
     tolerance: Given = Request.tolerance,
+    tolerance_max: Given | None = None,
     device_seed: int = Request.device_seed,
 ) -> Plan:
     """What of the sensor's effects a capture would simulate, and how wrong that makes it.
@@ -162,13 +173,17 @@ def plan(
     scene = laid_of(call, light, container, said.append)[0].light
     chip = sensor_of(call, sensor, converter_of(container))
     whole(call, "device_seed", device_seed)
-    request = Request.of(effects=_effects(call, effects), tolerance=_tolerance(call, tolerance))
+    allowed, most = (
+        _tolerance(call, name, each)
+        for name, each in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
+    )
+    request = Request.of(effects=_effects(call, effects), tolerance=allowed, tolerance_max=most)
     check(container, scene)
     if container.target.streamed:
         raise planless(call)
     warn(said)
     planning = planning_of(container, chip, scene, device_seed)
-    return planning.plan(request.tolerance, request.effects)
+    return planning.plan(request.tolerance, request.effects, request.tolerance_max)
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
@@ -247,10 +262,10 @@ def _text(call: str, name: str, value: object, count: int) -> str | None:
     return ",".join(f"{number(call, name, each):.17g}" for each in given)
 
 
-def _tolerance(call: str, tolerance: object) -> Given | None:
+def _tolerance(call: str, name: str, tolerance: object) -> Given | None:
     if tolerance is None or isinstance(tolerance, str | Tolerance):
         return tolerance
-    return number(call, "tolerance", tolerance)
+    return number(call, name, tolerance)
 
 
 def _effects(call: str, effects: object) -> str | Selection | None:

@@ -5,7 +5,7 @@
     valid         bool    (buckets, rows, cols)  False where the exposure means nothing
     saturated     bool    (buckets, rows, cols)  True where light was lost: it was at least so much
     saturated_by  uint8   (buckets, rows, cols)  to what, a bit each: 1 well, 2 register,
-                                                 4 converter, 8 reset level; see `Frame`
+                                                 4 converter, 8 reset level, 16 black sun
     meta          text    JSON, see `meta`
 
 A program whose pixels look at the light has `states_NAME` int64 (rows, cols) for every state that
@@ -60,7 +60,8 @@ class Frame:
     mean nothing. `saturated_by`: 0, or the bits of what cut the exposure off. 1 well: PIX was full
     when it was read; 2 register: an analog register held less than was written to it; 4
     converter: the code is the last one; 8 reset level: PIX was full when the level that is
-    subtracted was read, so the exposure may be anything down to 0. `told`: what a program that
+    subtracted was read, so the exposure may be anything down to 0; 16 black sun: that level was the
+    one of a reset. `told`: what a program that
     looks has told beside them (`states_NAME`, `open_slots`, its light), by key.
     """
 
@@ -218,6 +219,13 @@ class Provenance:
     audit: Mapping[str, Any] | None = None
 
 
+_UNPLANNED = (
+    "tolerance", "tolerance_e", "signal_e", "noise_e", "predicted_e", "bound_e", "predicted_p999_e",
+    "predicted_max_e", "tolerance_max", "tolerance_max_e", "noise_ratio",
+)  # fmt: skip
+"""What a run without a plan does not know."""
+
+
 def unplanned(
     chosen: Selection, moving: bool, absent: Mapping[str, str] = MappingProxyType({})
 ) -> dict[str, Any]:
@@ -227,7 +235,7 @@ def unplanned(
     """
     nothing = ("predicted_rms_e", "predicted_bias_e", "predicted_if_dropped_e", "cost_ms_model")
     return {
-        **dict.fromkeys(("tolerance", "tolerance_e", "signal_e", "predicted_e", "bound_e")),
+        **dict.fromkeys(_UNPLANNED),
         "slot_loop": True,
         "slot_loop_reasons": ["words are executed slot by slot"],
         "sampled_fraction": 0.0,

@@ -160,7 +160,8 @@ class _Pixels:
         total = sum(self.charge if n == "PIX" else self.register[n] for n in word.op.sources)
         gain, soft = self.effects.the(WordGain), self.effects.the(Soft)
         exact = -gain.gain(self.sensor) * total / word.op.operation.divisor
-        full, lost_e = self.marks.gathered(word.op)
+        nowhere = np.zeros(len(self.lanes), np.bool_)
+        full, lost_e = self.marks.gathered(word.op, nowhere, nowhere)
         for name in word.op.destinations:
             sign = error_sign(name, self.program.container)
             value = exact + sign * gain.mean_e(self.sensor)

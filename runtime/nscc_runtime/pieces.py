@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -55,7 +56,7 @@ def simulate_scene(
 
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
     other: their noise has the seeds `request.seed`, and so on. Plan and audit are those of the
-    piece that is furthest off; a tolerance that is a part of the mean signal is of that of all.
+    piece that is furthest off; a tolerance that is a part of the scene is of that of all.
     """
     listener = listener or Listener()
     where = scene[0].where
@@ -91,16 +92,30 @@ def _for_all(
     if not request.planned or container.target.streamed:
         return request
     from nscc_runtime.emulator.capture import check
+    from nscc_runtime.planner.planning import Planning
     from nscc_runtime.planner.tolerance import tolerance_of
     from nscc_runtime.planning import planning_of
 
-    def signal_e() -> float:
-        for light in lights:
-            check(container, light)
-        each = (planning_of(container, sensor, one, request.device_seed) for one in lights)
-        return sum(one.signal_e() for one in each) / len(lights)
+    class All:
+        """All the lights together."""
 
-    return replace(request, tolerance=tolerance_of(request.tolerance, sensor, signal_e))
+        def each(self) -> Iterator[Planning]:
+            for light in lights:
+                check(container, light)
+                yield planning_of(container, sensor, light, request.device_seed)
+
+        def signal_e(self) -> float:
+            return sum(one.signal_e() for one in self.each()) / len(lights)
+
+        def noise_e(self) -> float:
+            return math.sqrt(sum(one.noise_e() ** 2 for one in self.each()) / len(lights))
+
+    most = request.tolerance_max
+    return replace(
+        request,
+        tolerance=tolerance_of(request.tolerance, sensor, All()),
+        tolerance_max=None if most is None else tolerance_of(most, sensor, All()),
+    )
 
 
 def _refuse_once(request: Request) -> None:

@@ -14,10 +14,12 @@ def planning_of(
     light: Light,
     device_seed: int = 0,
     threads: int | None = None,
+    torch_device: str | None = None,
 ) -> Planning:
-    """What plans for this program on this scene are made, run and audited by."""
+    """What plans for this program on this scene are made, run and audited by. Pixels that look are
+    exposed on the processor, whatever device of torch is named."""
     if container.machine is None:
-        return PlanningBySums(container, sensor, light, device_seed, threads)
+        return PlanningBySums(container, sensor, light, device_seed, threads, torch_device)
     from nscc_runtime.looking.planning import PlanningByWays
 
     return PlanningByWays(container, sensor, light, device_seed, threads)

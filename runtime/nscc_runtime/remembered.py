@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import wraps
-from typing import Any, Concatenate, ParamSpec, TypeVar
+from typing import Concatenate, ParamSpec, TypeVar, cast
 
 S = TypeVar("S")
 P = ParamSpec("P")
@@ -20,9 +20,13 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
     @wraps(method)
     def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
-        results: dict[Any, R] = vars(self).setdefault(name, {})
-        if given not in results:
-            results[given] = method(self, *given, **named)
-        return results[given]
+        kept = vars(self)
+        try:
+            return cast(R, kept[name][given])
+        except KeyError:
+            pass
+        result = method(self, *given, **named)
+        kept.setdefault(name, {})[given] = result
+        return result
 
     return found

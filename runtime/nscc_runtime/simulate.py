@@ -11,16 +11,19 @@ from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+import numpy as np
+
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime import frame_file
-from nscc_runtime.effects import Selection, selected
+from nscc_runtime.effects import Selection, marks, selected
 from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
+from nscc_runtime.planner.tolerance import DEFAULT, Given
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
@@ -29,7 +32,6 @@ from nscc_runtime.timings import Timings
 if TYPE_CHECKING:  # a frame without effects starts without the planner
     from nscc_runtime.planner.audit import Audit
     from nscc_runtime.planner.plan import Plan
-    from nscc_runtime.planner.tolerance import Given
 
 Fidelity = Literal["planned", "reference"]
 
@@ -38,23 +40,26 @@ Fidelity = Literal["planned", "reference"]
 class Request:
     """How to expose a scene.
 
-    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal, or
-    electrons) by a plan: the one given, that of a file, or one made now, whose text is given back
-    if `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
+    With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
+    0.1noise of the frame's own, or electrons), the worst pixel to `tolerance_max`, where there is
+    one, by a plan: the one given, that of a file, or one made now, whose text is given back if
+    `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
     effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
     `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
-    bit.
+    bit. A `torch_device` draws and adds up the frames of a plan by sums, many at once.
     """
 
     effects: Selection
     planned: bool = True
-    tolerance: Given = "5e"
+    tolerance: Given = DEFAULT
+    tolerance_max: Given | None = None
     audit: bool = False
     plan: Plan | Path | None = None
     seed: int = 0
     device_seed: int = 0
     repeat: int | None = None
     threads: int | None = None
+    torch_device: str | None = None
 
     @classmethod
     def of(
@@ -62,6 +67,7 @@ class Request:
         *,
         effects: str | Selection | None = None,
         tolerance: Given | None = None,
+        tolerance_max: Given | None = None,
         plan: Plan | Path | None = None,
         audit: bool = False,
         fidelity: Fidelity = "planned",
@@ -74,13 +80,15 @@ class Request:
         for options that contradict each other, which messages name with `mark` before them, NS0756
         for effects that there are not.
         """
-        given = {"tolerance": tolerance is not None, "audit": audit, "plan": plan is not None}
-        asked = [name for name, is_given in given.items() if is_given]
+        tolerances = {"tolerance": tolerance, "tolerance_max": tolerance_max}
+        tolerances = {name: each for name, each in tolerances.items() if each is not None}
+        given = {"audit": audit, "plan": plan is not None}
+        asked = [*tolerances, *(name for name, is_given in given.items() if is_given)]
         text = effects if effects is not None else "auto" if asked else "none"
         chosen = selected(text) if isinstance(text, str) else text
         reference = fidelity == "reference"
         if reference and (asked or chosen.auto):
-            named = ", ".join(mark + name for name in asked) or f"{mark}effects auto"
+            named = ", ".join(_option(mark, name) for name in asked) or f"{mark}effects auto"
             raise _contradiction(
                 f"{named} with {mark}fidelity reference",
                 "the reference simulates what it is told to, without a plan",
@@ -88,17 +96,17 @@ class Request:
             )
         file = plan if isinstance(plan, Path) else None
         there = file.exists() if file is not None else plan is not None
-        if there and (effects is not None or tolerance is not None):
-            named = mark + ("effects" if effects is not None else "tolerance")
+        if there and (effects is not None or tolerances):
+            first = next(iter(["effects"] if effects is not None else tolerances))
+            named = _option(mark, first)
             which = "a plan" if file is None else f"the plan '{file}'"
             raise _contradiction(
                 f"{named} with {which}",
                 "a plan that is used has decided on effects and tolerance",
                 f"leave {named} out, or name a file that does not exist to write a new plan",
             )
-        if tolerance is not None:
-            others["tolerance"] = tolerance
         planned = not reference and (bool(asked) or not chosen.noiseless)
+        others.update(tolerances)
         return cls(chosen, planned=planned, plan=plan, audit=audit, **others)
 
 
@@ -142,6 +150,16 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
+    simulated = _simulated(container, light, sensor, request, listener)
+    eaten = _eaten(simulated.frame)
+    if eaten is not None:
+        listener.warn(eaten)
+    return simulated
+
+
+def _simulated(
+    container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
+) -> Simulated:
     if container.target.streamed and (request.plan is not None or request.audit):
         raise planless("--plan" if request.plan is not None else "--audit")
     if container.target.streamed and not request.effects.noiseless:
@@ -240,7 +258,9 @@ def _planned(
     from nscc_runtime.planning import planning_of
 
     timings, device_seed = listener.timings, request.device_seed
-    planning = planning_of(container, sensor, light, device_seed, request.threads)
+    planning = planning_of(
+        container, sensor, light, device_seed, request.threads, request.torch_device
+    )
     _say_compiling(listener, planning.compiled, "planner")
     check(container, light)
     digest = _digest(container)
@@ -252,7 +272,8 @@ def _planned(
         if file is not None and given:
             plan = planning.predicted(read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
-            plan = planning.plan(request.tolerance, request.effects)
+            most = request.tolerance_max
+            plan = planning.plan(request.tolerance, request.effects, most)
         else:
             assert not isinstance(request.plan, Path)
             plan = request.plan
@@ -279,8 +300,27 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     frames = listener.progress(made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
+    frame: Frame
     (frame,) = frames
     return frame
+
+
+def _eaten(frame: Frame) -> Diagnostic | None:
+    """The warning that light has eaten reset levels."""
+    marked = frame.saturated_by & marks()["level"].bit != 0
+    pixels = marked.reshape(-1, *marked.shape[-2:]).any(axis=0)
+    count = int(np.count_nonzero(pixels))
+    if not count:
+        return None
+    many = "pixel reads less than it" if count == 1 else "pixels read less than they"
+    return Diagnostic(
+        "NS0793",
+        f"{count} {many} saw, down to nothing: light has eaten the reset level",
+        severity=Severity.WARNING,
+        notes=(f"black suns are {count / pixels.size:.2%} of the pixels",),
+        helps=("saturated_by has the bit 16 there; less light makes them fewer",),
+        data={"pixels": count},
+    )
 
 
 def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
@@ -305,7 +345,7 @@ def _broken(plan: Plan, report: Audit) -> Rejected:
     """The promise did not hold (status 1)."""
     return rejected(
         "NS0749",
-        report.breach(plan.tolerance_e),
+        report.breach(plan) or "the promise is broken",
         notes=(f"predicted were {plan.predicted_e:.3g} e",),
         helps=(
             "use --fidelity reference for this scene; a plan in which nothing was forced "
@@ -326,6 +366,11 @@ def _sha256(container: Container) -> str:
 
 _digest = OfContainer(_sha256)
 """By which frames and plans name a program."""
+
+
+def _option(mark: str, name: str) -> str:
+    """An argument as a message calls it: of the command line where there is a mark before it."""
+    return mark + (name.replace("_", "-") if mark else name)
 
 
 def _contradiction(what: str, note: str, help_text: str) -> Rejected:

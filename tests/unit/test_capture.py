@@ -59,7 +59,9 @@ def test_repeats_are_the_references_frames_with_all_effects_forced() -> None:
 
 
 def test_the_readout_is_that_of_frame_files() -> None:
-    sensor = sensor_of(PROGRAM, adc_noise_lsb=0.0, electrons_per_lsb=25.0, adc_offset_lsb=4.0)
+    sensor = sensor_of(
+        PROGRAM, adc_noise_lsb=0.0, spread_noise_lsb=0.0, electrons_per_lsb=25.0, adc_offset_lsb=4.0
+    )
     taken = capture(PROGRAM, CLIP, sensor=sensor, tolerance="1e")
     expected = read_out(Exposure(taken.exposure_e, taken.valid), PROGRAM.target, sensor)
     assert taken.frame.tobytes() == expected.frame.tobytes()

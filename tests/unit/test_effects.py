@@ -149,7 +149,9 @@ def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], tex
 def test_what_marks_saturation_is_declared() -> None:
     """A frame file's bits are a contract."""
     found = {mark.name: mark.bit for mark in marks().values()}
-    assert found == {"well": 1, "register": 2, "converter": 4, "reset level": 8}
+    assert found == {
+        "well": 1, "register": 2, "converter": 4, "reset level": 8, "black sun": 16,
+    }  # fmt: skip
     least_e = marks()["registers"].least_e
     # Where a register keeps half of what is added: tanh' = 1/2.
     x = np.arccosh(np.sqrt(2.0))

@@ -21,7 +21,7 @@ from nscc.source import Source  # noqa: E402
 from nscc.words.container import Container  # noqa: E402
 from nscc_runtime.effects.crosstalk import smeared  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
-from nscc_runtime.sensor import default_sensor  # noqa: E402
+from nscc_runtime.sensor import default_sensor, sensor_sha256  # noqa: E402
 from nscc_runtime.simulate import Request, simulate  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
@@ -29,10 +29,12 @@ from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sens
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
-from nscc_training.run_files import WEIGHTS, shipped_runs  # noqa: E402
+from nscc_training.reconstruct import FrameRead, reconstructed  # noqa: E402
+from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
 
+RUNS = Path(__file__).resolve().parents[2] / "training/results/runs"
 TILE = (2, 2)
 SLOTS = 8
 PROGRAM = """nsl 1
@@ -110,7 +112,7 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
 def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: Path) -> None:
     """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
     clip(tmp_path / "c.mat", 16, 256)
-    run = shipped_runs()["clip"]
+    run = RUNS / "vid_learned_0"
     plain, _ = evaluate(str(run), tmp_path, "video-v1", 0)
     chip, _ = evaluate(str(run), tmp_path, "video-v1", 0, effects="all")
     assert chip["settings"]["effects"] == "all"
@@ -118,7 +120,7 @@ def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: 
     assert "on a chip with effects all; trained with noise" in result_text(chip)
     line = ["run", str(run / "shutter.nsl"), "--scene", "builtin:motion", "--effects", "all"]
     assert invoke([*line, "-o", "f.npz"], tmp_path).status == 0
-    made = invoke(["reconstruct", "clip", "f.npz", "-o", "o.npz"], tmp_path)
+    made = invoke(["reconstruct", str(run), "f.npz", "-o", "o.npz"], tmp_path)
     assert made.status == 0, made.err
     assert "warning[NS0842]" in made.err
     assert "analog" in made.err
@@ -189,3 +191,23 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
         make_parts(settings_of({"decoder": {"name": name, "init": init}}))
     assert refusal.value.diagnostics[0].code == "NS0815"
     assert "decoder.init" in refusal.value.diagnostics[0].message
+
+
+def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
+    """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
+    folder = load_run(RUNS / "under_still")
+    size = (folder.parts.target.rows, folder.parts.target.cols)
+    generator = np.random.default_rng(5)
+    codes = generator.integers(20, 90, (1, *size)).astype(np.uint8)
+    meta = {"sensor_sha256": sensor_sha256(folder.parts.sensor)}
+    shutters = laid(folder.parts.encoder.hard(), *size).numpy().astype(bool)
+    read = FrameRead(codes, np.zeros(codes.shape, bool), meta, shutters)
+    known = np.tile(generator.random(folder.parts.encoder.spec.tile) * 3, (64, 64))
+    spot = known.copy()
+    spot[100, 100] += 40
+    made = [
+        reconstructed(folder, read, "f", force=False, offset=offset)[0]
+        for offset in (None, known, spot)
+    ]
+    np.testing.assert_allclose(made[0], made[1], rtol=1e-4)
+    assert made[2][100, 100] < 0.9 * made[0][100, 100]

@@ -123,7 +123,7 @@ def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
     again = Plan.from_json(json.loads(json.dumps(plan.as_json())))
     assert again == plan
     ways = ways_of(program, default_sensor(program.target))
-    brighter = predicted_for(ways, light(2.0), again)
+    brighter = predicted_for(Sample.of(ways, light(2.0)), again, again.allowed)
     assert brighter.kept.on == plan.kept.on
     assert brighter.predicted_e > plan.predicted_e
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import copy
 import json
 import math
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -25,14 +25,23 @@ from nscc_runtime.sensor import default_sensor
 SENSOR = default_sensor(builtin_target("scamp5")).changed(electrons_per_lsb=100.0)
 
 
+@dataclass(frozen=True)
+class SceneOf:
+    """Where a signal is asked for that is not given, the test fails."""
+
+    signal: float | None
+    noise: float = 120.0
+
+    def signal_e(self) -> float:
+        assert self.signal is not None
+        return self.signal
+
+    def noise_e(self) -> float:
+        return self.noise
+
+
 def tolerance(given: str | float, signal_e: float | None = None) -> Tolerance:
-    """Where a scene's signal is asked for that is not given, the test fails."""
-
-    def signal() -> float:
-        assert signal_e is not None
-        return signal_e
-
-    return tolerance_of(given, SENSOR, signal)
+    return tolerance_of(given, SENSOR, SceneOf(signal_e))
 
 
 @given(st.floats(LEAST_E, MOST_E))
@@ -57,7 +66,16 @@ def test_percentages_are_parts_of_the_signal(value: float, signal_e: float) -> N
 def test_what_is_told_of_a_tolerance_is_a_way_to_ask_for_it(given: str | float) -> None:
     found = tolerance(given, 700.0)
     assert tolerance(found.text, 700.0) == found
-    assert tolerance_of(found, SENSOR, lambda: math.nan) is found
+    assert tolerance_of(found, SENSOR, SceneOf(math.nan)) is found
+
+
+@given(st.floats(1e-3, 1e3), st.floats(1e-3, 1e9))
+def test_parts_of_the_noise(value: float, noise_e: float) -> None:
+    found = tolerance_of(f"{value!r} noise", SENSOR, SceneOf(None, noise_e))
+    assert found.electrons == pytest.approx(noise_e * value)
+    assert found.noise_part == pytest.approx(value)
+    assert str(found) == f"{value!r} of the frame's own noise = {found.electrons:.4g} e"
+    assert tolerance_of(found.text, SENSOR, SceneOf(None, noise_e)) == found
 
 
 @pytest.mark.parametrize("signal_e", [0.0, -1.0, math.nan])
@@ -90,8 +108,8 @@ def test_ways_to_write_it(text: str) -> None:
         "", "e", "lsb", "5", "5 electrons", "-5e", "+5e", "0e", "0.0lsb", "nan e", "inf e", "infe",
         "1e999e", "5e5e5e", "1..2e", ".e", "5,5e", "0x5e", "5LSB", "5e\x00", "\u0665e", "5e lsb",
         "1e-400e", "1e-10e", "1e16e", "1e200e", "1e14lsb", "%", "0%", "-1%", "1 %%", "1%e",
-        "1e-99%", "1e99%", "1e999%", 1e-320, 1e200, 0, -1, math.nan,
-        math.inf, "9" * 5000 + "e",
+        "1e-99%", "1e99%", "1e999%", "noise", "0noise", "-1noise", "1e99noise", "1noises", 1e-320,
+        1e200, 0, -1, math.nan, math.inf, "9" * 5000 + "e",
     ],
 )  # fmt: skip
 def test_what_is_no_tolerance(text: str | float) -> None:
@@ -117,7 +135,7 @@ numbers = st.floats(0, 1e9)
 
 @st.composite
 def plans(draw: st.DrawFn) -> Plan:
-    base, asked = plan_of("all"), draw(st.sampled_from(["", "5e", "0.1lsb", "1%"]))
+    base, asked = plan_of("all"), draw(st.sampled_from(["", "5e", "0.1lsb", "1%", "0.1noise"]))
     decisions = tuple(
         replace(
             each,
@@ -138,6 +156,7 @@ def plans(draw: st.DrawFn) -> Plan:
         tuple(draw(st.lists(st.builds(Approximation, st.text(max_size=9), numbers), max_size=3))),
         decisions, draw(st.integers(1, 8)), draw(st.booleans()),
         tolerance=asked, signal_e=draw(numbers) if asked == "1%" else None,
+        noise_e=draw(numbers) if asked == "0.1noise" else None,
     )  # fmt: skip
 
 
@@ -177,14 +196,32 @@ def _damaged(at: tuple[Any, ...], change: Any) -> dict[str, Any]:
     return values
 
 
+LATER = [
+    (name,) for name in (
+        "noise_e", "predicted_p999_e", "predicted_max_e", "tolerance_max", "tolerance_max_e",
+        "noise_ratio", "saturating_lack", "cost",
+    )
+]  # fmt: skip
+"""What older files of plans do not have."""
+
+
+@pytest.mark.parametrize("at", LATER, ids=str)
+def test_older_plans_open(at: tuple[Any, ...]) -> None:
+    assert Plan.from_json(_damaged(at, None)) == Plan.from_json(WHOLE)
+
+
 TAKEN = (KeyError, TypeError, ValueError)
 
 
-SHORTER = {("slot_loop",), ("approximations", 0), ("slot_loop_reasons", 0)}
+SHORTER = {
+    ("slot_loop",), ("approximations", 0), ("slot_loop_reasons", 0), ("effects", 0), ("effects", 1),
+}  # fmt: skip
 """Places that follow from others, and lists that may well be shorter."""
 
 
-@pytest.mark.parametrize("at", [at for at in places(WHOLE) if at not in SHORTER], ids=str)
+@pytest.mark.parametrize(
+    "at", [at for at in places(WHOLE) if at not in {*SHORTER, *LATER}], ids=str
+)
 def test_a_part_that_is_missing_is_noticed(at: tuple[Any, ...]) -> None:
     with pytest.raises(TAKEN):
         Plan.from_json(_damaged(at, None))
@@ -209,7 +246,8 @@ def test_a_value_of_another_kind_is_noticed(at: tuple[Any, ...], junk: Any) -> N
         assert plan.leak_nodes >= 1
     if isinstance(junk, (list, dict)) or (isinstance(junk, float) and not math.isfinite(junk)):
         assert at[-1] == "slot_loop" or (at[0], junk) in (
-            ("approximations", []), ("slot_loop_reasons", []),
+            ("approximations", []), ("slot_loop_reasons", []), ("saturating_lack", []),
+            ("effects", []),
         ), f"{at} was taken as {junk!r}"  # fmt: skip
 
 

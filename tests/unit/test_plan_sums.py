@@ -48,6 +48,47 @@ def test_sums_are_exact_sums(shape: tuple[int, int, int, int]) -> None:
     assert np.all(np.abs(found - exact(frames, lanes, tables)) <= 1e-13 * size)
 
 
+@pytest.mark.parametrize("shape", [(1, 1), (1, 9), (9, 1), (3, 4), (2, 515), (3, 1030)])
+@pytest.mark.parametrize("clip", [True, False])
+def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
+    shape: tuple[int, int], clip: bool
+) -> None:
+    rng = np.random.default_rng(shape[1])
+    slots, pixels, fraction = 5, shape[0] * shape[1], 0.07
+    frames = rng.random((slots, *shape), dtype=np.float32)
+    light = Light.of_clip(frames) if clip else Light.of_still(frames[0], rng.random(slots))
+    lanes = rng.integers(0, 3, pixels).astype(np.int32)
+    scale = rng.uniform(0.5, 1.5, pixels)
+    weights = rng.uniform(-1, 1, (4, slots, 3))
+    # Weights that are none, and the same for all lanes.
+    weights[0, 1], weights[1, 2], weights[3, 0] = 0.0, 0.25, 0.5
+    found = sums.scene_sums(light, lanes, scale, weights[:2], weights[2:], fraction)
+    dense = light.dense().astype(np.float64) * scale.reshape(shape)
+    flow = np.zeros_like(dense)
+    for axis in (1, 2):
+        step = np.diff(dense, axis=axis)
+        side = np.take(np.zeros_like(dense), [0], axis=axis)
+        flow += np.concatenate([step, side], axis) - np.concatenate([side, step], axis)
+    slots_of = (dense, dense, *[dense + fraction * flow] * 2)
+    for each, weight, slot in zip(found, weights, slots_of, strict=True):
+        wanted = (weight[:, lanes] * slot.reshape(slots, -1)).sum(axis=0)
+        np.testing.assert_allclose(each, wanted, rtol=1e-5, atol=1e-5)
+    for threads in (2, 5):
+        again = sums.scene_sums(light, lanes, scale, weights[:2], weights[2:], fraction, threads)
+        assert again.tobytes() == found.tobytes()
+
+
+def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> None:
+    rng = np.random.default_rng(4)
+    light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
+    lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
+    weights = rng.random((5, 6, 3))
+    whole = sums.scene_sums(light, lanes, scale, weights[:3], weights[3:], 0.02)
+    monkeypatch.setattr(sums, "_MOST_ENTRIES", 6 * 3 * 2)
+    parts = sums.scene_sums(light, lanes, scale, weights[:3], weights[3:], 0.02)
+    assert parts.tobytes() == whole.tobytes()
+
+
 def test_threads_change_no_bit_and_views_are_read_as_they_are() -> None:
     rng = np.random.default_rng(1)
     frames = rng.random((9, 2000)).astype(np.float32)

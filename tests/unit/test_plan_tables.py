@@ -47,8 +47,10 @@ def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
         ("analog", Model(gain=0.996)),
         ("leakage", Model(leak_per_s=50.0)),
         ("dead_time", Model(dead_time=True)),
+        ("dead_time,black_sun", Model(dead_time=True, lit_level=True)),
         ("decay", Model(decay=True)),
         ("analog,leakage,dead_time,decay", Model(0.996, 50.0, True, True)),
+        ("analog,leakage,dead_time,black_sun", Model(0.996, 50.0, True, lit_level=True)),
     ],
 )
 def test_weights_are_those_of_the_words(name: str, effects: str, model: Model) -> None:

@@ -35,6 +35,14 @@ def test_figures_of_scenes_of_ones_own(tmp_path: Path) -> None:
     assert same == [name == "fig6_shutters" for name in NAMES]
 
 
+def test_a_folder_of_nothing_to_show(tmp_path: Path) -> None:
+    (tmp_path / "d").mkdir()
+    for folder in ("d", "nowhere"):
+        made = invoke(["evaluate", "figures", "--data", folder, "-o", "f"], tmp_path)
+        assert made.status == 2
+        assert "NS0811" in made.err
+
+
 def test_figures_under_effects_that_there_are_not(tmp_path: Path) -> None:
     made = invoke(["evaluate", "figures", "--effects", "moonlight", "-o", "f"], tmp_path)
     assert made.status == 2

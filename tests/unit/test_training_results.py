@@ -15,8 +15,7 @@ torch = pytest.importorskip("torch")
 
 from nscc.compiler import compile_file  # noqa: E402
 from nscc.pipeline import Options  # noqa: E402
-from nscc.prove.replay import shutters as replayed  # noqa: E402
-from nscc.words.legality import decoded as decoded_words  # noqa: E402
+from nscc.prove.shutters import replayed  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import load_config  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
@@ -52,8 +51,7 @@ def test_a_run_is_of_one_piece(run: Path) -> None:
     container = found.container
     assert container is not None
     assert container.pixel_codes is not None
-    opened = replayed(container, decoded_words(container))
-    assert opened is not None
+    opened = replayed(container)
     rows, cols = encoder.spec.tile
     lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
     assert np.array_equal(np.moveaxis(opened[:, 0][lanes], -1, 0), encoder.hard().numpy())

@@ -19,7 +19,7 @@ from nscc_training.protocols import load_protocol
 
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 WEIGHTS = "decoder.safetensors"
-_SHIPPED = {"hdr": "hdr_learned_0", "clip": "vid_learned_0"}
+_SHIPPED = {"hdr": "under_still", "clip": "under_clip"}
 """Runs that come with nscc: what users call them, and their folder in training/results/runs."""
 _DARK = ("builtin:dark", "builtin:flat")
 _ELECTRONS = (".npz", ".npy")

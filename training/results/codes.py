@@ -3,7 +3,7 @@
     python training/results/codes.py DATA OUT NAME=CLASS:START|RUN ...
 
 DATA is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of
-128 x 128 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what
+112 x 112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what
 `nscc evaluate` would say of it; those that are there and belong to the same weights stay.
 """
 
@@ -34,7 +34,7 @@ from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
 from nscc_training.sensor_model import SensorModel, frame_of, laid
 
-SIDE = 128
+SIDE = 112
 PROTOCOL = load_protocol("video-v1")
 
 

@@ -31,6 +31,22 @@ nscc sweep linear.toml --out linear "$@"
 nscc sweep successors.toml --out successors "$@"
 nscc evaluate looks --data data/hdr_test --results all
 
+# What comes with nscc: learned on under everything that the emulator does to frames.
+mkdir -p all/results/under
+score() { # RUN DATA PROTOCOL EFFECTS
+    nscc evaluate "all/runs/$1" --data "data/$2" --protocol "$3" ${4:+--effects "$4"} \
+        -o "all/results/under/$1${4:+-$4}.json"
+}
+for kind in still clip; do
+    nscc train under_$kind.toml --out all/runs/under_$kind
+done
+for effects in all ''; do
+    score under_still hdr_test hdr-v1 "$effects"
+    score under_clip clips video-v1 "$effects"
+done
+score hdr_learned_0 hdr_test hdr-v1 all
+for name in vid_learned_0 u3_d_learned_1; do score $name clips video-v1 all; done
+
 # What accuracy costs in time: the 2 x 2 pattern's decoders on the same captures.
 nscc tradeoff decoder --data data/clips --scenes 7 --size 256 --budget 90 \
     --run all/runs/vid_quad_0 --run all/runs/vid_quad_w05 --run all/runs/vid_quad_w025 \
@@ -74,3 +90,4 @@ mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/
 ln -sf "$PWD"/data/clips/* tables/video/
 nscc evaluate tables --data tables --runs all/runs --results all/results
+nscc evaluate figures --data tables -o figures

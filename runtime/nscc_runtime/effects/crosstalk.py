@@ -40,8 +40,13 @@ def _field(sample: Sampled) -> Field:
         return Field()
     # Of dark charge four neighbours' counts, and four parts of the pixel's own.
     counts = sample.counted(moved=True) + 20 * (sample.dark_2_s * sample.dark)
+    # Charge that is shared is less noisy: dark charge keeps (1 - 4c)^2 + 4c^2 of its variance.
+    noise = sample.counted() - sample.counted_alone()
+    noise = noise + (20 * part**2 - 8 * part) * sample.dark_2_s * sample.dark
     return Field(
-        sample.base - sample.alone + sample.dark_s * sample.spilt, variance=part**2 * counts
+        sample.base - sample.alone + sample.dark_s * sample.spilt,
+        variance=part**2 * counts,
+        noise=noise,
     )
 
 

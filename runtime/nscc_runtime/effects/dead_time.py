@@ -14,8 +14,8 @@ def _ends(word: Word) -> float:
 
 def _field(sample: Sampled) -> Field:
     """rms and mean of the light that moves: read and reset every slot: lost fraction x rms L;
-    edges: each moves by its words' time"""
-    return Field(sample.base - sample.without("dead_time") * sample.echo)
+    edges: each moves by its words' time; without that in the level of a reset"""
+    return Field((sample.without("black_sun") - sample.without("dead_time")) * sample.echo)
 
 
 DEAD_TIME = Effect(

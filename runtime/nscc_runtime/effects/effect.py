@@ -38,6 +38,8 @@ STAGES = {
     "digital": "(sensor) -> microseconds for which a digital register keeps its value",
     "time": "(word) -> microseconds after its boundary at which a word ends",
     "well": "(pixels, charge) -> charge that PIX holds",
+    "level": "(pixels, charge, word) -> charge that a word finds on a PIX that was reset at its "
+    "boundary; none where nothing acts",
     "resets": "(pixels, level, word) -> level that a reset leaves on PIX",
     "reads": "(pixels, level, word) -> level of PIX as a word reads it",
     "words": "(pixels, value, word, destination, sign) -> what a word writes, of its exact result; "

@@ -26,12 +26,14 @@ class Field:
     """`fixed`: the signed change; `variance` of the random part; None: nothing. `shift`: electrons
     by which it changes whole counts. `behind_well`: the part of `fixed` that does not shrink with
     what the full well takes away; None: the well takes all of the effect, its noise included.
+    `noise`: by how much the effect makes the variance over frames larger; None: `variance`.
     """
 
     fixed: Values | None = None
     variance: Values | None = None
     shift: Values | None = None
     behind_well: Values | float | None = None
+    noise: Values | None = None
 
 
 class Sampled(Protocol):
@@ -82,6 +84,9 @@ class Sampled(Protocol):
     def counted(self, moved: bool = False) -> Values:
         """The variance of the counts of light, or of what neighbours exchange of them, that by the
         square of the fraction."""
+
+    def counted_alone(self) -> Values:
+        """The variance of the counts of light if neighbours exchanged nothing."""
 
     def errors(self, at: str, sigma_e: float) -> Values:
         """The variance of many small errors (`nscc_runtime.effects.parts.Errors`)."""

@@ -16,6 +16,7 @@ from nscc_runtime.effects.sensor import Sensor
 MARKED = {
     "well": ("well", "PIX was full when a word added what it held"),
     "subtracted": ("well", "PIX was full when a word subtracted what it held"),
+    "level": ("level", "PIX was full when a word read the level of its reset"),
     "registers": ("registers", "registers lost more than `least_e` of what they were to hold"),
     "codes": ("codes", "the code is the last of the scale"),
 }

@@ -132,6 +132,11 @@ class SlowWords(Part, stage="time"):
 
 
 @dataclass(frozen=True)
+class LitLevel(Part, stage="level"):
+    """Where light falls while words run, the level of a reset is read with what fell since."""
+
+
+@dataclass(frozen=True)
 class Fading(Part, stage="digital"):
     """Digital registers lose their values after a while."""
 

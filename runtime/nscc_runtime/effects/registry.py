@@ -13,6 +13,7 @@ from nscc.plugins import added
 from nscc_runtime.effects.adc import ADC
 from nscc_runtime.effects.adc_noise import ADC_NOISE
 from nscc_runtime.effects.analog import ANALOG
+from nscc_runtime.effects.black_sun import BLACK_SUN
 from nscc_runtime.effects.comparator_noise import COMPARATOR_NOISE
 from nscc_runtime.effects.comparator_offset import COMPARATOR_OFFSET
 from nscc_runtime.effects.crosstalk import CROSSTALK
@@ -36,8 +37,8 @@ from nscc_runtime.effects.shot import SHOT
 from nscc_runtime.effects.spreading import SPREADING
 
 _OURS = (
-    SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, ANALOG, REGISTER,
-    COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING, ADC,
+    SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, BLACK_SUN, ANALOG,
+    REGISTER, COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING, ADC,
 )  # fmt: skip
 """In the order in which charge meets them."""
 

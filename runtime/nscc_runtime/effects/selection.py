@@ -67,6 +67,7 @@ class Selection:
         """The names of those that have a part of that kind."""
         return frozenset(effect.name for effect, _ in self.having(kind))
 
+    @remembered
     def part(self, kind: type[P]) -> P | None:
         """The part of that kind; None where nothing that is on has one."""
         return next((part for _, part in self.having(kind)), None)

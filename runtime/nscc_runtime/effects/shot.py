@@ -15,7 +15,7 @@ def _count(slots: Slots, light: Values) -> Values:
 
 def _field(sample: Sampled) -> Field:
     """rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included"""
-    return Field(variance=sample.counted())
+    return Field(variance=sample.counted(), noise=sample.counted_alone())
 
 
 SHOT = Effect(

@@ -24,7 +24,7 @@ from nscc_runtime.planner.audit import (
     compared_rows,
     row_weights,
 )
-from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.planner.plan import Plan
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.film import next_planes
 from nscc_runtime.reference.intervals import Intervals
@@ -70,13 +70,13 @@ def audit(
         fulls.append(np.where(here, np.concatenate(of_full, axis=1), np.nan))
         plans.append(np.where(here, np.concatenate(of_plan, axis=1), np.nan))
     weight = row_weights(rows, light.shape[0])
-    found = compared(np.stack(plans), np.stack(fulls), weight, pooled, plan.tolerance_e)
+    found = compared(np.stack(plans), np.stack(fulls), weight, pooled, plan)
     other = float(np.mean(others))
-    return replace(
+    found = replace(
         found,
-        holds=found.holds and other <= MOST_OTHER_STATES,
         other_states=other,
         other_states_mc_error=sqrt(
             other * (1.0 - other) / (found.samples / len(container.buckets))
         ),
     )
+    return replace(found, holds=found.breach(plan) is None)

@@ -16,11 +16,10 @@ import numpy as np
 from nscc_runtime.effects import AfterExposure, Effect, Selection, everything, registered, selected
 from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.registry import always_on, optional
-from nscc_runtime.light import Light
 from nscc_runtime.looking.sample import Difference, Sample
-from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.choose import MARGIN, after_exposure
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Decision, Plan
+from nscc_runtime.planner.tolerance import Tolerance
 
 _LEFT_OUT = 0.5
 """Effects are left out while this part of the most other states is predicted: a sample shows few
@@ -31,24 +30,25 @@ LOOKS = "pixels look at the light: each runs through the words that act in it"
 
 
 def plan_for(
-    ways: Ways,
-    light: Light,
-    tolerance_e: float,
+    sample: Sample,
+    tolerance: Tolerance,
     effects: Selection | None = None,
+    tolerance_max: Tolerance | None = None,
 ) -> Plan:
     """As `nscc_runtime.planner.choose.plan_for`."""
-    return Chooser(Sample.of(ways, light), tolerance_e, effects or selected("auto")).plan()
+    return Chooser(sample, tolerance, tolerance_max, effects or selected("auto")).plan()
 
 
-def predicted_for(ways: Ways, light: Light, plan: Plan) -> Plan:
-    """The same decisions for another scene: what they make wrong there."""
+def predicted_for(
+    sample: Sample, plan: Plan, tolerance: Tolerance, tolerance_max: Tolerance | None = None
+) -> Plan:
+    """The same decisions for another scene: what they make wrong there, of the tolerances there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(Sample.of(ways, light), plan.tolerance_e, chosen)
-    made = chooser.plan("taken from the plan given")
+    made = Chooser(sample, tolerance, tolerance_max, chosen).plan("taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
-    return replace(made, decisions=decisions, tolerance=plan.tolerance, signal_e=plan.signal_e)
+    return replace(made, decisions=decisions)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +56,14 @@ class Chooser:
     """One search."""
 
     sample: Sample
-    tolerance_e: float
+    allowed: Tolerance
+    allowed_max: Tolerance | None
     effects: Selection
+
+    @property
+    def tolerance_e(self) -> float:
+        """The tolerance in electrons."""
+        return self.allowed.electrons
 
     @cached_property
     def alone(self) -> dict[str, Difference]:
@@ -83,10 +89,15 @@ class Chooser:
         most_square = most + (now.square.max() if now.square.max() > most else 0.0)
         most_other = _LEFT_OUT * MOST_OTHER_STATES
         most_other += now.other_states if now.other_states > most_other else 0.0
+        most_e = math.inf
+        if self.allowed_max is not None:
+            most_e = max(MARGIN * self.allowed_max.electrons, now.worst.max_e)
         for name in self._free(dropped):
             if self.alone[name].square.max() > most_square:
                 break
             then = self.sample.without(dropped | {name})
+            if then.worst.max_e > most_e:
+                continue
             if then.square.max() <= most_square and then.other_states <= most_other:
                 dropped, now = dropped | {name}, then
         return self._made(dropped, now, forced_reason)
@@ -123,7 +134,9 @@ class Chooser:
             approximations=(),
             decisions=decisions,
             other_states=now.other_states,
-        )
+            predicted_p999_e=now.worst.p999_e,
+            predicted_max_e=now.worst.max_e,
+        ).told(self.allowed, self.allowed_max)
         lacking = ways.lacks(plan.kept)
         if lacking:
             return replace(plan, slot_loop="reference", slot_loop_reasons=lacking)
@@ -152,6 +165,8 @@ class Chooser:
             reason = "costs nothing"
         elif then_e > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then_e:.3g} e"
+        elif self.allowed_max and found.worst.max_e > MARGIN * self.allowed_max.electrons:
+            reason = f"left out, the worst pixel would be {found.worst.max_e:.3g} e off"
         else:
             reason = f"left out, {found.other_states:.2%} would end in other states"
         bias = float(found.mean[int(np.argmax(found.square))])

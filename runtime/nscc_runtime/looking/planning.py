@@ -14,11 +14,18 @@ from nscc_runtime.light import Light
 from nscc_runtime.looking.audit import audit
 from nscc_runtime.looking.choose import plan_for, predicted_for
 from nscc_runtime.looking.frames import frames, ways_of
+from nscc_runtime.looking.sample import Sample
 from nscc_runtime.looking.way_loop import run_ways
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.planner.tolerance import (
+    Given,
+    Tolerance,
+    mean_signal_e,
+    tolerance_of,
+    with_readout_e,
+)
 from nscc_runtime.pool import threads_of
 
 
@@ -46,21 +53,36 @@ class PlanningByWays:
         return ways_of(self.container, self.sensor)
 
     def signal_e(self) -> float:
-        """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+        """See `Planning`."""
         [frame] = frames(
             self.container, self.light, self.sensor, selected("none"),
             device_seed=self.device_seed, threads=self.threads,
         )  # fmt: skip
         return mean_signal_e(frame.exposure_e, self.sensor)
 
-    def plan(self, tolerance: Given, effects: Selection) -> Plan:
-        """The cheapest plan within the tolerance."""
-        allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
-        return plan_for(self._ways, self.light, allowed.electrons, effects).asked(allowed)
+    def noise_e(self) -> float:
+        """See `Planning`."""
+        return with_readout_e(self._sample.noise_e, self.sensor)
+
+    @cached_property
+    def _sample(self) -> Sample:
+        return Sample.of(self._ways, self.light)
+
+    def plan(
+        self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None
+    ) -> Plan:
+        """The cheapest plan within the tolerances."""
+        allowed, most = self._allowed(tolerance, tolerance_max)
+        return plan_for(self._sample, allowed, effects, most)
 
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one."""
-        return predicted_for(self._ways, self.light, plan.on(self.sensor, self.signal_e))
+        return predicted_for(self._sample, plan, *self._allowed(plan.asked, plan.asked_max))
+
+    def _allowed(self, tolerance: Given, most: Given | None) -> tuple[Tolerance, Tolerance | None]:
+        """What tolerances mean on this scene."""
+        allowed = tolerance_of(tolerance, self.sensor, self)
+        return allowed, None if most is None else tolerance_of(most, self.sensor, self)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """Frames 0 .. `count` - 1 under a plan."""

@@ -20,6 +20,7 @@ from nscc_runtime.effects.views import Scene
 from nscc_runtime.light import Light
 from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
 from nscc_runtime.planner.sample import chances, drawn_by
+from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.film import Executed
 from nscc_runtime.reference.intervals import Intervals
@@ -40,12 +41,14 @@ _SEEDS = 0, 0
 @dataclass(frozen=True)
 class Difference:
     """What leaving effects out changes: the mean square of the exposures (buckets,) and their mean,
-    in electrons, over the pixels that end in the same states, and the share of those that do not.
+    in electrons, over the pixels that end in the same states, and the share of those that do not;
+    `worst`, of the former the worst pixels.
     """
 
     square: NDArray[np.float64]
     mean: NDArray[np.float64]
     other_states: float
+    worst: Worst
 
     @property
     def error_e(self) -> float:
@@ -53,18 +56,22 @@ class Difference:
         return float(np.sqrt(self.square.max()))
 
 
-def difference(some: Executed, full: Executed, weight: NDArray[np.float64]) -> Difference:
+def difference(
+    some: Executed, full: Executed, weight: NDArray[np.float64], pixels: int
+) -> Difference:
     """Of a frame with some effects from that with all of them; `weight` (rows, cols): how many
-    pixels each stands for."""
+    of the `pixels` of a scene each stands for."""
     valid = some.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
     weight = np.where(valid, weight, 0.0)
     alike = np.where(same_states(some, full), weight, 0.0)
     error = np.where(alike > 0, some.exposure.exposure_e - full.exposure.exposure_e, 0.0)
     much = alike / max(float(alike.sum()), 1e-300)
+    flat = error.reshape(len(error), -1)
     return Difference(
         (error**2 * much).sum(axis=(1, 2)),
         (error * much).sum(axis=(1, 2)),
         float(1.0 - alike.sum() / weight.sum()) if weight.any() else 0.0,
+        worst_of(flat, np.zeros_like(flat), alike.reshape(-1), pixels),
     )
 
 
@@ -124,7 +131,16 @@ class Sample:
     def without(self, dropped: frozenset[str]) -> Difference:
         """What leaving these effects out changes."""
         full = self._executed(everything())
-        return difference(self._executed(everything().without(*dropped)), full, self.weight)
+        some = self._executed(everything().without(*dropped))
+        return difference(some, full, self.weight, self.pixels)
+
+    @cached_property
+    def noise_e(self) -> float:
+        """The root mean square over pixels and buckets of the standard deviation of exposures with
+        every effect: of those that end in the same states."""
+        other = self._exposed(everything(), 1)
+        found = difference(other, self._full, self.weight, self.pixels)
+        return float(np.sqrt(found.square.mean() / 2))
 
     def _executed(self, effects: Selection) -> Executed:
         """The sample with these effects; those of all effects are kept."""
@@ -136,15 +152,15 @@ class Sample:
     def _full(self) -> Executed:
         return self._exposed(everything())
 
-    def _exposed(self, effects: Selection) -> Executed:
+    def _exposed(self, effects: Selection, frame: int = 0) -> Executed:
         rows = range(self.light.shape[0])
         if self.ways.lacks(effects):
             reference = LookingReference(self.ways.container, self.ways.sensor, effects)
-            return reference.expose(self._scene, self.loaded, _SEEDS, 0)
+            return reference.expose(self._scene, self.loaded, _SEEDS, frame)
         before = frozenset(e.name for e in effects.effects if e.reference.keys() & BEFORE_WORDS)
-        fallen = self._fallen(before, effects.noiseless)
+        fallen = self._fallen(before, effects.noiseless, frame)
         return self.ways.run(
-            self._scene, self.loaded, effects, _SEEDS, 0, rows,
+            self._scene, self.loaded, effects, _SEEDS, frame, rows,
             lambda part: fallen.rows(slice(part.start, part.stop)), among=self.weight > 0,
         )  # fmt: skip
 
@@ -154,13 +170,13 @@ class Sample:
         return Scene(self.light, self.light, slot_s)
 
     @remembered
-    def _fallen(self, before: frozenset[str], every_slot: bool) -> Fallen:
+    def _fallen(self, before: frozenset[str], every_slot: bool, frame: int) -> Fallen:
         """The charge under the effects that make it, which are fewer than all."""
         effects = everything()
         effects = effects.without(*(e.name for e in effects.effects if e.name not in before))
         joined = Intervals.of(self.ways.container, every_slot).joined(self._scene)
         rows = range(self.light.shape[0])
-        return charge_of_rows(joined, None, self.ways.sensor, effects, _SEEDS, 0, rows)
+        return charge_of_rows(joined, None, self.ways.sensor, effects, _SEEDS, frame, rows)
 
 
 def _corners(light: Light) -> tuple[list[tuple[int, int]], list[float]]:

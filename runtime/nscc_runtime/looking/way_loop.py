@@ -23,8 +23,8 @@ from nscc_runtime.noise.loops import uniform
 
 BLOCK = 512
 """Pixels that are taken along together."""
-_ADDED, _SUBTRACTED = 1, 2
-"""Of what a register holds: it has a full PIX in it."""
+_ADDED, _SUBTRACTED, _LEVEL = 1, 2, 4
+"""Of what a register holds: it has a full PIX in it, or that of a reset's level."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
 
@@ -94,7 +94,8 @@ def _total(
     count: int, operands: Ints, leak: Floats, pix: Floats, level: Floats, value: Floats,
     stamp: Floats, z: Floats, total: Floats,
 ) -> None:  # fmt: skip
-    """total[j] := the sum of a word's sources at the pixel some[j] of a block."""
+    """total[j] := the sum of a word's sources at the pixel some[j] of a block. The stamp of PIX is
+    when it was reset."""
     for j in range(count):
         total[j] = 0.0
     for s in range(word.sources):
@@ -104,7 +105,10 @@ def _total(
                 _drawn(read_key, place, some, count, z)
             for j in range(count):
                 noise = numbers.read_error * z[j] if sizes.read_errors else 0.0
-                total[j] += pix[some[j]] + level[some[j]] + noise
+                charge = pix[some[j]]
+                if not sizes.lit_level and stamp[source * BLOCK + some[j]] == word.time_s:
+                    charge = 0.0
+                total[j] += charge + level[some[j]] + noise
         elif source > sizes.registers:
             for j in range(count):
                 total[j] += word.in_e
@@ -119,18 +123,24 @@ def _total(
 
 @compiled
 def _gathered(
-    sizes: Sizes, word: Word, some: Ints, count: int, operands: Ints, lost: Floats, full: Ints,
-    much: Floats, marks: Ints,
+    sizes: Sizes, word: Word, some: Ints, count: int, operands: Ints, stamp: Floats, lost: Floats,
+    full: Ints, much: Floats, marks: Ints,
 ) -> None:  # fmt: skip
     """What a bus word's result has lost, and which full PIX it has in it, by its sources."""
     for j in range(count):
         found, lost_e = 0, 0.0
         for s in range(word.sources):
-            at = operands[word.operands + s] * BLOCK + some[j]
-            found |= full[at]
+            source = operands[word.operands + s]
+            at = source * BLOCK + some[j]
+            fresh = source == sizes.registers and stamp[at] == word.time_s
+            if sizes.lit_level or not fresh:
+                found |= full[at]
+            if sizes.lit_level and fresh and full[at]:
+                found |= _LEVEL
             lost_e += lost[at]
         # What is added of the negative was subtracted.
-        marks[j] = (found & _ADDED) * _SUBTRACTED | found // _SUBTRACTED
+        exchanged = (found & _ADDED) * _SUBTRACTED | (found & _SUBTRACTED) // _SUBTRACTED
+        marks[j] = exchanged | found & _LEVEL
         much[j] = lost_e / word.divisor
 
 
@@ -162,8 +172,8 @@ def _written(
 
 @compiled
 def _reset(
-    sizes: Sizes, numbers: Numbers, reset_key: np.uint64, place: int, some: Ints, count: int,
-    pix: Floats, level: Floats, full: Ints, z: Floats,
+    sizes: Sizes, numbers: Numbers, word: Word, reset_key: np.uint64, place: int, some: Ints,
+    count: int, pix: Floats, level: Floats, stamp: Floats, full: Ints, z: Floats,
 ) -> None:  # fmt: skip
     """PIX is emptied."""
     if sizes.reset_errors:
@@ -173,6 +183,7 @@ def _reset(
         pix[i] = 0.0
         level[i] = numbers.reset_error * z[j] if sizes.reset_errors else 0.0
         full[sizes.registers * BLOCK + i] = 0
+        stamp[sizes.registers * BLOCK + i] = word.time_s
 
 
 @compiled
@@ -210,6 +221,8 @@ def _read_out(
                 found |= sizes.subtracted_bit if negative else sizes.well_bit
             if full[at] & _SUBTRACTED:
                 found |= sizes.well_bit if negative else sizes.subtracted_bit
+            if full[at] & _LEVEL:
+                found |= sizes.level_bit
             out[bucket * sizes.pixels + first + i] = held + 0.0
             marked[bucket * sizes.pixels + first + i] = np.uint8(found)
 
@@ -264,7 +277,9 @@ def _along(
                 sizes, numbers, word, first, some, count, charge, pace, pix, full, reached, part
             )
         if word.resets:
-            _reset(sizes, numbers, reset_keys[w], place, some, count, pix, level, full, z)
+            _reset(
+                sizes, numbers, word, reset_keys[w], place, some, count, pix, level, stamp, full, z
+            )
             continue
         _total(
             sizes, numbers, word, read_keys[w], place, some, count, operands, leak, pix, level,
@@ -274,7 +289,7 @@ def _along(
             asks = True
             _asked(sizes, numbers, ask_keys[w], place, some, count, offset, z, total)
             continue
-        _gathered(sizes, word, some, count, operands, lost, full, much, marks)
+        _gathered(sizes, word, some, count, operands, stamp, lost, full, much, marks)
         _written(
             sizes, numbers, word, w, write_keys, place, some, count, operands, signs, pattern,
             much, marks, value, stamp, lost, full, z, total,
@@ -346,6 +361,7 @@ def run_ways(
             for register in range(sizes.registers + 2):
                 at = register * BLOCK + i
                 value[at], stamp[at], lost[at], full[at] = 0.0, 0.0, 0.0, 0
+            stamp[sizes.registers * BLOCK + i] = -1.0
             _hand_on(begins[first + i], first, i, head, behind, ends)
         for segment in range(sizes.segments):
             if head[segment] >= 0:

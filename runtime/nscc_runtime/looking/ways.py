@@ -314,7 +314,7 @@ class _Run:
             **switches(Sizes, self.effects),
             **{
                 f"{at}_bit": mark.bit if (mark := self.effects.marking(at)) else 0
-                for at in ("well", "subtracted", "registers")
+                for at in ("well", "subtracted", "level", "registers")
             },
         )
         out = np.empty((len(container.buckets), pixels))

@@ -9,20 +9,25 @@ from __future__ import annotations
 import math
 import warnings
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.planner.capture import Planned
-from nscc_runtime.planner.plan import MOST_OTHER_STATES
+from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.planner.worst import Worst, largest
 from nscc_runtime.reference.capture import Reference, scene_of
 
 Values = NDArray[np.float64]
 
 SLACK = 1.1
 """A promise holds while the measured error is at most this times the tolerance."""
+
+NOISE_SLACK = 0.02
+"""By how much the noise, as a part of that with all effects, may differ from what a plan said."""
+_SIGMAS = 3.0
 
 _BAND = 4
 _MOST_CELLS = 1 << 23
@@ -39,6 +44,8 @@ class Audit:
     """Measured against predicted, for the worst frame and bucket (frames of few pixels pooled).
 
     `measured_rms_e`: root mean square of plan - reference; `mc_error_e`: its standard error.
+    `measured_p999_e`, `measured_max_e`: the size that one pixel in a thousand passes, and the
+    largest.
     `bias_e`: mean of plan - reference over everything, `bias_mc_error_e` its standard error.
     `std_ratio`: standard deviation over the frames of the plan's pixels by that of the reference's
     (root mean squares over the pixels; None where the reference's do not change), with
@@ -59,6 +66,8 @@ class Audit:
     holds: bool
     other_states: float | None = None
     other_states_mc_error: float | None = None
+    measured_p999_e: float = 0.0
+    measured_max_e: float = 0.0
 
     def __str__(self) -> str:
         verdict = "the promise holds" if self.holds else "THE PROMISE IS BROKEN"
@@ -72,21 +81,37 @@ class Audit:
             )
         return (
             f"audit: measured {self.measured_rms_e:.3g} +- {self.mc_error_e:.2g} e, bias "
-            f"{self.bias_e:+.2g} +- {self.bias_mc_error_e:.2g} e{ratio}; {self.samples} "
+            f"{self.bias_e:+.2g} +- {self.bias_mc_error_e:.2g} e{ratio}; 99.9 % within "
+            f"{self.measured_p999_e:.3g} e, worst {self.measured_max_e:.3g} e; {self.samples} "
             f"samples in {self.frames} frames: {verdict}"
         )
 
-    def breach(self, tolerance_e: float) -> str:
-        """What of the promise was found broken, in words."""
-        if self.measured_rms_e <= SLACK * tolerance_e and self.other_states is not None:
+    def breach(self, plan: Plan) -> str | None:
+        """What of the plan's promise was found broken, in words."""
+        most_e = plan.tolerance_max_e
+        if self.measured_rms_e > SLACK * plan.tolerance_e:
+            return (
+                f"the audit measured an error of {self.measured_rms_e:.3g} e, more than {SLACK} "
+                f"times the tolerance of {plan.tolerance_e:.4g} e"
+            )
+        if most_e is not None and self.measured_max_e > SLACK * most_e:
+            return (
+                f"the audit found a pixel that is {self.measured_max_e:.3g} e off, more than "
+                f"{SLACK} times the {most_e:.4g} e of --tolerance-max"
+            )
+        if plan.noise_ratio is not None and self.std_ratio is not None:
+            room = NOISE_SLACK + _SIGMAS * (self.std_ratio_mc_error or 0.0)
+            if abs(self.std_ratio - plan.noise_ratio) > room:
+                return (
+                    f"the audit measured {self.std_ratio:.3f} times the noise of all effects, and "
+                    f"the plan said {plan.noise_ratio:.3f}"
+                )
+        if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
             return (
                 f"the audit found {self.other_states:.2%} of the pixels in other states, more than "
                 f"{MOST_OTHER_STATES:.1%}"
             )
-        return (
-            f"the audit measured an error of {self.measured_rms_e:.3g} e, more than {SLACK} times "
-            f"the tolerance of {tolerance_e:.4g} e"
-        )
+        return None
 
 
 def audit(
@@ -113,7 +138,7 @@ def audit(
         ]
         fulls.append(np.concatenate(parts, axis=1))
     weight = row_weights(rows, light.shape[0])
-    return compared(np.stack(plans), np.stack(fulls), weight, pooled, planned.plan.tolerance_e)
+    return compared(np.stack(plans), np.stack(fulls), weight, pooled, planned.plan)
 
 
 def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
@@ -123,12 +148,13 @@ def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
     return max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * pooled, pooled
 
 
-def compared(plan: Values, full: Values, weight: Values, pooled: int, tolerance_e: float) -> Audit:
-    """The audit of exposures (frames, buckets, rows, cols); NaN where they are not compared.
+def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan) -> Audit:
+    """The audit of a plan's exposures (frames, buckets, rows, cols), NaN where they are not
+    compared.
 
     `weight` (rows,): the part of the frame that each row stands for.
     """
-    error = plan - full
+    error = mine - full
     with warnings.catch_warnings():
         # Of a row of which nothing is compared there is no mean.
         warnings.simplefilter("ignore", RuntimeWarning)
@@ -140,8 +166,14 @@ def compared(plan: Values, full: Values, weight: Values, pooled: int, tolerance_
     worst = math.sqrt(float(square.reshape(-1, pooled, square.shape[1]).mean(axis=1).max()))
     # Rows are the independent parts: pixels of a row share its light.
     spread = float(by_row.std() / math.sqrt(by_row.size))
-    ratio, ratio_error = _std_ratio(plan, full)
-    return Audit(
+    ratio, ratio_error = _std_ratio(mine, full)
+    pools = np.abs(error).reshape(-1, pooled, *error.shape[1:])
+    by_pixel = np.broadcast_to(weight[:, None], pools.shape[:2] + error.shape[2:])
+    each = [
+        _largest(pools[p, :, b], by_pixel[p]) for p in range(len(pools))
+        for b in range(error.shape[1])
+    ]  # fmt: skip
+    found = Audit(
         worst,
         spread / (2 * worst) if worst > 0 else 0.0,
         float((means * there).sum(axis=2).mean()),
@@ -151,8 +183,16 @@ def compared(plan: Values, full: Values, weight: Values, pooled: int, tolerance_
         error.size,
         len(error),
         error.shape[2],
-        worst <= SLACK * tolerance_e,
+        True,
+        measured_p999_e=max(one.p999_e for one in each),
+        measured_max_e=max(one.max_e for one in each),
     )
+    return replace(found, holds=found.breach(plan) is None)
+
+
+def _largest(sizes: Values, weight: Values) -> Worst:
+    there = np.isfinite(sizes)
+    return largest(sizes[there], weight[there]) if there.any() else Worst(0.0, 0.0)
 
 
 def compared_rows(slots: int, total_e: Values, cells: int = _MOST_CELLS) -> NDArray[np.intp]:

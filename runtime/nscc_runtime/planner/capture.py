@@ -7,6 +7,8 @@ may saturate run through all their words. What only the reference has, the refer
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -29,8 +31,11 @@ Values = NDArray[np.float64]
 Marked = NDArray[np.uint8]
 
 
+@dataclass(frozen=True, eq=False)
 class Planned(Prepared):
-    """A scene made ready under a plan, to be exposed."""
+    """A scene made ready under a plan, to be exposed: on a device of torch, where one is named."""
+
+    torch_device: str | None = None
 
     @cached_property
     def fused(self) -> Fused | None:
@@ -47,11 +52,15 @@ class Planned(Prepared):
                 scene_of(self.program.container, self.light), seed, self.device_seed, frame,
                 self.threads,
             )  # fmt: skip
-        shape = (len(self.program.container.buckets), *self.light.shape)
         if self.plan.slot_loop == "all":
             found, marked = self._words(self.places, self.kept, seed, frame)
         else:
             found, marked = self._summed.expose(seed, frame)
+        return self._exposure(found, marked, seed, frame)
+
+    def _exposure(self, found: Values, marked: Marked, seed: int, frame: int) -> Exposure:
+        """What sums have found, once pixels that may saturate have run through their words."""
+        shape = (len(found), *self.light.shape)
         if len(self.saturating):
             found[:, self.saturating], marked[:, self.saturating] = self._words(
                 self.saturating, self.plan.kept_in_words, seed, frame
@@ -59,11 +68,30 @@ class Planned(Prepared):
         valid = np.isfinite(found)
         return Exposure(found.reshape(shape), valid.reshape(shape), marked.reshape(shape))
 
+    def frames(self, seed: int, count: int) -> Iterator[Frame]:
+        """Frames 0 .. `count` - 1, read out."""
+        if self.torch_device is None or self.plan.slot_loop in ("all", "reference"):
+            yield from (self.frame(seed, number) for number in range(count))
+            return
+        import torch
+
+        from nscc_runtime.planner.torch_frames import OnTorch
+
+        on_torch = OnTorch(self._summed, torch.device(self.torch_device))
+        step = on_torch.together
+        for first in range(0, count, step):
+            numbers = range(first, min(first + step, count))
+            exposed = on_torch.expose(seed, numbers)
+            for number, found, marked in zip(numbers, *exposed, strict=True):
+                yield self._read_out(self._exposure(found, marked, seed, number), seed, number)
+
     def frame(self, seed: int, frame: int) -> Frame:
         """Frame number `frame`, read out."""
         if self.fused is not None:
             return self.fused.expose(seed, frame, read_out=True)
-        exposure = self.expose(seed, frame)
+        return self._read_out(self.expose(seed, frame), seed, frame)
+
+    def _read_out(self, exposure: Exposure, seed: int, frame: int) -> Frame:
         if self._readout is not None and self.plan.slot_loop != "reference":
             return self._readout.frame(exposure, seed, frame, self.threads)
         target, seeds = self.program.container.target, (seed, self.device_seed)
@@ -104,7 +132,8 @@ def prepared(
     *,
     device_seed: int = 0,
     threads: int | None = None,
+    torch_device: str | None = None,
 ) -> Planned:
     """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
     check_size(program.container, light)
-    return Planned(program, light, plan, device_seed, threads_of(threads))
+    return Planned(program, light, plan, device_seed, threads_of(threads), torch_device)

@@ -23,13 +23,14 @@ from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planner.lacking import Lacking
-from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
-from nscc_runtime.planner.predict import Forecast
+from nscc_runtime.planner.plan import Approximation, Choice, Cost, Decision, Loop, Plan
+from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.promises import Promises
+from nscc_runtime.planner.tolerance import DEFAULT, Given, most_change
+from nscc_runtime.planner.worst import Worst
 from nscc_runtime.remembered import remembered
-
-DEFAULT_TOLERANCE_E = 5.0
 
 MARGIN = 0.9
 """Effects are left out while the prediction stays below this part of the tolerance."""
@@ -37,41 +38,48 @@ _SHORT_CUTS = 0.6
 """Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
 
 _NOTHING = np.zeros(1)
+_ERRORS = 3.0
+"""Standard errors of a sample that a bound allows for."""
 
 
 def plan_for(
     program: Program,
     light: Light,
-    tolerance_e: float = DEFAULT_TOLERANCE_E,
+    tolerance: Given = DEFAULT,
     effects: Selection | None = None,
     device_seed: int = 0,
+    tolerance_max: Given | None = None,
     threads: int = 1,
 ) -> Plan:
-    """The cheapest plan whose predicted error is within the tolerance, by the fewest effects.
+    """The cheapest plan whose predicted error is within the tolerance, by the fewest effects, and
+    that of its worst pixel within `tolerance_max`.
 
     `effects`, by default `auto`, decides on what it names; without `auto` on everything. Errors are
-    against the reference with all effects, those that were forced off included.
+    against the reference with all effects, those that were forced off included. Raises Rejected
+    (NS0746) where the tolerance is none.
     """
     wanted = effects or selected("auto")
-    return Chooser(program, light, tolerance_e, device_seed, threads, wanted).plan()
+    return Chooser(program, light, device_seed, threads, tolerance, tolerance_max, wanted).plan()
 
 
 def predicted_for(
     program: Program, light: Light, plan: Plan, device_seed: int = 0, threads: int = 1
 ) -> Plan:
-    """The same decisions for another scene: what they make wrong there."""
+    """The same decisions for another scene: what they make wrong there. A tolerance that is a part
+    of the scene is one of this scene."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
-    chosen = Selection(always_on() | on, frozenset(optional()))
-    chooser = Chooser(program, light, plan.tolerance_e, device_seed, threads, chosen)
+    wanted = Selection(always_on() | on, frozenset(optional()))
+    asked = plan.asked, plan.asked_max
+    chooser = Chooser(program, light, device_seed, threads, *asked, wanted)
     lacking = frozenset(plan.saturating_lack)
     made = chooser.made(chooser.forced_off, lacking, "taken from the plan given")
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
-    return replace(made, decisions=decisions, tolerance=plan.tolerance, signal_e=plan.signal_e)
+    return replace(made, decisions=decisions)
 
 
 @dataclass(frozen=True, eq=False)
-class Chooser(Forecast):
+class Chooser(Promises):
     """One search; see `plan_for`."""
 
     effects: Selection
@@ -97,7 +105,7 @@ class Chooser(Forecast):
             fits = []
             for names in self._moves(dropped):
                 then = self._square(dropped | names)
-                if then <= max(limit, now):
+                if then <= max(limit, now) and self._bounded(dropped | names):
                     saved = self._saved_ns(names, dropped)
                     if saved > 0:
                         fits.append((saved / max(then - now, 1e-12), sorted(names)))
@@ -105,16 +113,19 @@ class Chooser(Forecast):
                 break
             dropped |= set(max(fits)[1])
         lacking: frozenset[str] = frozenset()
-        if self._path(dropped) == "sums" and self.state(dropped) == "words":
+        if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
             free = dropped - self.forced_off - self.saturation - self.slow
-            lacking = self._lacking.chosen(free, limit - self._square(dropped))
+            room = limit - self._square(dropped)
+            lacking = self._lacking(self.state(dropped)).chosen(free, room)
+            if not self._bounded(dropped, lacking):
+                lacking = frozenset()
         return self.made(dropped, lacking, forced_reason)
 
-    @cached_property
-    def _lacking(self) -> Lacking:
+    @remembered
+    def _lacking(self, state: str) -> Lacking:
         return Lacking(
-            self.program, self.light, self.near, self.fields, self.forced_off, self.device_seed,
-            self.threads,
+            self.program, self.light, self.running(state), self.fields, self.runs(state),
+            self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
@@ -134,6 +145,41 @@ class Chooser(Forecast):
         """The predicted mean square error of the worst bucket, in square electrons."""
         return self.square(dropped, self._path(dropped) != "sums")
 
+    def _bounded(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> bool:
+        """Whether the worst pixels and the noise keep to what was asked, or to what is forced."""
+        forced, most, part = self.forced_off, self.allowed_max, self.allowed.noise_part
+        if most is not None:
+            limit_e = max(MARGIN * most.electrons, self._worst(forced).max_e)
+            if self._worst(dropped, lacking).max_e > limit_e:
+                return False
+        if part is None:
+            return True
+        limit = max(most_change(part), self._noise_change(forced))
+        return self._noise_change(dropped, lacking) <= limit
+
+    def _unbounded(self, dropped: frozenset[str]) -> str:
+        """What would become of that which `_bounded` finds too much."""
+        worst_e, most = self._worst(dropped).max_e, self.allowed_max
+        if most is not None and worst_e > MARGIN * most.electrons:
+            return f"left out, the worst pixel would be {worst_e:.3g} e off"
+        return f"left out, the noise would change by {self._noise_change(dropped):.1%}"
+
+    def _worst(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> Worst:
+        found = self.worst(dropped, self._path(dropped) != "sums", lacking)
+        if not lacking:
+            return found
+        near = self._lacking(self.state(dropped)).worst(lacking)
+        return Worst(max(found.p999_e, near.p999_e), max(found.max_e, near.max_e))
+
+    @remembered
+    def _noise_change(
+        self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()
+    ) -> float:
+        """By what part the standard deviation of what is read out changes."""
+        everywhere = self._path(dropped) != "sums"
+        ratio = self.noise_ratio(dropped, everywhere, lacking, readout=True)
+        return 0.0 if ratio is None else abs(ratio - 1.0)
+
     @remembered
     def _path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
         """What has all effects that are left: sums over slots, the loop over the words of single
@@ -141,7 +187,7 @@ class Chooser(Forecast):
         """
         left = [effect for effect in self.present if effect.name not in dropped]
         summed = not (self._everywhere or any(isinstance(e.sums, CannotHave) for e in left))
-        if summed and self.state(dropped) != "words":
+        if summed and not self.state(dropped).startswith(WORDS):
             return "sums"
         if any(effect.name in self.slow for effect in left):
             return "reference"
@@ -155,7 +201,11 @@ class Chooser(Forecast):
         """Whether short cuts would cost too much, so that all pixels run through their words."""
         cuts = self.short_cuts(self.forced_off)
         total = sum((square for _, square in cuts), _NOTHING)
-        return math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e
+        if math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e:
+            return True
+        most = self.allowed_max
+        # Their own part: what is forced off is beside it.
+        return most is not None and self.worst(frozenset(), False).max_e > MARGIN * most.electrons
 
     def _forced(self, effect: Effect) -> bool:
         return not self.effects.auto or effect.name in self.effects.forced
@@ -181,9 +231,8 @@ class Chooser(Forecast):
             return self._reference_ns
         if path == "words":
             return self._all_words_ns(dropped)
-        if self.state(dropped) != "words":
-            return 0.0
-        return self._near_ns(self.forced_off) * len(self.near) / len(self.program.lanes)
+        running = self.running(self.state(dropped))
+        return self._near_ns(self.forced_off) * len(running) / len(self.program.lanes)
 
     def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
@@ -192,12 +241,41 @@ class Chooser(Forecast):
             return saved
         return saved + sum(effect.cost_ns for effect in self.present if effect.name in names)
 
+    def _own_ns(self, name: str, dropped: frozenset[str]) -> float:
+        """The same of one effect, without what single pixels near saturation take: the table has a
+        row for these."""
+        saved = self._saved_ns(frozenset({name}), dropped)
+        paths = self._path(dropped - {name}), self._path(dropped | {name})
+        if paths != ("sums", "sums"):
+            return saved
+        return saved - self._path_ns(dropped - {name}) + self._path_ns(dropped | {name})
+
+    def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> tuple[float, float]:
+        """Nanoseconds a pixel of a frame, and those of them of pixels near saturation."""
+        if self._path(dropped) != "sums":
+            return self._path_ns(dropped), 0.0
+        running = len(self.running(self.state(dropped)))
+        near = self._near_ns(lacking) * running / len(self.program.lanes)
+        passes = len(self.light.frames) * len(self.program.container.buckets)
+        effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
+        return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
+
+    def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
+        """What the plan takes that leaves these effects out."""
+        ms = len(self.program.lanes) * 1e-6
+        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms
+        total, near = self._frame_ns(dropped, self.forced_off | lacking)
+        every, _ = self._frame_ns(frozenset(), frozenset())
+        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + planning_ms)
+
     def made(self, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str) -> Plan:
         """The plan that leaves these effects out; pixels near saturation have those of them that
         are not `lacking` there and not forced off."""
         path = self._path(dropped)
         square, most = self.squares(dropped, path != "sums")
-        added = self._lacking.square(lacking) if lacking else _NOTHING
+        most = most + _ERRORS * self.sampling_error(dropped, path != "sums")
+        added = self._lacking(self.state(dropped)).square(lacking) if lacking else _NOTHING
+        worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
         reasons = [*self._reasons(dropped)]
@@ -218,8 +296,12 @@ class Chooser(Forecast):
             ),
             self.leak_nodes,
             self.closed,
+            predicted_p999_e=worst.p999_e,
+            predicted_max_e=worst.max_e,
+            noise_ratio=self.noise_ratio(dropped, path != "sums", lacking),
             saturating_lack=tuple(sorted(lacking)),
-        )
+            cost=self._cost(dropped, lacking),
+        ).told(self.allowed, self.allowed_max)
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
         """Why pixels run through their words one by one, or why the reference runs."""
@@ -238,8 +320,9 @@ class Chooser(Forecast):
             )
         if path == "reference":
             return
-        if self.state(dropped) == "words":
-            yield f"{len(self.near)} pixels may saturate"
+        running = len(self.running(self.state(dropped)))
+        if running:
+            yield f"{running} pixels may saturate"
 
     def _decision(
         self, effect: Effect, dropped: frozenset[str], added: float, forced_reason: str
@@ -249,7 +332,7 @@ class Chooser(Forecast):
             return after_exposure(effect, self.effects, self.program.sensor, forced_reason)
         rms, bias = self.contribution(effect)
         then = math.sqrt(self._square(dropped | {effect.name}) + added)
-        cost = self._saved_ns(frozenset({effect.name}), dropped)
+        cost = self._own_ns(effect.name, dropped)
         choice: Choice = "kept"
         if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0
@@ -257,6 +340,8 @@ class Chooser(Forecast):
             choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
         elif then > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then:.3g} e"
+        elif cost > 0 and not self._bounded(dropped | {effect.name}):
+            reason = self._unbounded(dropped | {effect.name})
         else:
             reason = "costs nothing"
         if forced and choice != "absent":

@@ -48,7 +48,8 @@ _SIGMAS = 8
 class Fields:
     """Predictions for a sample; arrays are (buckets, pixels of the sample).
 
-    `fixed` and `variance` by effect; `shifts`: the electrons by which an effect changes the counts;
+    `fixed` and `variance` by effect; `noise`: by how much each makes the variance over frames
+    larger; `shifts`: the electrons by which an effect changes the counts;
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
@@ -61,6 +62,7 @@ class Fields:
     expected: Values
     fixed: dict[str, Values]
     variance: dict[str, Values]
+    noise: dict[str, Values]
     shifts: dict[str, Values]
     thinning: dict[bool, Values]
     neighbours: dict[bool, Values]
@@ -69,42 +71,69 @@ class Fields:
     after: dict[str, Values]
 
 
-def fields_of(
-    program: Program,
-    light: Light,
-    sample: Sample,
-    device_seed: int,
-    forced_off: frozenset[str] = frozenset(),
-    tolerance_e: float = math.inf,
-    threads: int = 1,
-) -> Fields:
-    """The fields of a scene, each effect against all others; `forced_off` are effects that pixels
-    near saturation lack as well. What saturation loses that is far above the tolerance is that of
-    light without noise. Threads change no bit.
+@dataclass(frozen=True, eq=False)
+class SampledFields:
+    """The fields of a scene on a sample, each effect against all others. `forced_off` are effects
+    that pixels near saturation lack as well. Threads change no bit.
     """
-    scene = SampledScene(program, light, sample, device_seed)
-    found = {effect.name: _field(effect, scene) for effect in registered()}
-    fixed = {name: each.fixed for name, each in found.items() if each.fixed is not None}
-    expected = scene.base + scene.dark_s * (scene.dark + scene.spilt) + scene.pattern
-    noise_cut = np.zeros(expected.shape)
-    for _, part in scene.all.errors():
-        noise_cut += scene.errors_cut(part.at, part.sigma_e(program.sensor))
-    thinning, neighbours = scene.left_out()
-    fields = Fields(
-        sample,
-        expected,
-        fixed,
-        {name: each.variance for name, each in found.items() if each.variance is not None},
-        {name: each.shift for name, each in found.items() if each.shift is not None},
-        thinning,
-        neighbours,
-        noise_cut,
-        np.zeros(expected.shape, np.bool_),
-        {},
-    )
-    if not sample.near.any():
-        return fields
-    return _Near(scene, forced_off, tolerance_e, threads).added(fields, found)
+
+    program: Program
+    light: Light
+    sample: Sample
+    device_seed: int
+    forced_off: frozenset[str] = frozenset()
+    threads: int = 1
+
+    @cached_property
+    def rough(self) -> Fields:
+        """With what saturation loses of light without noise: counting light takes longest."""
+        if not self.sample.near.any():
+            return self._far
+        return self._near.added(self._far, self._found, self._near.without_noise)
+
+    def for_tolerance(self, tolerance_e: float) -> Fields:
+        """The same, with what saturation loses of all that is random, unless that is so far above
+        the tolerance that no noise decides on it."""
+        near = self._near
+        if not self.sample.near.any() or (not self.forced_off and near.surely_kept(tolerance_e)):
+            return self.rough
+        found = near.added(self._far, self._found, near.with_noise)
+        return near.forced(found) if self.forced_off else found
+
+    @cached_property
+    def _scene(self) -> SampledScene:
+        return SampledScene(self.program, self.light, self.sample, self.device_seed)
+
+    @cached_property
+    def _near(self) -> _Near:
+        return _Near(self._scene, self.forced_off, self.threads)
+
+    @cached_property
+    def _found(self) -> Mapping[str, Field]:
+        return {effect.name: _field(effect, self._scene) for effect in registered()}
+
+    @cached_property
+    def _far(self) -> Fields:
+        """As if nothing saturated."""
+        scene, found = self._scene, self._found
+        expected = scene.base + scene.dark_s * (scene.dark + scene.spilt) + scene.pattern
+        noise_cut = np.zeros(expected.shape)
+        for _, part in scene.all.errors():
+            noise_cut += scene.errors_cut(part.at, part.sigma_e(self.program.sensor))
+        thinning, neighbours = scene.left_out()
+        return Fields(
+            self.sample,
+            expected,
+            {name: each.fixed for name, each in found.items() if each.fixed is not None},
+            {name: each.variance for name, each in found.items() if each.variance is not None},
+            {name: each.noise for name, each in found.items() if each.noise is not None},
+            {name: each.shift for name, each in found.items() if each.shift is not None},
+            thinning,
+            neighbours,
+            noise_cut,
+            np.zeros(expected.shape, np.bool_),
+            {},
+        )
 
 
 def _field(effect: Effect, scene: SampledScene) -> Field:
@@ -119,7 +148,8 @@ def _field(effect: Effect, scene: SampledScene) -> Field:
         return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
 
     try:
-        parts = (found.fixed, found.variance, found.shift, found.behind_well)
+        noise = found.variance if found.noise is None else found.noise
+        parts = (found.fixed, found.variance, found.shift, found.behind_well, noise)
         return Field(*(whole(values) for values in parts))
     except ValueError as error:
         raise ValueError(f"the field of the effect {effect.name!a}: {error}") from None
@@ -131,15 +161,7 @@ class _Near:
 
     scene: SampledScene
     forced_off: frozenset[str]
-    tolerance_e: float
     threads: int
-
-    def added(self, fields: Fields, found: Mapping[str, Field]) -> Fields:
-        """The fields with what the words make of these pixels."""
-        held = self._without_noise()
-        if self.forced_off or not self._kept_surely(held):
-            held = self._by_selection(self._every)
-        return self._fields(fields, found, held)
 
     @cached_property
     def _every(self) -> Selection:
@@ -163,18 +185,24 @@ class _Near:
             for names in ((), (well,), (register,), (well, register))
         }
 
-    def _without_noise(self) -> Held:
-        """The same of the mean light: counting it takes most of the time."""
+    @cached_property
+    def with_noise(self) -> Held:
+        """Of light that is counted, and with all that is random."""
+        return self._by_selection(self._every)
+
+    @cached_property
+    def without_noise(self) -> Held:
+        """Of the mean light."""
         noise = self._every.names(Counted) | self._every.names(Errors)
         return self._by_selection(self._every.without(*noise))
 
-    def _kept_surely(self, held: Held) -> bool:
-        """Whether what saturates has to be kept whatever noise does: no tolerance lets so much go.
-        The well alone is never left out, as that saves nothing.
+    def surely_kept(self, tolerance_e: float) -> bool:
+        """Whether what saturates has to be kept whatever noise does. The well alone is never left
+        out, as that saves nothing.
         """
-        _, register = self._saturation
+        held, (_, register) = self.without_noise, self._saturation
         return all(
-            self._rms(held[()] - held[names]) > _SURELY * self.tolerance_e
+            self._rms(held[()] - held[names]) > _SURELY * tolerance_e
             for names in ((register,), self._saturation)
         )
 
@@ -184,8 +212,8 @@ class _Near:
         part = weight[self.scene.sample.near] / weight.sum()
         return math.sqrt(float(np.max(lost**2 @ part)))
 
-    def _fields(self, fields: Fields, found: Mapping[str, Field], held: Held) -> Fields:
-        """The fields of what was held."""
+    def added(self, fields: Fields, found: Mapping[str, Field], held: Held) -> Fields:
+        """The fields with what the words make of these pixels."""
         near, (well, register) = self.scene.sample.near, self._saturation
         fixed, blank = dict(fields.fixed), np.zeros_like(fields.expected)
         rare = self._rarely_lost(held[(register,)])
@@ -196,10 +224,6 @@ class _Near:
         ):
             fixed[name] = blank.copy()
             fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)
-        if self.forced_off:
-            without = self._every.without(*self.forced_off)
-            fixed[FORCED] = blank.copy()
-            fixed[FORCED][:, near] = self._held(self._every) - self._held(without)
         expected = fields.expected.copy()
         expected[:, near] = held[()]
         clipped = np.zeros(expected.shape, np.bool_)
@@ -215,6 +239,13 @@ class _Near:
                 after[name] = np.asarray(each.behind_well + rest)
         return replace(fields, expected=expected, fixed=fixed, clipped=clipped, after=after)
 
+    def forced(self, fields: Fields) -> Fields:
+        """The fields with what these pixels lack because it is forced off."""
+        without = self._every.without(*self.forced_off)
+        lost = np.zeros_like(fields.expected)
+        lost[:, self.scene.sample.near] = self._held(self._every) - self._held(without)
+        return replace(fields, fixed={**fields.fixed, FORCED: lost})
+
     def _rarely_lost(self, expected: Values) -> Values:
         """The RMS of what registers lose of exposures (buckets, pixels) that noise takes beyond
         their linear range: a few pixels in a frame, which no sample shows.
@@ -223,7 +254,10 @@ class _Near:
         lanes = scene.lanes[scene.sample.near]
         z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None, None]
         density = np.exp(-z * z / 2)
-        size = np.abs(expected) + reach.offset_e[lanes]
+        # What a register held at most, before words and leakage took their part of it.
+        gain = scene.slots.max(axis=0)[lanes].T
+        held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
+        size = held + reach.offset_e[lanes]
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
         lost = soft.lost_e(scene.sensor, size + sigma * z)
         # Of many pixels the one that goes farthest may carry all of it.

@@ -23,11 +23,13 @@ def planned_frames(
     device_seed: int = 0,
     count: int = 1,
     threads: int | None = None,
+    torch_device: str | None = None,
 ) -> Iterable[Frame]:
     """Frames 0 .. `count` - 1 under a plan, read out; ValueError for fewer than one."""
     if count < 1:
         raise ValueError(f"{count} frames")
-    scene = prepared(program, light, plan, device_seed=device_seed, threads=threads)
+    scene = prepared(
+        program, light, plan, device_seed=device_seed, threads=threads, torch_device=torch_device
+    )
     check_adc(program.container.target)
-    for number in range(count):
-        yield scene.frame(seed, number)
+    yield from scene.frames(seed, count)

@@ -17,15 +17,17 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import drawn_by
+from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
-_FEWEST, _MOST = 48, 256
+_FEWEST, _MOST = 48, 1024
 """Pixels on which it is measured."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
-_PART = 16
+_PART = 4
 """Of this many pixels near saturation one is measured."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
@@ -35,13 +37,15 @@ _SIGMAS = 2.0
 class Lacking:
     """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
 
-    `fields` are predictions on a sample of the scene. Threads change no bit.
+    `fields` are predictions on a sample of the scene, `running`: which of it are such pixels.
+    Threads change no bit.
     """
 
     program: Program
     light: Light
     near: NDArray[np.int64]
     fields: Fields
+    running: NDArray[np.bool_]
     forced_off: frozenset[str]
     device_seed: int
     threads: int
@@ -78,6 +82,14 @@ class Lacking:
         mean, _ = self._measured(lacking)
         return mean
 
+    def worst(self, lacking: frozenset[str]) -> Worst:
+        """What these pixels lack, forced or not, at the worst of them."""
+        error = self._held(self.forced_off | lacking) - self._held(frozenset())
+        rest = len(self.program.lanes) - len(self.near)
+        weight = np.append(np.full(error.shape[1], len(self.near) / error.shape[1]), rest)
+        error = np.pad(error, ((0, 0), (0, 1)))
+        return worst_of(error, np.zeros_like(error), weight, len(self.program.lanes))
+
     def _most(self, lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
         return float(np.max(mean + _SIGMAS * error))
@@ -98,7 +110,8 @@ class Lacking:
     @cached_property
     def _places(self) -> NDArray[np.int64]:
         wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST)
-        return self.near[:: len(self.near) // wanted]
+        # In step with no tile of codes.
+        return self.near[np.unique(drawn_by(np.ones(len(self.near)), wanted))]
 
     @cached_property
     def _every(self) -> Selection:
@@ -122,16 +135,24 @@ class Lacking:
 
     def _guessed(self, lacking: frozenset[str]) -> float:
         """The mean square that leaving effects out adds, by their fields."""
-        fields, near = self.fields, self.fields.sample.near
-        cut = np.abs(fields.fixed[BOTH][:, near]) > _CUT_E
-        fixed, variance = np.zeros(cut.shape), np.zeros(cut.shape)
-        for name in lacking:
-            behind = fields.after.get(name)
-            if name in fields.fixed:
-                passed = 0.0 if behind is None else behind[:, near]
-                fixed += np.where(cut, passed, fields.fixed[name][:, near])
-            if name in fields.variance:
-                here = fields.variance[name][:, near]
-                variance += here if behind is not None else np.where(cut, 0.0, here)
-        weight = fields.sample.weight
-        return float(np.max((fixed**2 + variance) @ (weight[near] / weight.sum())))
+        fixed, variance = guessed(self.fields, self.running, lacking)
+        return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
+
+
+def guessed(
+    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
+) -> tuple[Values, Values]:
+    """Means and variances (buckets, pixels of a sample) of what pixels of it lack that run through
+    their words without some effects; nothing where saturation cuts it off."""
+    fixed, variance = np.zeros(fields.expected.shape), np.zeros(fields.expected.shape)
+    if not lacking:
+        return fixed, variance
+    cut = np.abs(fields.fixed[BOTH]) > _CUT_E
+    for name in sorted(lacking):
+        behind = fields.after.get(name)
+        if name in fields.fixed:
+            fixed += np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+        if name in fields.variance:
+            here = fields.variance[name]
+            variance += np.where(cut, 0.0, here) if behind is None else here
+    return fixed * running, variance * running

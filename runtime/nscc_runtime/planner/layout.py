@@ -38,13 +38,15 @@ class Sizes:
     reset_errors: int
     read_errors: int
     slow_words: int
+    lit_level: int
     word_errors: int
     bends: int
     leaks: int
     well_bit: int
-    """Of `saturated_by`: where a full PIX was added, where it was subtracted, where registers lost
-    too much; 0: is not marked."""
+    """Of `saturated_by`: where a full PIX was added, where it was subtracted, where that was the
+    level of a reset, where registers lost too much; 0: is not marked."""
     subtracted_bit: int
+    level_bit: int
     registers_bit: int
 
 

@@ -36,8 +36,8 @@ from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 _READS, _RESETS, _WORDS = 0, 1, 2
 ERRORS = 3
 """Kinds of small errors."""
-_ADDED, _SUBTRACTED = 1, 2
-"""Of what a register holds: it has a full PIX in it."""
+_ADDED, _SUBTRACTED, _LEVEL = 1, 2, 4
+"""Of what a register holds: it has a full PIX in it, or that of a reset's level."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
 
@@ -103,10 +103,12 @@ def _error(
 def _execute(
     sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, entries: Entries,
     operands: Ints, weights: Floats, signs: Floats, missing: Floats, pattern: float,
-    registers: Floats, full: Ints, lost: Floats,
+    registers: Floats, full: Ints, lost: Floats, fresh: bool,
 ) -> None:  # fmt: skip
-    """Run one word. PIX is register `registers`, its reset level the next one, then IN."""
+    """Run one word. PIX is register `registers`, its reset level the next one, then IN. `fresh`:
+    PIX was reset at this boundary."""
     entry, pix = entries[e], sizes.registers
+    unseen = fresh and not sizes.lit_level
     if entry.resets:
         registers[pix] = 0.0
         full[pix] = 0
@@ -117,8 +119,11 @@ def _execute(
     total, gathered, lost_e = 0.0, 0, 0.0
     for i in range(entry.sources):
         source = operands[entry.operands + i]
-        total += registers[source]
-        gathered |= full[source]
+        if not (source == pix and unseen):
+            total += registers[source]
+            gathered |= full[source]
+            if source == pix and fresh and full[source]:
+                gathered |= _LEVEL
         lost_e += lost[source]
         if source == pix:
             total += registers[pix + 1]
@@ -140,7 +145,8 @@ def _execute(
             value = held
         registers[register] = value
         # What is added of the negative was subtracted.
-        full[register] = (gathered & _ADDED) * _SUBTRACTED | (gathered // _SUBTRACTED)
+        exchanged = (gathered & _ADDED) * _SUBTRACTED | (gathered & _SUBTRACTED) // _SUBTRACTED
+        full[register] = exchanged | gathered & _LEVEL
         lost[register] = here_e
 
 
@@ -198,7 +204,7 @@ def _run(
     if sizes.word_errors:
         z = normal(uniform(keys.pattern, place))
         pattern = numbers.bias + numbers.pattern * z
-    at, fallen = 0, 0.0
+    at, fallen, fresh = 0, 0.0, False
     for e in range(first, stop + 1):
         boundary = slots if e == stop else entries[e].boundary
         if e < stop and not entries[e].acts:
@@ -217,7 +223,7 @@ def _run(
                 kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
                 for register in range(sizes.registers):
                     registers[register] *= kept
-            at, fallen = boundary, 0.0
+            at, fallen, fresh = boundary, 0.0, False
         if e == stop:
             break
         if sizes.slow_words:
@@ -231,8 +237,9 @@ def _run(
             fallen = now
         _execute(
             sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
-            registers, full, lost,
+            registers, full, lost, fresh,
         )  # fmt: skip
+        fresh = fresh or entries[e].resets == 1
 
 
 @compiled
@@ -251,6 +258,8 @@ def _read_out(
             bits |= sizes.subtracted_bit if negative else sizes.well_bit
         if full[register] & _SUBTRACTED:
             bits |= sizes.well_bit if negative else sizes.subtracted_bit
+        if full[register] & _LEVEL:
+            bits |= sizes.level_bit
         marked[bucket * sizes.pixels + i] = np.uint8(bits)
         if sizes.leaks:
             value *= math.exp(-leak * readout_wait_s[bucket])

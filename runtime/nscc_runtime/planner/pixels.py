@@ -154,7 +154,7 @@ class Pixels:
         whole = 1 << (container.slots - 1).bit_length()
         # What the charge of one site takes: rates, counts and their stamps, of light and dark.
         each = 16 * (container.slots + 2 * 2 * whole * groups)
-        marks = {at: effects.marking(at) for at in ("well", "subtracted", "registers")}
+        marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         return Sizes(
             pixels=count,
             slots=container.slots,

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import asdict, dataclass, is_dataclass, replace
+from collections.abc import Mapping
+from dataclasses import asdict, dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
-from types import UnionType
+from types import MappingProxyType, UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from nscc import html
@@ -14,9 +14,8 @@ from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.planner import leak_nodes
-from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, tolerance_of
+from nscc_runtime.planner.tolerance import LEAST_E, Given, Tolerance
 
 Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
@@ -31,6 +30,10 @@ _LOOPS: Mapping[Loop, str] = {
     "all": "all pixels run through the words one by one",
     "reference": "the reference runs, slot by slot",
 }
+
+
+_LATER = MappingProxyType({"later": True})
+"""Of what files of plans did not have at first: one without it is a plan, too."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +68,37 @@ class Approximation:
     error_e: float
 
 
+@dataclass(frozen=True)
+class Cost:
+    """What a frame takes, planning included: milliseconds of one core by the prices that plans are
+    chosen by. `saturating_ms`: the words of pixels near saturation; `all_ms`: the same frame with
+    every effect.
+    """
+
+    total_ms: float
+    saturating_ms: float
+    planning_ms: float
+    all_ms: float
+
+    def rows(self, effects_ms: float, saturating: str) -> list[tuple[str, str, float]]:
+        """What is not an effect's own: its name, what it is, and milliseconds; with `effects_ms`
+        for the effects that are kept, the total."""
+        rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
+        found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
+        if self.saturating_ms > 0:
+            found.insert(0, ("(saturating)", saturating, self.saturating_ms))
+        return [*found, ("(the rest)", "light added up and read out", rest_ms)]
+
+    @property
+    def said(self) -> str:
+        """What it saves of all, in words."""
+        saved = 1.0 - self.total_ms / self.all_ms if self.all_ms > 0 else 0.0
+        return (
+            f"saves {saved:.0%} of all: {self.total_ms:.2f} ms of a core instead of "
+            f"{self.all_ms:.2f}, by shipped prices"
+        )
+
+
 @dataclass(frozen=True, repr=False)
 class Plan:
     """All that a run needs to know beside program, scene and sensor.
@@ -75,10 +109,14 @@ class Plan:
     many rates of leakage the sums over slots are made. `closed`: whether the charge of closed slots
     is counted. `other_states`: of a program that looks, the part of the pixels that end in other
     states than with every effect, at most MOST_OTHER_STATES; errors are those of the other pixels.
-    `tolerance`: what was asked, as text, empty where that is not known; `signal_e`: the mean signal
-    that it is a part of, or None. `saturating_lack`: the dropped effects that pixels near
-    saturation lack as well, whose words run with all others. As text a plan is the table that
-    `nscc run` prints.
+    `tolerance`: what was asked, as text, empty where that is not known; `signal_e`, `noise_e`: the
+    mean signal or the frame's own noise that it is a part of, or None. `predicted_p999_e`,
+    `predicted_max_e`: the error that one pixel in a thousand passes, and the largest of a frame;
+    `tolerance_max`, `tolerance_max_e`: what was asked of the largest, empty and None where nothing
+    was. `noise_ratio`: the standard deviation of exposures over frames by that with every effect;
+    None where it is not predicted. `saturating_lack`: the dropped effects that pixels near
+    saturation lack as well, whose words run with all others. `cost`: None where there are no prices
+    for it. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -94,7 +132,14 @@ class Plan:
     other_states: float | None = None
     tolerance: str = ""
     signal_e: float | None = None
-    saturating_lack: tuple[str, ...] = ()
+    noise_e: float | None = field(default=None, metadata=_LATER)
+    predicted_p999_e: float | None = field(default=None, metadata=_LATER)
+    predicted_max_e: float | None = field(default=None, metadata=_LATER)
+    tolerance_max: str = field(default="", metadata=_LATER)
+    tolerance_max_e: float | None = field(default=None, metadata=_LATER)
+    noise_ratio: float | None = field(default=None, metadata=_LATER)
+    saturating_lack: tuple[str, ...] = field(default=(), metadata=_LATER)
+    cost: Cost | None = field(default=None, metadata=_LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -114,11 +159,19 @@ class Plan:
             cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
             other = (f"{each.other_states:.2%}" if each.other_states else "",) if looks else ()
             rows.append((each.name, rms, bias, choice, each.reason, cost, *other))
+        rows += self._costs()
         lines = [
             columns(rows, left=(0, 3, 4)),
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
-            f"tolerance {self._allowed}, from {self.sampled_fraction:.1%} of the pixels",
+            f"tolerance {self.allowed}, from {self.sampled_fraction:.1%} of the pixels",
         ]
+        if self.predicted_max_e is not None and self.predicted_p999_e is not None:
+            lines.append(
+                f"predicted of 99.9 % of the pixels: within {self.predicted_p999_e:.3g} e; of the "
+                f"worst: {self.predicted_max_e:.3g} e"
+                + ("" if self.allowed_max is None else f", tolerance {self.allowed_max}")
+                + ("" if self.noise_ratio is None else f"; noise x {self.noise_ratio:.4f}")
+            )
         if self.other_states is not None:
             lines.append(
                 f"predicted to end in other states: {self.other_states:.2%} of the pixels, at most "
@@ -127,30 +180,64 @@ class Plan:
         lines += [f"short cut: {each.name}, {each.error_e:.2g} e" for each in self.approximations]
         loop = _LOOPS[self.slot_loop]
         lines.append(": ".join(filter(None, (loop, "; ".join(self.slot_loop_reasons)))))
+        if self.cost is not None:
+            lines.append(self.cost.said)
         return "\n".join(lines)
 
+    def _costs(self) -> list[tuple[str, ...]]:
+        """The rows of what takes time and is no effect's own."""
+        if self.cost is None:
+            return []
+        kept_ms = sum(each.cost_ms_model for each in self.decisions if each.decision == "kept")
+        lack = ", ".join(self.saturating_lack)
+        saturating = "their words one by one" + (f", without {lack}" if lack else "")
+        return [
+            (name, "", "", "", what, f"{cost_ms:.2f}")
+            for name, what, cost_ms in self.cost.rows(kept_ms, saturating)
+        ]
+
     def _repr_html_(self) -> str:
-        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self._allowed}"
+        said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
         return html.card("plan", said, html.plain(str(self)))
 
     @property
-    def _allowed(self) -> str:
-        """The tolerance in electrons, and what else it was asked as."""
-        electrons = f"{self.tolerance_e:.4g} e"
-        if self.signal_e is not None:
-            return f"{electrons} ({self.tolerance} of the mean signal, {self.signal_e:.4g} e)"
-        return f"{electrons} ({self.tolerance})" if self.tolerance.endswith("lsb") else electrons
+    def allowed(self) -> Tolerance:
+        """The tolerance on the scene that the plan was made for."""
+        signal_e = self.signal_e if self.tolerance.endswith("%") else None
+        noise_e = self.noise_e if self.tolerance.endswith("noise") else None
+        return Tolerance(self.tolerance, self.tolerance_e, signal_e, noise_e)
 
-    def asked(self, tolerance: Tolerance) -> Plan:
-        """The same plan, with the words in which its tolerance was asked."""
-        return replace(self, tolerance=tolerance.text, signal_e=tolerance.signal_e)
+    @property
+    def asked(self) -> Given:
+        """The tolerance as one for any scene."""
+        return self.tolerance if self.allowed.follows else self.allowed
 
-    def on(self, sensor: Sensor, signal_e: Callable[[], float]) -> Plan:
-        """The plan for another scene, whose mean signal `signal_e` finds: its tolerance follows."""
-        if self.signal_e is None:
-            return self
-        allowed = tolerance_of(self.tolerance, sensor, signal_e)
-        return replace(self, tolerance_e=allowed.electrons).asked(allowed)
+    @property
+    def allowed_max(self) -> Tolerance | None:
+        """The tolerance of the worst pixel, where there is one."""
+        if self.tolerance_max_e is None:
+            return None
+        signal_e = self.signal_e if self.tolerance_max.endswith("%") else None
+        noise_e = self.noise_e if self.tolerance_max.endswith("noise") else None
+        return Tolerance(self.tolerance_max, self.tolerance_max_e, signal_e, noise_e)
+
+    @property
+    def asked_max(self) -> Given | None:
+        """The same as one for any scene."""
+        most = self.allowed_max
+        return most.text if most is not None and most.follows else most
+
+    def told(self, allowed: Tolerance, most: Tolerance | None = None) -> Plan:
+        """The same plan, with the words in which its tolerances were asked."""
+        beside = most or allowed
+        return replace(
+            self,
+            tolerance=allowed.text,
+            signal_e=beside.signal_e if allowed.signal_e is None else allowed.signal_e,
+            noise_e=beside.noise_e if allowed.noise_e is None else allowed.noise_e,
+            tolerance_max="" if most is None else most.text,
+            tolerance_max_e=None if most is None else most.electrons,
+        )
 
     @property
     def breach(self) -> str | None:
@@ -159,6 +246,11 @@ class Plan:
             return (
                 f"the predicted error is {self.predicted_e:.3g} e, "
                 f"the tolerance {self.tolerance_e:.4g} e"
+            )
+        if self.tolerance_max_e is not None and (self.predicted_max_e or 0) > self.tolerance_max_e:
+            return (
+                f"the predicted error of the worst pixel is {self.predicted_max_e:.3g} e, "
+                f"its tolerance {self.tolerance_max_e:.4g} e"
             )
         if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
             return (
@@ -198,8 +290,14 @@ class Plan:
             "tolerance": self.tolerance,
             "tolerance_e": self.tolerance_e,
             "signal_e": self.signal_e,
+            "noise_e": self.noise_e,
             "predicted_e": self.predicted_e,
             "bound_e": self.bound_e,
+            "predicted_p999_e": self.predicted_p999_e,
+            "predicted_max_e": self.predicted_max_e,
+            "tolerance_max": self.tolerance_max,
+            "tolerance_max_e": self.tolerance_max_e,
+            "noise_ratio": self.noise_ratio,
             "slot_loop": self.slot_loop != "none",
             "slot_loop_pixels": self.slot_loop,
             "slot_loop_reasons": list(self.slot_loop_reasons),
@@ -208,6 +306,7 @@ class Plan:
             "leak_nodes": self.leak_nodes,
             "closed_slots_counted": self.closed,
             "saturating_lack": list(self.saturating_lack),
+            "cost": None if self.cost is None else asdict(self.cost),
             "other_states": self.other_states,
             "effects": [asdict(each) for each in self.decisions],
         }
@@ -227,27 +326,45 @@ class Plan:
         names = {"slot_loop": "slot_loop_pixels", "closed": "closed_slots_counted"}
         names |= {"decisions": "effects"}
         plan: Plan = _read(cls, {**values, **{ours: values[its] for ours, its in names.items()}})
-        named = [(each.name, each.kind) for each in plan.decisions]
-        if named != [(effect.name, effect.kind) for effect in registered()]:
-            raise ValueError("its effects are not those of this version")
+        plan = replace(plan, decisions=_of_this_version(plan.decisions))
         if not LEAST_E <= plan.tolerance_e <= MOST_E:
             raise ValueError(f"tolerance_e is {plan.tolerance_e}")
-        if plan.tolerance.endswith("%") != (plan.signal_e is not None):
-            raise ValueError(f"signal_e is {plan.signal_e}")
-        if not set(plan.saturating_lack) <= {
-            e.name for e in plan.decisions if e.decision == "dropped"
-        }:
+        for unit, name, part_of_e in (
+            ("%", "signal_e", plan.signal_e), ("noise", "noise_e", plan.noise_e)
+        ):  # fmt: skip
+            asked = plan.tolerance.endswith(unit) or plan.tolerance_max.endswith(unit)
+            if asked != (part_of_e is not None):
+                raise ValueError(f"{name} is {part_of_e}")
+        kept = {each.name for each in plan.decisions if each.decision == "kept"}
+        if not kept.isdisjoint(plan.saturating_lack):
             raise ValueError(f"saturating_lack is {', '.join(plan.saturating_lack)[:60]}")
         if not 1 <= plan.leak_nodes <= leak_nodes.MOST:
             raise ValueError(f"leak_nodes is {plan.leak_nodes}")
         return plan
 
 
+def _of_this_version(found: tuple[Decision, ...]) -> tuple[Decision, ...]:
+    """Decisions on all effects that there are, in their order; those that an older file does not
+    know are simulated. ValueError for others."""
+    named = {(each.name, each.kind): each for each in found}
+    known = [(effect.name, effect.kind) for effect in registered()]
+    if len(named) < len(found) or not named.keys() <= {*known}:
+        raise ValueError("its effects are not those of this version")
+    reason = "the plan's file does not know it"
+    return tuple(
+        named.get((name, kind))
+        or Decision(name, kind, "kept", False, reason, None, None, None, 0.0)
+        for name, kind in known
+    )
+
+
 def _read(kind: Any, value: Any) -> Any:
     """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
     origin, parts = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
-        return kind(**{name: _read(of, value[name]) for name, of in get_type_hints(kind).items()})
+        hints = get_type_hints(kind)
+        known = [e for e in fields(kind) if e.name in value or not e.metadata]
+        return kind(**{each.name: _read(hints[each.name], value[each.name]) for each in known})
     if origin is tuple and isinstance(value, list):
         return tuple(_read(parts[0], each) for each in value)
     if origin is UnionType:

@@ -8,19 +8,20 @@ from functools import cached_property
 from typing import Protocol
 
 from nscc.words.container import Container
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.planner.audit import Audit, audit
 from nscc_runtime.planner.capture import prepared
-from nscc_runtime.planner.choose import plan_for, predicted_for
+from nscc_runtime.planner.choose import Chooser, plan_for, predicted_for
 from nscc_runtime.planner.frames import made_ready, planned_frames
 from nscc_runtime.planner.fused_loop import fused
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.tolerance import Given, mean_signal_e, tolerance_of
+from nscc_runtime.planner.tolerance import DEFAULT, Given
 from nscc_runtime.pool import threads_of
 
 
@@ -37,16 +38,23 @@ class Planning(Protocol):
         ...
 
     def signal_e(self) -> float:
-        """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
+        """See `nscc_runtime.planner.tolerance.Follows`."""
         ...
 
-    def plan(self, tolerance: Given, effects: Selection) -> Plan:
-        """The cheapest plan within the tolerance. Raises Rejected (NS0746) where that is none."""
+    def noise_e(self) -> float:
+        """See `nscc_runtime.planner.tolerance.Follows`."""
+        ...
+
+    def plan(
+        self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None
+    ) -> Plan:
+        """The cheapest plan within the tolerance, its worst pixel within `tolerance_max`. Raises
+        Rejected (NS0746) where one of them is none."""
         ...
 
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one. A tolerance that is a
-        part of the signal is one of this scene's."""
+        part of the scene is one of this scene."""
         ...
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
@@ -58,21 +66,18 @@ class Planning(Protocol):
         ...
 
 
-def signal_of(program: Program, light: Light, threads: int | None = None) -> float:
-    """The mean signal of a frame: see `nscc_runtime.planner.tolerance.mean_signal_e`."""
-    exposed = prepared(program, light, Plan.of_nothing(), threads=threads)
-    return mean_signal_e(exposed.expected, program.sensor)
-
-
 @dataclass(frozen=True, eq=False)
 class PlanningBySums:
-    """Of a program whose shutters are fixed. `threads`, None for all processors, change no bit."""
+    """Of a program whose shutters are fixed. `threads`, None for all processors, change no bit;
+    `torch_device`: where frames are drawn and added up, None for the processor.
+    """
 
     container: Container
     sensor: Sensor
     light: Light
     device_seed: int = 0
     threads: int | None = None
+    torch_device: str | None = None
 
     @property
     def compiled(self) -> bool:
@@ -83,36 +88,44 @@ class PlanningBySums:
         """See `Planning`."""
         self._program  # noqa: B018  # made when it is asked for
 
-    @property
-    def _threads(self) -> int:
-        return threads_of(self.threads)
-
     @cached_property
     def _program(self) -> Program:
         return made_ready(self.container, self.sensor)
 
     def signal_e(self) -> float:
         """See `Planning`."""
-        return signal_of(self._program, self.light, self.threads)
+        return self._forecast.signal_e()
 
-    def plan(self, tolerance: Given, effects: Selection) -> Plan:
+    def noise_e(self) -> float:
         """See `Planning`."""
-        allowed = tolerance_of(tolerance, self.sensor, self.signal_e)
-        made = plan_for(
-            self._program, self.light, allowed.electrons, effects, self.device_seed, self._threads
-        )
-        return made.asked(allowed)
+        return self._forecast.noise_e()
+
+    @property
+    def _forecast(self) -> Chooser:
+        check_size(self.container, self.light)
+        auto, threads = selected("auto"), threads_of(self.threads)
+        return Chooser(self._program, self.light, self.device_seed, threads, DEFAULT, None, auto)
+
+    def plan(
+        self, tolerance: Given, effects: Selection, tolerance_max: Given | None = None
+    ) -> Plan:
+        """See `Planning`."""
+        return plan_for(
+            self._program, self.light, tolerance, effects, self.device_seed, tolerance_max,
+            threads_of(self.threads),
+        )  # fmt: skip
 
     def predicted(self, plan: Plan) -> Plan:
         """See `Planning`."""
-        plan = plan.on(self.sensor, self.signal_e)
-        return predicted_for(self._program, self.light, plan, self.device_seed, self._threads)
+        threads = threads_of(self.threads)
+        return predicted_for(self._program, self.light, plan, self.device_seed, threads)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """See `Planning`."""
         return planned_frames(
-            self._program, self.light, plan, seed, self.device_seed, count, self.threads
-        )
+            self._program, self.light, plan, seed, self.device_seed, count, self.threads,
+            self.torch_device,
+        )  # fmt: skip
 
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
         """See `Planning`."""

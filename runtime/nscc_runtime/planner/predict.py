@@ -22,6 +22,7 @@ from nscc_runtime.effects.parts import (
     Errors,
     Exchange,
     Leak,
+    LitLevel,
     Part,
     Saturates,
     SlowWords,
@@ -29,14 +30,14 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
-from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, fields_of
+from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
 from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import sample_of
 from nscc_runtime.remembered import remembered
 
-_CLIP = "clip"
+CLIP = "clip"
 """Sums that are clipped know nothing of light that falls before the level of a reset is read; that
 is about as much as all of the gates' switching does.
 """
@@ -44,20 +45,33 @@ _FORMULA_E = 0.015
 """RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
 _CLOSED_PART = 0.1
+WORDS = "words"
+"""The state where pixels run through their words; without some of saturation it begins so."""
 _NOTHING = np.zeros(1)
+_CUTS = {
+    "thinning": "counts are not spread over the slots of a group",
+    "formula": "counts from a rate of 10 on by formula",
+    "neighbours": "neighbours' counts are taken as even over their slots",
+    "noise": "the noise of words as at the mean leakage",
+    "leak": "leakage from sums at {rates}",
+}
 
 
 @dataclass(frozen=True, eq=False)
 class Forecast(ABC):
-    """What a scene makes of a program's effects. `tolerance_e` decides on short cuts, and on how
+    """What a scene makes of a program's effects. The tolerance decides on short cuts, and on how
     well has to be known what saturation loses. Threads change no bit.
     """
 
     program: Program
     light: Light
-    tolerance_e: float
     device_seed: int
     threads: int
+
+    @property
+    @abstractmethod
+    def tolerance_e(self) -> float:
+        """The tolerance in electrons."""
 
     @property
     @abstractmethod
@@ -67,14 +81,17 @@ class Forecast(ABC):
     @cached_property
     def fields(self) -> Fields:
         """What each effect does to a sample of the scene."""
+        return self.sampled.for_tolerance(self.tolerance_e)
+
+    @cached_property
+    def sampled(self) -> SampledFields:
+        """The fields on a sample, of which `fields` are those for the tolerance."""
         # A few pixels may have most of the dark charge, as lamps have most of the light.
         dark_e = self._everything.current * self.program.slot_s.sum()
         total_e = (self._everything.total + dark_e).reshape(self.light.shape)
         sample = sample_of(total_e, len(self.light.frames), self.near)
         lost = self.forced_off - self.saturation - self.slow
-        return fields_of(
-            self.program, self.light, sample, self.device_seed, lost, self.tolerance_e, self.threads
-        )
+        return SampledFields(self.program, self.light, sample, self.device_seed, lost, self.threads)
 
     @cached_property
     def saturation(self) -> frozenset[str]:
@@ -137,10 +154,8 @@ class Forecast(ABC):
         """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
         state = self.state(dropped)
         names, products = self._products(state)
-        # Saturation is a field of its own: in `BOTH` where neither is simulated.
-        lost = self.saturation & dropped
-        inside = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
-        at = [i for i, name in enumerate(names) if name in inside or name in (_CLIP, FORCED)]
+        inside = self.inside(dropped)
+        at = [i for i, name in enumerate(names) if name in inside]
         part = products[:, at][:, :, at]
         variances = self._variances(state)
         random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
@@ -150,6 +165,15 @@ class Forecast(ABC):
         sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
         return part.sum(axis=(1, 2)) + random, sizes**2 + random
 
+    def inside(self, dropped: frozenset[str]) -> frozenset[str]:
+        """The fixed fields that a plan lacks which leaves these effects out."""
+        # Saturation is a field of its own: in `BOTH` where neither is simulated.
+        lost = self.saturation & dropped
+        found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
+        if self._dropped(SlowWords, dropped):
+            found |= everything().names(LitLevel)
+        return frozenset({*found, CLIP, FORCED})
+
     @remembered
     def state(self, dropped: frozenset[str]) -> str:
         """What becomes of pixels that may saturate: they run through their words with all effects,
@@ -157,7 +181,23 @@ class Forecast(ABC):
         """
         if not len(self.near) or dropped >= self.saturation:
             return "sums"
-        return "clip" if self._dropped(Soft, dropped) and self.program.all_single else "words"
+        if self._dropped(Soft, dropped) and self.program.all_single:
+            return "clip"
+        # With less that saturates fewer pixels run through their words.
+        return " without ".join((WORDS, *sorted(self.saturation & dropped)))
+
+    @remembered
+    def running(self, state: str) -> NDArray[np.int64]:
+        """The places of pixels that run through their words because they may saturate."""
+        if not state.startswith(WORDS):
+            return np.empty(0, np.int64)
+        lost = state.split(" without ")[1:]
+        return self._everything.saturating_with(everything().without(*lost))
+
+    @remembered
+    def runs(self, state: str) -> NDArray[np.bool_]:
+        """Which pixels of the sample are among them."""
+        return np.isin(self.fields.sample.places, self.running(state))
 
     def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
         """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
@@ -166,21 +206,21 @@ class Forecast(ABC):
             return np.ones(fields.expected.shape)
         if state == "clip":
             return np.where(fields.clipped, 0.0, 1.0)
-        return np.broadcast_to(np.where(fields.sample.near, 0.0, 1.0), fields.expected.shape)
+        return np.broadcast_to(np.where(self.runs(state), 0.0, 1.0), fields.expected.shape)
 
     @remembered
     def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
         """Names of the fixed fields, and the means (buckets, ., .) of their products."""
-        names = [*self.fields.fixed, _CLIP]
-        stack = np.stack([self._left(name, state) for name in names], axis=1)
+        names = [*self.fields.fixed, CLIP]
+        stack = np.stack([self.left(name, state) for name in names], axis=1)
         weight = self.fields.sample.weight
         return names, (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
 
-    def _left(self, name: str, state: str) -> NDArray[np.float64]:
+    def left(self, name: str, state: str) -> NDArray[np.float64]:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
-        if name == _CLIP:
-            slow = everything().names(SlowWords)
+        if name == CLIP:
+            slow = everything().names(SlowWords) | everything().names(LitLevel)
             field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
             return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
         field = fixed[name]
@@ -189,18 +229,22 @@ class Forecast(ABC):
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
         if name == FORCED:
-            return field * (state == "words")
+            return np.where(self.runs(state), field, 0.0)
         return field * self._where(state, name)
+
+    def random(self, state: str) -> dict[str, NDArray[np.float64]]:
+        """The variances (buckets, pixels) of random effects as far as a state does not simulate
+        them."""
+        behind = self.fields.after if state == "clip" else ()
+        return {
+            name: variance if name in behind else variance * self._where(state, name)
+            for name, variance in self.fields.variance.items()
+        }
 
     @remembered
     def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
-        behind = self.fields.after if state == "clip" else ()
-        return {
-            name: self.fields.sample.mean(
-                variance if name in behind else variance * self._where(state, name)
-            )
-            for name, variance in self.fields.variance.items()
-        }
+        random, mean = self.random(state), self.fields.sample.mean
+        return {name: mean(variance) for name, variance in random.items()}
 
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
@@ -211,8 +255,16 @@ class Forecast(ABC):
 
     @remembered
     def _rounded(self, shifting: frozenset[str]) -> NDArray[np.float64]:
-        part = np.abs(sum((self.fields.shifts[name] for name in shifting), _NOTHING)) % 1.0
-        return self.fields.sample.mean(part * (1.0 - part))
+        return self.fields.sample.mean(self.rounding_of(shifting))
+
+    def rounding_of(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+        """The same of each pixel (buckets, pixels)."""
+        shifting = sorted(dropped & set(self.fields.shifts))
+        if self._dropped(CountedLight, dropped):
+            return np.zeros(self.fields.expected.shape)
+        part = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
+        part = np.abs(part) % 1.0
+        return np.broadcast_to(part * (1.0 - part), self.fields.expected.shape)
 
     @cached_property
     def closed(self) -> bool:
@@ -220,7 +272,7 @@ class Forecast(ABC):
         sample, fields = self.fields.sample, self.fields
         more = fields.thinning[False] - fields.thinning[True]
         more = more + fields.neighbours[False] - fields.neighbours[True]
-        more = sample.mean(more * self._where("words"))
+        more = sample.mean(more * self._where(WORDS))
         return bool(np.max(more) > (_CLOSED_PART * self.tolerance_e) ** 2)
 
     @cached_property
@@ -239,35 +291,50 @@ class Forecast(ABC):
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
         means = self._means(self.state(dropped))
+        for name in self._taken(dropped):
+            rates = f"{self.leak_nodes} rate{'s' * (self.leak_nodes > 1)}"
+            yield _CUTS[name].format(rates=rates), means[name]
+
+    def _taken(self, dropped: frozenset[str]) -> Iterable[str]:
+        """The short cuts by the names of `_CUTS`."""
         if not self._dropped(Counted, dropped):
-            yield "counts are not spread over the slots of a group", means["thinning"]
-            yield "counts from a rate of 10 on by formula", np.full(1, _FORMULA_E**2)
+            yield from ("thinning", "formula")
             if self._stays(Exchange, dropped):
-                yield "neighbours' counts are taken as even over their slots", means["neighbours"]
+                yield "neighbours"
         if not self._dropped(Errors, dropped):
-            yield "the noise of words as at the mean leakage", means["noise"]
+            yield "noise"
         if self._stays(Leak, dropped):
-            many = "s" * (self.leak_nodes > 1)
-            yield f"leakage from sums at {self.leak_nodes} rate{many}", means["leak"]
+            yield "leak"
+
+    def cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
+        """The squares (buckets, pixels) that the short cuts of a plan leave."""
+        squares = self._squares(self.state(dropped))
+        return ((name, squares[name]) for name in self._taken(dropped))
 
     @remembered
     def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
         """The mean squares of the short cuts."""
-        fields, mean, where = self.fields, self.fields.sample.mean, self._where(state)
+        mean = self.fields.sample.mean
+        return {name: mean(square) for name, square in self._squares(state).items()}
+
+    def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
+        fields, where = self.fields, self._where(state)
         after = np.ones(1) if state == "clip" else where
         return {
-            "thinning": mean(fields.thinning[self.closed] * where),
-            "neighbours": mean(fields.neighbours[self.closed] * where),
-            "noise": mean(fields.noise_cut * after),
-            "leak": self._leak_error(self.leak_nodes) ** 2 * mean(fields.expected**2 * after),
+            "thinning": fields.thinning[self.closed] * where,
+            "formula": np.full(where.shape, _FORMULA_E**2),
+            "neighbours": fields.neighbours[self.closed] * where,
+            "noise": fields.noise_cut * after,
+            "leak": self._leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }
 
     def contribution(self, effect: Effect) -> tuple[float, float]:
         """RMS and mean of what an effect does, in the bucket where it does most."""
         mean = self.fields.sample.mean
         field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
-        where = self._where("words" if len(self.near) else "sums", effect.name)
-        if effect.name in self.saturation:
+        where = self._where(WORDS if len(self.near) else "sums", effect.name)
+        if effect.name in self.saturation or effect.parts(LitLevel):
+            # What happens where pixels saturate is what these are about.
             where = np.ones_like(where)
         square = _NOTHING if field is None else mean(field**2 * where)
         square = np.atleast_1d(square + (0.0 if variance is None else mean(variance * where)))

@@ -228,42 +228,60 @@ class Prepared:
     @cached_property
     def saturating(self) -> NDArray[np.int64]:
         """The places of pixels that may saturate in a way that sums do not know."""
+        return self.saturating_with(self.kept)
+
+    def saturating_with(self, kept: Selection) -> NDArray[np.int64]:
+        """The same with other effects simulated."""
         program, sensor = self.program, self.program.sensor
-        well, soft = self.kept.part(Well), self.kept.part(Soft)
+        well, soft = kept.part(Well), kept.part(Soft)
         limit = np.full(len(program.container.encoding), np.inf)
         if well is not None:
-            single = not np.isnan(program.tables.single(program.model(self.kept))).any()
+            single = not np.isnan(program.tables.single(program.model(kept))).any()
             if soft is not None or not single:
                 limit[:] = well.full_e(sensor)
         if soft is not None:
             room = soft.linear_e(sensor) - program.reach.noise_e
             limit = np.minimum(limit, room / program.reach.light)
-        if not np.isfinite(limit).any():
+        if self._most_charge < limit.min():
             return np.empty(0, np.int64)
+        return np.flatnonzero(self._charge >= limit[program.lanes])
+
+    @property
+    def _most_charge(self) -> float:
+        """More than any pixel sees."""
         # These pixels run with all effects, so all effects say which they are.
-        wanted = self.plan.wanted
-        response, dark = wanted.part(Response), wanted.part(CountedDark)
-        part = self._fraction(wanted.part(Exchange))
-        scale = np.ones(1) if response is None else self.device.fixed(response.factor)
-        scale = scale * (1.0 + self._fraction(wanted.part(Echo)))
-        current = np.zeros(1) if dark is None else self.device.fixed(dark.per_s)
-        bound = float(np.max(self.total * scale, initial=0.0))
+        part = self._fraction(self.plan.wanted.part(Exchange))
+        bound = float(np.max(self.total * self._wanted_scale, initial=0.0))
         bound *= 1.0 + 4 * part
-        bound += float(current.max(initial=0.0)) * float(program.slot_s.sum())
-        if bound + _SIGMAS * np.sqrt(bound) < limit.min():
-            return np.empty(0, np.int64)
+        bound += float(self._wanted_current.max(initial=0.0)) * float(self.program.slot_s.sum())
+        return float(bound + _SIGMAS * np.sqrt(bound))
+
+    @property
+    def _wanted_scale(self) -> Values:
+        wanted = self.plan.wanted
+        response = wanted.part(Response)
+        scale = np.ones(1) if response is None else self.device.fixed(response.factor)
+        return np.asarray(scale * (1.0 + self._fraction(wanted.part(Echo))))
+
+    @property
+    def _wanted_current(self) -> Values:
+        dark = self.plan.wanted.part(CountedDark)
+        return np.zeros(1) if dark is None else self.device.fixed(dark.per_s)
+
+    @cached_property
+    def _charge(self) -> Values:
+        """The most charge (pixels,) that each pixel is taken to see at a read."""
+        program, scale, exchange = self.program, self._wanted_scale, self.plan.wanted.part(Exchange)
         seen = program.tables.seen().astype(np.float64)
         charge = self._sum(self.source, [seen])[0] * scale
-        exchange = wanted.part(Exchange)
         if exchange is not None:
             # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-            lit = self.total * scale
+            part, lit = self._fraction(exchange), self.total * scale
             flow = exchange.smeared(lit.reshape(self.light.shape), part).reshape(-1)
             flow -= (1.0 - 4 * part) * lit
             charge = np.maximum(charge, (1.0 - 4 * part) * charge + flow)
-        charge += current * (program.slot_s @ seen)[program.lanes]
-        near = charge + _SIGMAS * np.sqrt(charge)
-        return np.flatnonzero(near >= limit[program.lanes])
+        charge += self._wanted_current * (program.slot_s @ seen)[program.lanes]
+        return np.asarray(charge + _SIGMAS * np.sqrt(charge))
 
     def _fraction(self, part: Echo | Exchange | None) -> float:
         return 0.0 if part is None else part.fraction(self.program.sensor)

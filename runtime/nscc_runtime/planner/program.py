@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Fading, Leak, SlowWords, WordGain
+from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
@@ -57,6 +57,7 @@ class Program:
             1.0 / leak.tau_s(self.sensor) if leak else 0.0,
             kept.part(SlowWords) is not None,
             kept.part(Fading) is not None,
+            kept.part(LitLevel) is not None,
         )
 
     @cached_property

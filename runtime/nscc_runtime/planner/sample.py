@@ -53,7 +53,9 @@ def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]
     places, count = np.unique(drawn, return_counts=True)
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
-    some = near[:: max(1, -(-len(near) // _MOST_NEAR))]
+    some = near
+    if len(near) > _MOST_NEAR:
+        some = near[np.unique(drawn_by(np.ones(len(near)), _MOST_NEAR))]
     weight = np.concatenate([weight, np.full(len(some), len(near) / max(1, len(some)))])
     places = np.concatenate([places, some]).astype(np.int64)
     return Sample(places, weight, np.arange(len(places)) >= len(places) - len(some))

@@ -204,6 +204,9 @@ class SampledScene:
             counts = (1 - c * count) ** 2 * self._own + c**2 * flow
         return self.sum(self.moving, self.by_bucket(self.slots**2), counts) * self.echo
 
+    def counted_alone(self) -> Values:
+        return self.sum(self.moving, self.by_bucket(self.slots**2), self._own) * self.echo
+
     def errors(self, at: str, sigma_e: float) -> Values:
         factor, rest = self.program.tables.noise(at, self.program.full)
         total = ((factor**2).sum(axis=2) + rest).T

@@ -39,6 +39,7 @@ from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
 
 Values = NDArray[np.float64]
+Weights = NDArray[np.float32]
 
 ROUNDING = 1e-12
 """Of sums of charge: the part by which a well that is just full may seem to hold more."""
@@ -57,11 +58,11 @@ class Summed:
         rows, pixels = scene.light.shape[0], len(scene.places)
         buckets = len(scene.program.container.buckets)
         away = np.empty((len(scene.counted), pixels))
-        for number, (stream, source, count) in enumerate(self._counts):
+        for number, (stream, source, _) in enumerate(self.counts):
             keys = [count_key(seed, stream, source, frame, group) for group in scene.counted]
-            self._draw(count, np.array(keys, np.uint64), number > 0, away)
+            self._draw(self._drawing[number], np.array(keys, np.uint64), number > 0, away)
         found, marked = np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8)
-        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self._noise[0]]
+        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self.noise[0]]
         filled = {
             "noise_keys": np.array(noise, np.uint64), "away": away, "exposure": found,
             "marked": marked,
@@ -69,7 +70,7 @@ class Summed:
 
         def run(begin: int, end: int) -> None:
             self._adding(
-                adding=Adding(begin=begin, end=end, **self._sizes),
+                adding=Adding(begin=begin, end=end, **self.sizes),
                 total=np.empty(BLOCK * buckets),
                 drawn=np.empty(BLOCK),
                 **filled,
@@ -99,17 +100,20 @@ class Summed:
         in_parts(run, pixels, self.scene.threads, BLOCK)
 
     @cached_property
-    def _counts(self) -> list[tuple[int, int, Bound]]:
-        """What counts charge: the effect's stream, the source, the loop with its rates."""
+    def counts(self) -> list[tuple[int, int, Values]]:
+        """What counts charge: the effect's stream, the source, the rates (groups, pixels)."""
         scene = self.scene
         light, dark = scene.kept.having(CountedLight), scene.kept.having(CountedDark)
-        found = [(e.stream, LIGHT, draw_counts.bound(rates=scene.light_rates)) for e, _ in light]
-        return found + [
-            (e.stream, WITHOUT_LIGHT, draw_counts.bound(rates=scene.dark_rates)) for e, _ in dark
-        ]
+        found = [(effect.stream, LIGHT, scene.light_rates) for effect, _ in light]
+        return found + [(effect.stream, WITHOUT_LIGHT, scene.dark_rates) for effect, _ in dark]
 
     @cached_property
-    def _noise(self) -> tuple[list[tuple[int, int]], Values]:
+    def _drawing(self) -> list[Bound]:
+        """The loop that counts, with the rates of each source."""
+        return [draw_counts.bound(rates=rates) for _, _, rates in self.counts]
+
+    @cached_property
+    def noise(self) -> tuple[list[tuple[int, int]], Values]:
         """The streams and draws of small errors, and how much (draws, buckets, lanes) each is."""
         program, kept = self.scene.program, self.scene.kept
         draws, sigmas = [], []
@@ -125,16 +129,11 @@ class Summed:
         return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
 
     @cached_property
-    def _clipped(self) -> bool:
-        kept = self.scene.kept
-        return kept.part(Well) is not None and kept.part(Soft) is None
-
-    @cached_property
-    def _sizes(self) -> dict[str, Any]:
+    def sizes(self) -> dict[str, Any]:
         """Everything of `Adding` but the rows."""
         scene, program = self.scene, self.scene.program
         exchange, mark = scene.kept.part(Exchange), scene.kept.marking("well")
-        counts = bool(self._counts)
+        counts = bool(self.counts)
         return {
             "rows": scene.light.shape[0],
             "cols": scene.light.shape[1],
@@ -142,9 +141,9 @@ class Summed:
             "buckets": len(program.container.buckets),
             "lane_count": len(program.container.encoding),
             "groups": len(scene.counted),
-            "sources": len(self._noise[0]),
+            "sources": len(self.noise[0]),
             "exchanges": counts and exchange is not None,
-            "clipped": self._clipped,
+            "clipped": scene.kept.part(Well) is not None and scene.kept.part(Soft) is None,
             "patterned": scene.kept.part(WordGain) is not None,
             "well_bit": mark.bit if mark else 0,
             "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
@@ -152,26 +151,44 @@ class Summed:
         }
 
     @cached_property
+    def weights(self) -> Values:
+        """Mean weights (groups, buckets, lanes) of the deviations of a group's counts."""
+        scene, program = self.scene, self.scene.program
+        means = program.mean_weights(program.model(scene.kept))
+        shape = len(scene.counted), len(program.container.buckets), len(program.container.encoding)
+        each = [means[group].T for group in scene.counted]
+        return np.ascontiguousarray(np.array(each).reshape(shape))
+
+    @cached_property
+    def overlap(self) -> tuple[Weights, Weights]:
+        """Where pixels exchange counts: weights of their own, and of their neighbours'."""
+        program = self.scene.program
+        found = program.overlap(program.model(self.scene.kept), tuple(self.scene.counted))
+        return found.own, found.neighbours
+
+    @cached_property
+    def limits(self) -> Values:
+        """What the full well lets through."""
+        return np.ascontiguousarray(self.scene.limits)
+
+    @cached_property
+    def patterns(self) -> Values:
+        """The fixed errors of the words."""
+        return np.ascontiguousarray(self.scene.patterns)
+
+    @cached_property
     def _adding(self) -> Bound:
         """The loop that adds up, with all that frames have in common."""
-        scene, program = self.scene, self.scene.program
-        model = program.model(scene.kept)
-        means = program.mean_weights(model)
-        shape = len(scene.counted), len(program.container.buckets), len(program.container.encoding)
-        weights = np.array([means[group].T for group in scene.counted]).reshape(shape)
-        own = neighbours = _NONE_32
-        if self._sizes["exchanges"]:
-            overlap = program.overlap(model, tuple(scene.counted))
-            own, neighbours = overlap.own, overlap.neighbours
+        own, neighbours = self.overlap if self.sizes["exchanges"] else (_NONE_32, _NONE_32)
         return add_up.bound(
-            lanes=program.lanes,
-            expected=np.ascontiguousarray(scene.expected),
-            weights=np.ascontiguousarray(weights),
+            lanes=self.scene.program.lanes,
+            expected=np.ascontiguousarray(self.scene.expected),
+            weights=self.weights,
             own=own,
             neighbours=neighbours,
-            limits=np.ascontiguousarray(scene.limits) if self._clipped else _NONE,
-            patterns=np.ascontiguousarray(scene.patterns) if self._sizes["patterned"] else _NONE,
-            sigma=self._noise[1],
+            limits=self.limits if self.sizes["clipped"] else _NONE,
+            patterns=self.patterns if self.sizes["patterned"] else _NONE,
+            sigma=self.noise[1],
         )
 
 
@@ -201,7 +218,7 @@ class Readout:
             "electrons_per_code": code.electrons(sensor),
             "offset": code.offset(sensor),
             "top": float(target.top_code),
-            "readout_noise": sum(part.sigma_lsb(sensor) for _, part in converters),
+            "readout_noise": kept.converter_lsb(sensor),
         }
         return cls(given, converters[0][0].stream if converters else 0)
 

@@ -62,7 +62,8 @@ def scene_sums(
     fraction: float,
     threads: int = 1,
 ) -> NDArray[np.float64]:
-    """The sums (plain and smeared, pixels) of a light's slots, each weighted by slot and lane.
+    """The sums (plain and smeared, pixels) of a light's slots, each weighted by slot and lane; at
+    least one.
 
     `lanes` and `scale`, a factor on the light, are (pixels,); weights are (N, lanes of the
     program). The smeared ones weigh what is there after `fraction` of each pixel's light has gone
@@ -70,10 +71,11 @@ def scene_sums(
     """
     weights = [*plain, *smeared]
     shape = light.shape
+    lane_count = weights[0].shape[1]
+    if not (lanes.min(initial=0) >= 0 and lanes.max(initial=0) < lane_count):
+        raise ValueError("a lane that the weights do not have")
     out = np.empty((len(weights), *shape))
-    room = max(
-        1, _MOST_ENTRIES // max(1, len(light.frames) * (weights[0].shape[1] if weights else 1))
-    )
+    room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * lane_count))
     frames = np.require(light.frames, np.float32, ["C", "A"])
     for first in range(0, len(weights), room):
         tables = np.stack([on_frames(light, each) for each in weights[first : first + room]])

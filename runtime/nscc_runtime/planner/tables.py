@@ -24,13 +24,15 @@ Weights = NDArray[np.float64]
 @dataclass(frozen=True)
 class Model:
     """What weights depend on: the gain of a word, the rate at which registers leak, whether light
-    falls while words run, and whether digital registers fade.
+    falls while words run, whether digital registers fade, and whether the level of a reset is read
+    with the light that fell since.
     """
 
     gain: float = 1.0
     leak_per_s: float = 0.0
     dead_time: bool = False
     decay: bool = False
+    lit_level: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +68,8 @@ class Tables:
 
     def same(self, model: Model) -> Model:
         """The model that gives the same weights, one for all such."""
-        return model if self.decays else replace(model, decay=False)
+        decay, lit_level = model.decay and self.decays, model.lit_level and model.dead_time
+        return replace(model, decay=decay, lit_level=lit_level)
 
     def weights(self, model: Model) -> Backward:
         """The weights under a model, kept."""
@@ -75,7 +78,9 @@ class Tables:
     @remembered
     def _backward(self, model: Model) -> Backward:
         words = self.decayed if model.decay else self.fresh
-        return backward(self.container, words, model.gain, model.leak_per_s, model.dead_time)
+        return backward(
+            self.container, words, model.gain, model.leak_per_s, model.dead_time, model.lit_level
+        )
 
     @remembered
     def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
@@ -134,7 +139,7 @@ class Tables:
                 reset_at = np.where(word.lanes, word.boundary, reset_at)
             elif word.number in reads:
                 weight = reads[word.number]
-                after = (reset_at < word.boundary) | full.dead_time
+                after = (reset_at < word.boundary) | (full.dead_time and full.lit_level)
                 loaded = (weight != 0.0) & after[:, None]
                 count += loaded
                 found = np.where(loaded, weight, found)

@@ -1,18 +1,18 @@
-"""Tolerances: electrons, codes of the ADC, or a part of the scene's own signal."""
+"""Tolerances: electrons, codes of the ADC, or a part of the scene's own signal or noise."""
 
 from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.effects import everything
+from nscc_runtime.effects import AfterExposure, everything, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Well
 from nscc_runtime.effects.sensor import Sensor
@@ -20,36 +20,76 @@ from nscc_runtime.effects.sensor import Sensor
 LEAST_E = 1e-9
 """Electrons; the promise is checked with sums of float64 numbers, which tell no less apart."""
 
-_TOLERANCE = re.compile(r"\s*((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(e|lsb|%)\s*")
+DEFAULT = "0.1noise"
+"""What is allowed where nobody says: errors of a tenth of the noise, which add in quadrature, make
+its standard deviation 0.5 % larger. To tell that apart takes frames of 20,000 pixels."""
+
+_TOLERANCE = re.compile(
+    r"\s*((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(e|lsb|%|noise)\s*"
+)
 
 
 @dataclass(frozen=True)
 class Tolerance:
     """What was asked, as text, and the electrons before the ADC that it means.
 
-    `signal_e`: the mean signal that it is a part of; None where it does not follow the scene.
+    `signal_e`: the mean signal that it is a part of, or `noise_e`, the frame's own noise; both None
+    where it does not follow the scene.
     """
 
     text: str
     electrons: float
     signal_e: float | None = None
+    noise_e: float | None = None
+
+    @property
+    def follows(self) -> bool:
+        """Whether it means other electrons on other scenes."""
+        return self.signal_e is not None or self.noise_e is not None
+
+    @property
+    def noise_part(self) -> float | None:
+        """Which part of the noise it is."""
+        return None if self.noise_e is None else self.electrons / self.noise_e
 
     @property
     def name(self) -> str:
-        """What tells it from others, on any scene: its electrons, or its part of the signal."""
-        return f"{self.electrons:g}e" if self.signal_e is None else self.text
+        """What tells it from others, on any scene: its electrons, or its part of the scene."""
+        return self.text if self.follows else f"{self.electrons:g}e"
+
+    def __str__(self) -> str:
+        electrons = f"{self.electrons:.4g} e"
+        if self.noise_e is not None:
+            return f"{self.text.removesuffix('noise')} of the frame's own noise = {electrons}"
+        if self.signal_e is not None:
+            return f"{electrons} ({self.text} of the mean signal, {self.signal_e:.4g} e)"
+        return f"{electrons} ({self.text})" if self.text.endswith("lsb") else electrons
 
 
 Given = str | float | Tolerance
 """How a tolerance is asked for: text, a number of electrons, or one that is found already."""
 
 
-def tolerance_of(given: Given, sensor: Sensor, signal_e: Callable[[], float]) -> Tolerance:
-    """Of `5e`, of `0.1lsb`, of `1%` of what `signal_e` finds, or of a number of electrons; one that
-    is found already stays what it is.
+class Follows(Protocol):
+    """What a tolerance may be a part of, of one scene."""
 
-    `signal_e` is asked for percentages only: see `mean_signal_e`. Raises Rejected (NS0746, status
-    2) for anything else, for electrons beyond LEAST_E..MOST_E, and for a part of no signal.
+    def signal_e(self) -> float:
+        """The mean signal of a frame: see `mean_signal_e`."""
+        ...
+
+    def noise_e(self) -> float:
+        """The frame's own noise: the root mean square over pixels and buckets of the standard
+        deviation over frames with every effect, that of the readout and its rounding included."""
+        ...
+
+
+def tolerance_of(given: Given, sensor: Sensor, scene: Follows) -> Tolerance:
+    """Of `5e`, of `0.1lsb`, of `1%` of the scene's signal, of `0.1noise`, of a number of electrons;
+    one that is found already stays what it is.
+
+    The scene is asked for its signal or its noise only where a tolerance is a part of it. Raises
+    Rejected (NS0746, status 2) for anything else, for electrons beyond LEAST_E..MOST_E, and for a
+    part of no signal.
     """
     if isinstance(given, Tolerance):
         return given
@@ -61,12 +101,16 @@ def tolerance_of(given: Given, sensor: Sensor, signal_e: Callable[[], float]) ->
         raise _malformed(f"'{given[:40]}'")
     value, unit = float(match[1]), match[2]
     text = f"{match[1]}{unit}"
-    if unit != "%":
+    if unit in ("e", "lsb"):
         electrons = value * (1.0 if unit == "e" else sensor.electrons_per_lsb)
         return _within(Tolerance(text, electrons), f"'{given[:40]}'")
     if not 0 < value < math.inf:
         raise _malformed(f"'{given[:40]}'")
-    signal = signal_e()
+    if unit == "noise":
+        noise = scene.noise_e()
+        found = Tolerance(text, value * noise, noise_e=noise)
+        return _within(found, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons")
+    signal = scene.signal_e()
     if not signal > 0:
         raise rejected(
             "NS0746",
@@ -74,7 +118,7 @@ def tolerance_of(given: Given, sensor: Sensor, signal_e: Callable[[], float]) ->
             notes=("a part of the signal is a part of the mean exposure, without effects",),
             helps=("say it in electrons, --tolerance 5e, or in codes, --tolerance 0.1lsb",),
         )
-    found = Tolerance(text, value / 100 * signal, signal)
+    found = Tolerance(text, value / 100 * signal, signal_e=signal)
     return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
 
 
@@ -84,6 +128,19 @@ def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
     most_e = everything().the(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0
+
+
+def with_readout_e(noise_e: float, sensor: Sensor) -> float:
+    """The noise of frames whose exposures have that noise: with what the readout adds."""
+    fields = [effect.field for effect in registered()]
+    added = [field.rms_e(sensor) for field in fields if isinstance(field, AfterExposure)]
+    return math.hypot(noise_e, *added)
+
+
+def most_change(noise_part: float) -> float:
+    """By what part such a tolerance lets the noise's standard deviation change: errors of that part
+    of the noise, added in quadrature, make it 1 + part^2 / 2 times as large."""
+    return noise_part**2
 
 
 def _within(found: Tolerance, shown: str) -> Tolerance:
@@ -97,8 +154,9 @@ def _malformed(shown: str) -> Rejected:
         "NS0746",
         f"a tolerance is a number above 0 with its unit, not {shown}",
         notes=(
-            "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean signal",
+            "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean signal; "
+            "noise: parts of the frame's own noise",
             f"it lies between {LEAST_E:g} and {MOST_E:g} electrons",
         ),
-        helps=("write --tolerance 5e, --tolerance 0.1lsb or --tolerance 1%",),
+        helps=("write --tolerance 5e, --tolerance 0.1lsb, --tolerance 1% or leave it out",),
     )

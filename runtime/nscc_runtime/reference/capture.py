@@ -31,6 +31,7 @@ from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.charge import Groups, charge_of_rows
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.noise import SpreadNoise
+from nscc_runtime.reference.resets import Resets
 from nscc_runtime.reference.trace import AnalogWord, analog_words
 from nscc_runtime.reference.weights import Backward, Weights, backward, error_sign, orthonormal
 
@@ -215,7 +216,7 @@ class _Pixels(Pixels):
         # Well inside the range, so that a program that reads what it has not written is far off.
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
-        self.reset_e = np.zeros(len(self.places))
+        self.resets = Resets(self.program.effects, len(self.places))
         self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         self.noise = {
             effect.name: SpreadNoise(
@@ -266,16 +267,14 @@ class _Pixels(Pixels):
         if word.resets:
             self.charge = np.where(here, 0.0, self.charge)
             self.marks.empty(here)
-            level = np.zeros(len(self.lanes))
-            for left in self.at("resets"):
-                level = left(self, level, word)
-            self.reset_e = np.where(here, level, self.reset_e)
+            self.resets.reset(self, here, word, word.boundary)
             return
         total = np.zeros(len(self.lanes))
         for name in word.op.sources:
             total = total + self._source(name, word)
         result = total / -word.op.operation.divisor
-        full, lost = self.marks.gathered(word.op)
+        at = word.boundary
+        full, lost = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(word.op.destinations):
             value = result
             for written in self.at("words"):
@@ -289,7 +288,7 @@ class _Pixels(Pixels):
             return np.zeros(len(self.lanes))
         if name != "PIX":
             return self.register[name]
-        level = self.charge + self.reset_e
+        level = self.resets.found(self, self.charge, word, word.boundary)
         for found in self.at("reads"):
             level = found(self, level, word)
         return level

@@ -40,6 +40,7 @@ from nscc_runtime.reference.charge import charge_of_rows
 from nscc_runtime.reference.film import Executed, film
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
+from nscc_runtime.reference.resets import Resets
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.sensor import default_sensor
 
@@ -182,7 +183,7 @@ class _LookingPixels(Pixels):
         }
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
-        self.reset_e = np.zeros(len(self.places))
+        self.resets = Resets(self.program.effects, len(self.places))
         self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         bits = (*target.digital_registers, "FLAG")
         self.bits = {
@@ -274,10 +275,7 @@ class _LookingPixels(Pixels):
             here = self._read("FLAG")
         self.charge = np.where(here, 0.0, self.charge)
         self.marks.empty(here)
-        level = np.zeros(len(self.places))
-        for left in self.at("resets"):
-            level = left(self, level, word)
-        self.reset_e = np.where(here, level, self.reset_e)
+        self.resets.reset(self, here, word, self.now_us)
 
     def _total(self, word: Running) -> Values:
         total = np.zeros(len(self.places))
@@ -285,7 +283,7 @@ class _LookingPixels(Pixels):
             if name == "IN":
                 total = total + self.in_e
             elif name == "PIX":
-                level = self.charge + self.reset_e
+                level = self.resets.found(self, self.charge, word, self.now_us)
                 for found in self.at("reads"):
                     level = found(self, level, word)
                 total = total + level
@@ -297,7 +295,8 @@ class _LookingPixels(Pixels):
         word = self._running(op)
         here = self._read("FLAG")
         result = self._total(word) / -op.operation.divisor
-        full, lost = self.marks.gathered(op)
+        at = self.now_us
+        full, lost = self.marks.gathered(op, self.resets.unseen(at), self.resets.lit(at))
         for index, name in enumerate(op.destinations):
             value = result
             for written in self.at("words"):

@@ -15,19 +15,20 @@ from nscc_runtime.effects.views import Pixels
 Full = NDArray[np.uint8]
 Values = NDArray[np.float64]
 
-ADDED, SUBTRACTED = 1, 2
+ADDED, SUBTRACTED, LEVEL = 1, 2, 4
 
 
 class Marks:
     """Of some pixels, by register and PIX: `full`, whether what it holds has a full PIX ADDED or
-    SUBTRACTED, and `lost`, electrons that registers lost on its way. Arrays are (pixels,).
+    SUBTRACTED, or that of a LEVEL, and `lost`, electrons that registers lost on its way. Arrays are
+    (pixels,).
     """
 
     def __init__(
         self, effects: Selection, sensor: Sensor, registers: Iterable[str], pixels: int
     ) -> None:
         self.effects, self.sensor = effects, sensor
-        self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "registers")}
+        self.mark = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         self.full = {name: np.zeros(pixels, np.uint8) for name in registers}
         self.lost = {name: np.zeros(pixels) for name in registers}
 
@@ -55,11 +56,19 @@ class Marks:
         """PIX is reset there."""
         self.full["PIX"] = np.where(here, np.uint8(0), self.full["PIX"])
 
-    def gathered(self, op: Op) -> tuple[Full, Values]:
-        """What the result of a bus word has of its sources'."""
+    def gathered(
+        self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
+    ) -> tuple[Full, Values]:
+        """What the result of a bus word has of its sources', but where it does not see what PIX
+        holds; `lit`: where it reads the level of a reset."""
         full, lost = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
-            full, lost = full | self.full[name], lost + self.lost[name]
+            held = self.full[name]
+            if name == "PIX":
+                held = np.where(unseen, np.uint8(0), held)
+                held = held | np.where(lit & (held != 0), np.uint8(LEVEL), np.uint8(0))
+            full |= held
+            lost = lost + self.lost[name]
         return inverted(full), lost / op.operation.divisor
 
     def write(self, name: str, here: NDArray[np.bool_], full: Full, lost: Values) -> None:
@@ -71,7 +80,9 @@ class Marks:
         """The bits of `saturated_by` (pixels,) of a register's readout."""
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
         found = np.zeros_like(full)
-        for at, where in (("well", full & ADDED), ("subtracted", full & SUBTRACTED)):
+        for at, where in (
+            ("well", full & ADDED), ("subtracted", full & SUBTRACTED), ("level", full & LEVEL)
+        ):  # fmt: skip
             mark = self.mark[at]
             if mark is not None:
                 found |= np.where(where, np.uint8(mark.bit), np.uint8(0))
@@ -84,4 +95,5 @@ class Marks:
 
 def inverted(full: Full) -> Full:
     """What is added of the negative was subtracted."""
-    return np.asarray((full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED, np.uint8)
+    exchanged = (full & ADDED) * SUBTRACTED | (full & SUBTRACTED) // SUBTRACTED
+    return np.asarray(exchanged | full & LEVEL, np.uint8)

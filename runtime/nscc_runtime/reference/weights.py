@@ -55,11 +55,13 @@ def backward(
     gain: float = 1.0,
     leak_per_s: float = 0.0,
     dead_time: bool = False,
+    lit_level: bool = False,
 ) -> Backward:
     """The weights of `words`, whose results each word multiplies with `gain`.
 
     Analog registers lose their value at the rate `leak_per_s`. With `dead_time` a slot's charge
-    falls on PIX while the words of its boundary run, at an even rate.
+    falls on PIX while the words of its boundary run, at an even rate; with `lit_level` also those
+    find it that read PIX after its reset at the same boundary.
     """
     if container.target.streamed:
         return _of_taps(container, leak_per_s, dead_time)
@@ -87,11 +89,16 @@ def backward(
         fallen = after_the_last if boundary == container.slots else result.slots[slot]
         if dead_time:
             fallen *= 1.0 - ends[-1]
+        fresh, unseen = _fresh(executed, lanes), np.zeros((lanes, buckets))
         for index in reversed(range(len(executed))):
-            _through(executed[index], weight, container, gain, result)
+            word, before = executed[index], weight["PIX"]
+            _through(word, weight, container, gain, result)
+            if not lit_level:
+                read = np.zeros_like(before) if word.resets else weight["PIX"] - before
+                unseen = (unseen + read * fresh[index]) * ~(word.lanes[:, None] & word.resets)
             if dead_time:
                 waited = ends[index] - (ends[index - 1] if index else 0.0)
-                fallen += waited * weight["PIX"]
+                fallen += waited * (weight["PIX"] - unseen)
     result.slots[:later] = weight["PIX"]
     result.slots[-1] += after_the_last
     return result
@@ -110,6 +117,14 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
     slots = shutters.transpose(2, 0, 1) * gains * lit[:, None, None]
     each = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
     return Backward(slots, dict(enumerate(each)), dict(enumerate(each * gains)), {})
+
+
+def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
+    """Where (words, lanes, 1) PIX was reset before each word of a boundary."""
+    found = np.zeros((len(executed), lanes), np.bool_)
+    for index, word in enumerate(executed[:-1]):
+        found[index + 1] = found[index] | (word.lanes & word.resets)
+    return found[:, :, None]
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:

@@ -17,12 +17,11 @@ from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.planner.choose import plan_for
+from nscc_runtime.planner.choose import Chooser, plan_for
 from nscc_runtime.planner.frames import planned_frames
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.planning import signal_of
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.tolerance import Tolerance, tolerance_of
+from nscc_runtime.planner.tolerance import Tolerance
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.tradeoff.naive import Naive, floor_ms
@@ -168,9 +167,8 @@ class _Bench:
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
 
     def _allowed(self, given: str | float) -> Tolerance:
-        return tolerance_of(
-            given, self.program.sensor, lambda: signal_of(self.program, self.scene.light)
-        )
+        seed = self.settings.device_seed
+        return Chooser(self.program, self.scene.light, seed, given, None, selected("auto")).allowed
 
     def warm(self) -> None:
         """Loads what a process loads once."""
@@ -254,7 +252,7 @@ class _Bench:
 
     def _plan(self, tolerance: Tolerance) -> Plan:
         light, seed = unknown(self.scene.light), self.settings.device_seed
-        return plan_for(self.program, light, tolerance.electrons, None, seed).asked(tolerance)
+        return plan_for(self.program, light, tolerance, None, seed)
 
     def _first(self, plan: Plan) -> Frame:
         return next(iter(self._planned(plan, 1)))

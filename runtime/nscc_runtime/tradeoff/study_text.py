@@ -62,8 +62,8 @@ def _methods_text(study: Study) -> str:
 
 def _setting(asked: Asked) -> str:
     """What was asked, with its electrons where those differ from scene to scene."""
-    part = asked.plan.signal_e is not None
-    return f"{asked.setting}, {asked.tolerance_e:.3g}e" if part else asked.setting
+    follows = asked.plan.allowed.follows
+    return f"{asked.setting}, {asked.tolerance_e:.3g}e" if follows else asked.setting
 
 
 def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:

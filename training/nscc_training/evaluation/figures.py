@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
@@ -24,7 +25,7 @@ from nscc_training.demo.expose import RUNS, camera
 from nscc_training.encoders import make_encoder
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.results import Scene, Unusable
-from nscc_training.evaluation.runs import check_unseen, container_of
+from nscc_training.evaluation.runs import container_of, seen_of
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 from nscc_training.protocols import load_protocol
 from nscc_training.reconstruct import decoded_frame
@@ -62,12 +63,26 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
 
     `data` holds panoramas and clips, or folders `hdr` and `video` of them: of the first crop of
     each panorama that one is shown whose brightest light is most above its median, and of the first
-    window of each clip that in which most moves. Without it, or where it has none of a kind, the
-    scenes that are built in. `effects` as `nscc run` takes them. Raises Rejected for effects that
-    there are not (NS0756), and where a run has seen what would be shown (NS0820).
+    window of each clip that in which most moves, but of files that the run has seen none. Without
+    it, or where it has none of a kind, the scenes that are built in. `effects` as `nscc run` takes
+    them. Raises Rejected: NS0756 for effects that there are not, NS0811 for a folder of neither.
     """
     runs = {still: load_run(path) for still, path in RUNS.items()}
-    still, clip = (_taken(runs[kind], kind, data, effects, seed) for kind in (True, False))
+    found = {
+        kind: None if data is None else _scene_of(folder, data, kind)
+        for kind, folder in runs.items()
+    }
+    if data is not None and not any(found.values()):
+        raise rejected(
+            "NS0811",
+            f"'{data}' holds nothing to show",
+            notes=(
+                "what the runs learned from is not shown, nor what is smaller than their array",
+            ),
+            helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
+        )
+    still, clip = (_taken(folder, kind, found[kind], effects, seed)
+                   for kind, folder in runs.items())  # fmt: skip
     drawn = {
         "fig3_coded_frame": ([_still_row(still)], f"{still.name}: one coded frame"),
         "fig5_frames": (_clip_rows(clip), f"{clip.name}: several frames from one"),
@@ -80,10 +95,11 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
     }
 
 
-def _taken(folder: RunFolder, still: bool, data: Path | None, effects: str, seed: int) -> _Taken:
-    """A scene of the data, or the built-in one: a run's frame and what it makes of that."""
+def _taken(
+    folder: RunFolder, still: bool, found: tuple[str, Scene] | None, effects: str, seed: int
+) -> _Taken:
+    """A scene that was found, or the built-in one: a run's frame and what it makes of that."""
     parts = folder.parts
-    found = None if data is None else _scene_of(folder, data, still)
     if found is None:
         like = run_capture(folder.path)
         target, slot_us = parts.target, (parts.chip.slot_us,) * parts.slots
@@ -104,8 +120,8 @@ def _taken(folder: RunFolder, still: bool, data: Path | None, effects: str, seed
     flat = usual.frame[0] * parts.model.electrons_per_lsb / (1 if still else parts.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
     codes = fitted("srgb", np.zeros(1), float(parts.model.top_code))
-    greys = (codes(frame.frame[0]) for frame in (coded, usual))
-    return _Taken(name, truth, made.astype(np.float64), *greys, usual_light)
+    greys = [codes(frame.frame[0]) for frame in (coded, usual)]
+    return _Taken(name, truth, made.astype(np.float64), greys[0], greys[1], usual_light)
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] | None:
@@ -114,13 +130,14 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] |
     endings, name = (hdr.ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.parts.target.rows, folder.parts.target.cols)
     scenes: list[tuple[float, str, Scene]] = []
-    for path in files_in(data / name, endings) or files_in(data, endings):
+    files = files_in(data / name, endings) or files_in(data, endings)
+    seen = seen_of(folder, files)
+    for path in (path for path in files if path not in seen):
         every: Iterable[Scene | Unusable] = (
             hdr.crops([path], protocol) if still else video.windows([path], protocol)
         )
         scene = next((each for each in every if isinstance(each, Scene)), None)
         if scene is not None and scene.light_e.shape[-2:] == size:
-            check_unseen(folder, [path])
             scenes.append((_worth(scene.light_e), path.name, scene))
     if not scenes:
         return None

@@ -69,6 +69,7 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
     files["capture.toml"] = capture_toml(parts).encode()
     val = batches.val()
     side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
+    stages, codes = _stages(parts, batches, container_of.container), _codes_report(parts, batches)
     robustness = _robustness(parts, batches)
     result = {
         "schema": "nscc-run-1",
@@ -78,12 +79,12 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         "config_sha256": config_digest(parts.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
-        "stages": _stages(parts, batches, container_of.container),
+        "stages": stages,
         "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
         "data range the patch's peak, without noise",
         "robustness": robustness,
         "words_per_slot": words_per_slot(container_of),
-        "codes": _codes_report(parts, batches),
+        "codes": codes,
         "parameters": parameter_count(parts.decoder),
         "flops": flops(parts.decoder, parts.slots, side, side, parts.buckets),
         "flops_size": [side, side],

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 import torch
 
+from nscc.diagnostics.rejection import rejected
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
 from nscc_training.decoders.declared import DECODERS
@@ -62,8 +63,16 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
     """The codes of the runs, those with the same code together; without runs random bits for
     clips and the 2 x 2 pattern for stills.
 
-    Raises Rejected: NS0811 for a folder without scenes, NS0820 where a run has seen one.
+    Raises Rejected: NS0811 for a folder without scenes, NS0820 where a run has seen one, NS0821 for
+    a run with two buckets: the methods beside it take one.
     """
+    for run in runs:
+        if run.parts.buckets > 1:
+            raise rejected(
+                "NS0821",
+                f"'{run.path}' was trained with two buckets, and methods beside it take one",
+                helps=("`nscc evaluate of RUN --protocol two-bucket-v1` scores it",),
+            )
     if not runs:
         kinds = KINDS if settings.data is None else kinds_in(settings.data)
         return [_fixed(kind, settings) for kind in kinds]

@@ -1,0 +1,45 @@
+"""Light that eats the level of a reset: the black sun."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.full_well import FULL
+from nscc_runtime.effects.marks import Mark
+from nscc_runtime.effects.parts import LitLevel
+from nscc_runtime.effects.views import Pixels, Word
+
+
+def _found(_pixels: Pixels, charge: Values, _word: Word) -> Values:
+    return charge
+
+
+def _field(sample: Sampled) -> Field:
+    """rms and mean of the light that falls between a reset and the word that reads its level, which
+    is subtracted; at most a full well"""
+    full_e = FULL(sample.sensor)
+    lit = sample.base - sample.without("black_sun") * sample.echo
+    return Field(np.clip(lit, -full_e, full_e))
+
+
+BLACK_SUN = Effect(
+    name="black_sun",
+    stream=20,
+    kind="fixed",
+    title="light that eats the level of a reset",
+    model="Light goes on falling while words run. A word that reads the level of PIX after a reset "
+    "at the same boundary finds what has fallen since the reset, up to a full well, and it is "
+    "subtracted: the brightest lights turn dark. Without `dead_time` words take no time.",
+    cost="none beside `dead_time`",
+    applied="to PIX as a source, at the boundary of its reset",
+    absent="no word reads the level of a reset at its boundary, or there is no light",
+    parameters=(FULL,),
+    reference={"level": _found},
+    field=_field,
+    sums=(LitLevel(),),
+    fused=CannotHave("it takes slots wholly or not at all"),
+    words=InLoop("lit_level"),
+    marks={"level": Mark(16, "black sun")},
+)

@@ -1,0 +1,126 @@
+"""What plans promise beside the mean square error: their worst pixels, and the frame's noise."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.planner.lacking import guessed
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.predict import CLIP, Forecast
+from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.tolerance import (
+    Given,
+    Tolerance,
+    mean_signal_e,
+    tolerance_of,
+    with_readout_e,
+)
+from nscc_runtime.planner.worst import Worst, worst_of
+from nscc_runtime.remembered import remembered
+
+_UNDRAWN = ("thinning", "neighbours", "noise")
+"""Short cuts whose squares are variance that is not drawn."""
+
+
+@dataclass(frozen=True, eq=False)
+class Promises(Forecast):
+    """A forecast beside what is asked of it."""
+
+    tolerance: Given
+    tolerance_max: Given | None
+
+    @cached_property
+    def allowed(self) -> Tolerance:
+        """What the tolerance means here. Raises Rejected (NS0746) where it is none."""
+        return tolerance_of(self.tolerance, self.program.sensor, self)
+
+    @cached_property
+    def allowed_max(self) -> Tolerance | None:
+        """The same of the tolerance of the worst pixel; None: it may be anything."""
+        asked = self.tolerance_max
+        return None if asked is None else tolerance_of(asked, self.program.sensor, self)
+
+    @property
+    def tolerance_e(self) -> float:
+        """The tolerance in electrons."""
+        return self.allowed.electrons
+
+    def signal_e(self) -> float:
+        """See `nscc_runtime.planner.tolerance.Follows`."""
+        plan = Plan.of_nothing()
+        exact = Prepared(self.program, self.light, plan, self.device_seed, self.threads)
+        return mean_signal_e(exact.expected, self.program.sensor)
+
+    def noise_e(self) -> float:
+        """See `nscc_runtime.planner.tolerance.Follows`. Where the full well is passed, charge is
+        not random."""
+        found, mean = self.sampled.rough, self.sampled.sample.mean
+        square = sum(
+            mean(each if name in found.after else np.where(found.clipped, 0.0, each))
+            for name, each in found.noise.items()
+        )
+        return with_readout_e(math.sqrt(float(np.mean(square))), self.program.sensor)
+
+    def worst(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
+    ) -> Worst:
+        """The predicted errors of the worst pixels; those that run through their words because they
+        may saturate are without the effects that are `lacking` there."""
+        found = self.errors(dropped, everywhere, lacking)
+        return worst_of(*found, self.fields.sample.weight, len(self.program.lanes))
+
+    def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
+        """The standard error (buckets,) of predicted mean squares: a sample is not the scene."""
+        mean, variance = self.errors(dropped, everywhere)
+        sample, square = self.fields.sample, mean**2 + variance
+        away = (square - sample.mean(square)[:, None]) * sample.weight
+        return np.asarray(np.sqrt((away**2).sum(axis=1)) / sample.weight.sum())
+
+    @remembered
+    def errors(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Means and variances (buckets, pixels of the sample) of what a plan leaves wrong."""
+        state = self.state(dropped)
+        names = self.inside(dropped) & {*self.fields.fixed, CLIP}
+        blank = np.zeros(self.fields.expected.shape)
+        mean = sum((self.left(name, state) for name in sorted(names)), blank)
+        random = self.random(state)
+        variance = sum((random[name] for name in random if name in dropped), blank)
+        variance = variance + self.rounding_of(dropped)
+        if not everywhere:
+            variance = variance + sum((each for _, each in self.cuts(dropped)), blank)
+        near_mean, near_variance = guessed(self.fields, self.runs(state), lacking)
+        return mean + near_mean, variance + near_variance
+
+    def noise_ratio(
+        self,
+        dropped: frozenset[str],
+        everywhere: bool,
+        lacking: frozenset[str] = frozenset(),
+        readout: bool = False,
+    ) -> float | None:
+        """The predicted standard deviation of a plan's exposures over frames by that with every
+        effect, in root mean square over pixels and buckets; of what is read out with `readout`.
+        None where nothing is random."""
+        found, state = self.fields, self.state(dropped)
+        full, mine = (np.zeros(found.expected.shape) for _ in range(2))
+        near = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
+        for name, each in found.noise.items():
+            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+            full += there
+            kept = each if state == "sums" else there
+            lost = np.where(near, name in self.forced_off | lacking, name in dropped)
+            mine += np.where(lost, 0.0, kept)
+        if not everywhere:
+            mine -= sum((each for name, each in self.cuts(dropped) if name in _UNDRAWN), 0.0)
+        square, kept_e2 = (float(np.mean(found.sample.mean(each))) for each in (full, mine))
+        added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
+        if not square + added > 0:
+            return None
+        return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))

@@ -1,0 +1,68 @@
+"""The worst pixels of a frame: the error that one pixel in a thousand passes, and the largest.
+
+The error of a pixel is normal, with a mean and a variance of its own; that of a frame is the
+mixture over a sample of its pixels.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.special import ndtr, ndtri
+
+Values = NDArray[np.float64]
+
+ONE_IN = 1000
+"""One pixel in so many is beyond the error that is called that of 99.9 %."""
+_FRAMES = 100
+"""The largest error is the one that a pixel of one frame in so many passes."""
+_STEPS = 24
+
+
+@dataclass(frozen=True)
+class Worst:
+    """Electrons, of the worst bucket: the error that one pixel in a thousand passes, and the
+    largest."""
+
+    p999_e: float
+    max_e: float
+
+
+def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Worst:
+    """Of errors with these means and variances (buckets, pixels of a sample).
+
+    `weight` (pixels of the sample,): how many of the `pixels` of a frame each stands for. Of a
+    frame's largest error a sample shows little: it is taken to be at least as far beyond that of
+    99.9 % as with normal errors.
+    """
+    if not (mean.any() or variance.any()):
+        return Worst(0.0, 0.0)
+    part = weight / weight.sum()
+    sigma = np.sqrt(np.maximum(variance, 1e-12))
+    common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
+    p999_e = max(_passed_by(common, *each, part) for each in zip(mean, sigma, strict=True))
+    max_e = max(_passed_by(rare, *each, part) for each in zip(mean, sigma, strict=True))
+    return Worst(p999_e, max(max_e, p999_e * float(ndtri(rare / 2) / ndtri(common / 2))))
+
+
+def largest(sizes: Values, weight: Values) -> Worst:
+    """Of errors that were measured: sizes (pixels,) that stand for so much each."""
+    order = np.argsort(sizes)
+    above = np.cumsum(weight[order][::-1])[::-1]
+    beyond = np.flatnonzero(above <= weight.sum() / ONE_IN)
+    at = int(beyond[0]) if len(beyond) else len(sizes) - 1
+    return Worst(float(sizes[order[at]]), float(sizes[order[-1]]))
+
+
+def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float:
+    """The size of error that this share of the frame passes."""
+    size = np.abs(mean)
+    low, high = 0.0, float((size + 8.0 * sigma).max())
+    for _ in range(_STEPS):
+        middle = (low + high) / 2
+        beyond = ndtr((size - middle) / sigma) + ndtr((-size - middle) / sigma)
+        low, high = (middle, high) if float(part @ beyond) > share else (low, middle)
+    return high if math.isfinite(high) else low

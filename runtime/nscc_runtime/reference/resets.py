@@ -1,0 +1,43 @@
+"""The level that a reset leaves on PIX, and what words at its boundary find beside it."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.views import Pixels, Word
+
+Bits = NDArray[np.bool_]
+Values = NDArray[np.float64]
+
+
+class Resets:
+    """Of some pixels; arrays are (pixels,). Boundaries are named by any number that grows."""
+
+    def __init__(self, effects: Selection, pixels: int) -> None:
+        self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
+        self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
+
+    def reset(self, pixels: Pixels, here: Bits, word: Word, boundary: float) -> None:
+        """PIX is reset there."""
+        level = np.zeros_like(self._level_e)
+        for left in self._leaving:
+            level = left(pixels, level, word)
+        self._level_e = np.where(here, level, self._level_e)
+        self._last = np.where(here, boundary, self._last)
+
+    def unseen(self, boundary: float) -> Bits:
+        """Where words do not see what PIX holds: no effect lets light into the level."""
+        return np.asarray((self._last == boundary) & (not self._letting_in))
+
+    def lit(self, boundary: float) -> Bits:
+        """Where words see the level of a reset with the light that fell since."""
+        return np.asarray((self._last == boundary) & bool(self._letting_in))
+
+    def found(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
+        """What a word finds on PIX, which holds this charge."""
+        found = np.where(self.unseen(boundary), 0.0, charge)
+        for lit in self._letting_in:
+            found = np.where(self._last == boundary, lit(pixels, charge, word), charge)
+        return found + self._level_e

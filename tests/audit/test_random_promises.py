@@ -1,0 +1,25 @@
+"""Random programs, scenes, sensors and tolerances: every promise of every plan holds."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from random_sensors import Draw, promises
+
+pytestmark = pytest.mark.filterwarnings("ignore:warning.NS0793")
+
+
+def check(found: list[Draw]) -> None:
+    assert [each.said for each in found if each.found.broken] == []
+    judged = [each.found for each in found if each.found.counts]
+    ratio = np.median([each.plan.predicted_e / each.err for each in judged])
+    assert 0.85 < ratio < 1.15
+
+
+def test_some_promises() -> None:
+    check([each for seed in range(3) for each in promises(seed, plans=3, side=32)])
+
+
+@pytest.mark.slow
+def test_a_thousand_promises() -> None:
+    check([each for seed in range(250) for each in promises(seed)])

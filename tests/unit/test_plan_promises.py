@@ -1,0 +1,136 @@
+"""What plans say beside their RMS, by the reference: worst pixels, noise, forced effects."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from plan_cases import case
+from promise import full_frames, outcome, scene
+from reference_programs import sensor_of
+
+import nscc_runtime
+from nscc.words.container import Container
+from nscc_runtime.light import Light
+from nscc_runtime.plan_file import plan_text, read_plan
+from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.worst import largest, worst_of
+from nscc_runtime.sensor import Sensor
+
+SLOTS, SIDE = 8, 48
+FULL_E = 30000.0
+
+
+def made(name: str, **values: float) -> tuple[Container, Sensor]:
+    container = case(name, SLOTS, rows=SIDE, cols=SIDE)
+    return container, sensor_of(container, **values)
+
+
+def flat(total_e: float) -> Light:
+    return Light.of_clip(np.full((SLOTS, SIDE, SIDE), total_e / SLOTS, np.float32))
+
+
+def test_worst_pixels_of_a_mixture_are_those_of_its_draws() -> None:
+    """A tenth of the pixels carries the whole error; drawn with numpy."""
+    rng = np.random.default_rng(0)
+    mean, variance = np.zeros((1, 1000)), np.ones((1, 1000))
+    mean[0, :100], variance[0, :100] = 30.0, 100.0
+    found = worst_of(mean, variance, np.ones(1000), 1000)
+    drawn = np.abs(mean + np.sqrt(variance) * rng.standard_normal((2000, 1000)))
+    assert found.p999_e == pytest.approx(np.quantile(drawn, 0.999), rel=0.01)
+    # A sample shows little of the largest: it is rather said too large.
+    assert 1.0 <= found.max_e / np.quantile(drawn.max(axis=1), 0.99) <= 1.1
+
+
+def test_worst_pixels_that_were_measured_weigh_what_they_stand_for() -> None:
+    sizes, weight = np.arange(1.0, 101.0), np.ones(100)
+    assert largest(sizes, weight).max_e == 100.0
+    weight[-1] = 1e-4
+    assert (largest(sizes, weight).p999_e, largest(sizes, weight).max_e) == (100.0, 100.0)
+    weight[:] = 1.0
+    weight[0] = 1e6
+    assert largest(sizes, weight).p999_e == 2.0
+
+
+def test_a_limit_of_the_worst_pixel_keeps_what_would_break_it() -> None:
+    container, sensor = made("codebook")
+    light = scene("hdr", SLOTS, SIDE, SIDE)
+    full = full_frames(container, light, sensor, 3, 3, 5)
+    free = outcome(container, light, sensor, "50e", full)
+    bound = outcome(container, light, sensor, "50e", full, tolerance_max="60e")
+    assert free.max_e > 80.0
+    assert bound.max_e <= 66.0
+    assert bound.plan.predicted_max_e is not None
+    assert bound.plan.predicted_max_e <= 0.9 * 60.0
+    assert len(bound.plan.kept.on) > len(free.plan.kept.on)
+    assert any("the worst pixel would be" in each.reason for each in bound.plan.decisions)
+    for each in (free, bound):
+        assert each.p999_e == pytest.approx(each.plan.predicted_p999_e, rel=0.2)
+        assert not each.broken
+
+
+def test_crosstalk_that_is_left_out_leaves_more_noise_and_says_so() -> None:
+    container, sensor = made("a", crosstalk_fraction=0.02, analog_noise_lsb=0.0)
+    full = full_frames(container, flat(12000.0), sensor, 4, 3, 5)
+    found = outcome(container, flat(12000.0), sensor, "50e", full, effects="auto,-crosstalk")
+    assert found.noise_ratio is not None
+    assert found.noise_ratio > 1.03
+    assert found.plan.noise_ratio == pytest.approx(found.noise_ratio, abs=0.01)
+    held = outcome(container, flat(12000.0), sensor, "0.1noise", full)
+    assert "crosstalk" in held.plan.kept.on
+    assert held.noise_ratio == pytest.approx(1.0, abs=0.01)
+
+
+@pytest.mark.parametrize("name", ["a", "codebook"])
+def test_without_a_tolerance_it_is_a_tenth_of_the_noise_of_frames(name: str) -> None:
+    container, sensor = made(name)
+    light = scene("mid", SLOTS, SIDE, SIDE)
+    taken = nscc_runtime.capture(
+        container, light, sensor=sensor, effects="all", fidelity="reference", repeat=6
+    )
+    frame_e = sensor.electrons_per_lsb * taken.frame.astype(np.float64)
+    noise_e = np.sqrt(frame_e.var(axis=0, ddof=1).mean())
+    plan = nscc_runtime.plan(container, light, sensor=sensor)
+    assert plan.tolerance == "0.1noise"
+    assert plan.noise_e == pytest.approx(noise_e, rel=0.03)
+    assert plan.tolerance_e == pytest.approx(0.1 * noise_e, rel=0.03)
+    assert f"0.1 of the frame's own noise = {plan.tolerance_e:.4g} e" in str(plan)
+    assert nscc_runtime.capture(container, light, plan=plan, audit=True).audit is not None
+
+
+@pytest.mark.filterwarnings("ignore:warning.NS0749")
+@pytest.mark.parametrize("off", ["register", "full_well", "prnu", "read"])
+@pytest.mark.parametrize("part", [0.99, 1.0])
+def test_what_is_forced_off_at_a_full_well_stays_within_its_bound(part: float, off: str) -> None:
+    """Tiles of 2 x 2 codes, whose pixels come near the well at once."""
+    container, sensor = made("codebook")
+    full = full_frames(container, flat(part * FULL_E), sensor, 4, 3, 5)
+    found = outcome(container, flat(part * FULL_E), sensor, "5e", full, effects=f"auto,-{off}")
+    assert found.err <= 1.02 * found.plan.bound_e
+    assert found.plan.predicted_e == pytest.approx(found.err, rel=0.25)
+
+
+def test_pixels_that_saturate_are_sampled_of_every_code_of_a_tile() -> None:
+    side, total_e = 128, np.full((128, 128), FULL_E)
+    sample = sample_of(total_e, 1, np.arange(side * side))
+    for tile in (2, 4, 8):
+        codes = sample.places // side % tile * tile + sample.places % side % tile
+        assert len(np.unique(codes)) == tile**2
+
+
+def test_a_plan_of_before_opens_and_its_new_effects_are_simulated(tmp_path: Path) -> None:
+    container, sensor = made("a")
+    plan = nscc_runtime.plan(container, flat(3000.0), sensor=sensor, tolerance="5e")
+    values = json.loads(plan_text(plan, "p", sensor))
+    later = ("noise_e", "predicted_p999_e", "predicted_max_e", "tolerance_max", "tolerance_max_e",
+             "noise_ratio")  # fmt: skip
+    for name in later:
+        del values["plan"][name]
+    rows = values["plan"]["effects"]
+    values["plan"]["effects"] = [row for row in rows if row["name"] != "black_sun"]
+    (tmp_path / "p.json").write_text(json.dumps(values))
+    again = read_plan(tmp_path / "p.json", "p", sensor)
+    assert again.kept.on == plan.kept.on | {"black_sun"}
+    assert [each.name for each in again.decisions] == [each.name for each in plan.decisions]

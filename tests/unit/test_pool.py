@@ -1,0 +1,53 @@
+"""Strips of rows over threads: every row once, and no more in work than asked for."""
+
+from __future__ import annotations
+
+from threading import Lock
+
+import numpy as np
+import pytest
+from plan_cases import case, moving_light
+from reference_programs import sensor_of
+
+from nscc_runtime.effects import selected
+from nscc_runtime.emulator import expose
+from nscc_runtime.pool import in_strips
+from nscc_runtime.reference.capture import Reference, scene_of
+
+ROWS, COLS = 12, 16
+
+
+@pytest.mark.parametrize("most", [1, 3, 7, 100])
+@pytest.mark.parametrize("threads", [1, 2, 5])
+@pytest.mark.parametrize("rows", [range(1), range(4, 11), range(64)])
+def test_every_row_is_done_once(rows: range, threads: int, most: int) -> None:
+    done: list[range] = []
+    lock = Lock()
+
+    def run(strip: range) -> None:
+        with lock:
+            done.append(strip)
+
+    in_strips(run, rows, most, threads)
+    assert sorted(row for strip in done for row in strip) == list(rows)
+    assert max(map(len, done)) <= max(1, most // threads)
+
+
+def test_threads_change_no_bit_of_the_reference() -> None:
+    program = case("c edges", 8, rows=ROWS, cols=COLS)
+    reference = Reference.of(program, sensor_of(program), selected("all"))
+    scene = scene_of(program, moving_light((8, ROWS, COLS), 40_000.0))
+    once = reference.expose(scene, 3, 4, 1, threads=1)
+    for threads in (2, 5, 64):
+        again = reference.expose(scene, 3, 4, 1, threads=threads)
+        assert again.exposure_e.tobytes() == once.exposure_e.tobytes()
+        assert again.valid.tobytes() == once.valid.tobytes()
+        np.testing.assert_array_equal(again.saturated_by, once.saturated_by)
+
+
+def test_threads_change_no_bit_of_the_emulator() -> None:
+    program = case("c edges", 8, rows=ROWS, cols=COLS)
+    light = moving_light((8, ROWS, COLS), 400.0)
+    once = expose(program, light, device_seed=3, block=64, threads=1)
+    again = expose(program, light, device_seed=3, block=64, threads=3)
+    assert again.exposure_e.tobytes() == once.exposure_e.tobytes()
