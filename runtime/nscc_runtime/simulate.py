@@ -300,6 +300,7 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
     frames = listener.progress(made, "exposing", repeat or 1)
     if repeat:
         return gathered(frames, repeat)
+    frame: Frame
     (frame,) = frames
     return frame
 

@@ -124,8 +124,8 @@ def emulated_sensor(
     code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips)
     exchange = chosen.part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
-    tables = (torch.from_numpy(each) for each in (light_e, code, spread, full))
-    return EmulatedSensor(*tables, crosstalk)
+    levels, codes, spreads, marked = map(torch.from_numpy, (light_e, code, spread, full))
+    return EmulatedSensor(levels, codes, spreads, marked, crosstalk)
 
 
 def emulated_codes(
@@ -172,7 +172,7 @@ def _measured(
             """Over frames and pixels of a place, (levels, r, c)."""
             part = values[:, : down * tile[0], :used].astype(np.float64)
             part = part.reshape(_FRAMES, down, tile[0], count, times, tile[1])
-            return part.mean(axis=(0, 1, 4)).transpose(1, 0, 2)
+            return np.asarray(part.mean(axis=(0, 1, 4)).transpose(1, 0, 2))
 
         for chip in range(chips):
             request = Request.of(effects=effects, seed=chip, device_seed=chip, repeat=_FRAMES)

@@ -32,12 +32,6 @@ CODES = {
     "searched-random": "searched from those random starts",
 }
 """The rows of `codes`, as `codes.py` names them, and what they are."""
-WAYS = {
-    "way_straight": "straight-through gradients",
-    "way_straight_noise": "the same, with noise of half a slot on the parameters",
-    "way_tried": "trial",
-    "way_search": "search",
-}
 
 
 @cache
@@ -161,19 +155,6 @@ def codes() -> str:
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
 
-def ways() -> str:
-    """The table of ways to learn codes on one problem: what the start alone and what was learned is
-    worth behind the same decoder, on validation patches."""
-    rows = [["learned by", "places moved", "words a slot", "start alone", "learned"], ["---"] * 5]
-    for name, told in WAYS.items():
-        run = run_of(name)
-        report = run["codes"]
-        alone, learned = report["start_alone_psnr_db"], run["robustness"][0]["psnr_db"]
-        left = f"{report['moved']} of {report['places']}"
-        rows.append([told, left, words(name), f"{alone:.2f}", f"{learned:.2f}"])
-    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
-
-
 def evaluated(name: str) -> bool:
     """Whether there is a result of that name."""
     return (HERE / "evaluations" / f"{name}.json").is_file()
@@ -183,7 +164,7 @@ FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
         mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows,
-        looks, codes, ways,
+        looks, codes,
     )
 }  # fmt: skip
 

@@ -57,6 +57,7 @@ Verdict Loader::capture(const Packet &packet) {
         frame_.length = length;
         frame_.started_us = now_us_;
         frame_.sum.reset();
+        program_.schedule().forget_frame();
     }
     const Schedule &schedule = program_.schedule();
     if (frame_.stage == Stage::FAILED) {

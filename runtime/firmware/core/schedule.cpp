@@ -249,10 +249,11 @@ Verdict Schedule::check(uint32_t held) {
 }
 
 void Schedule::begin_frame() {
+    forget_frame();
     slots_.begin(runs());
     row_ = rows();
     rows_left_ = row_count_ + 1;        // the last one is what follows the rows: slots, no words
-    times_ = late_ = latest_ = lasted_ = 0;
+    times_ = 0;
     waiting_ = false;
     level_ = in_ = as_it_is;
     board_.begin_frame();

@@ -91,6 +91,8 @@ public:
     // WAITING: there is time for everything; GLANCE: for a look at the line, whether the frame is
     // wanted no more.
     enum class Now : uint8_t { WAITING, GLANCE, ENDED, TOO_LATE };
+    // Nothing is known of a frame's times any more; another one comes.
+    void forget_frame() { lasted_ = late_ = latest_ = 0; }
     void begin_frame();
     // Goes on with the frame until it has ended, or there is time, or is later than it may be.
     Now go_on();

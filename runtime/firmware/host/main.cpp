@@ -86,6 +86,7 @@ uint64_t now_us() {
 // Goes on with what is being done; frames have a clock of their own, on which nothing comes meanwhile.
 size_t go_on(uint8_t *out, size_t room, uint64_t now) {
     const size_t count = loader.poll(out, room, now);
+    loader.poll(nullptr, 0, now);       // a frame begins when its answer is out
     while (loader.hurries()) {
         loader.glance(nullptr, 0, now);
     }

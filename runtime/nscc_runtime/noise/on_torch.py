@@ -44,7 +44,8 @@ def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 
 def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
     """Standard normal numbers (.., places)."""
-    return torch.special.ndtri(uniforms(keys, places))
+    found: torch.Tensor = torch.special.ndtri(uniforms(keys, places))
+    return found
 
 
 def poisson(

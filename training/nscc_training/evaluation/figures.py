@@ -120,8 +120,8 @@ def _taken(
     flat = usual.frame[0] * parts.model.electrons_per_lsb / (1 if still else parts.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
     codes = fitted("srgb", np.zeros(1), float(parts.model.top_code))
-    greys = (codes(frame.frame[0]) for frame in (coded, usual))
-    return _Taken(name, truth, made.astype(np.float64), *greys, usual_light)
+    greys = [codes(frame.frame[0]) for frame in (coded, usual)]
+    return _Taken(name, truth, made.astype(np.float64), greys[0], greys[1], usual_light)
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] | None:

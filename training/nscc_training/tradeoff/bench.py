@@ -182,10 +182,12 @@ class Bench:
 
     def _captured(self, container: Container, light: Light) -> Simulated:
         """A frame with every effect."""
-        tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
+        tolerance = None
+        if not container.target.streamed:  # it has no plans, and is exact
+            tolerance = max(_CAPTURED_TO * self.target.electrons, LEAST_E)
         request = Request.of(
-            effects="all", seed=self.asked.seed, device_seed=self.asked.device_seed,
-            **({} if container.target.streamed else {"tolerance": tolerance}),
+            effects="all", tolerance=tolerance, seed=self.asked.seed,
+            device_seed=self.asked.device_seed,
         )  # fmt: skip
         return simulate(container, light, self.sensor, request)
 

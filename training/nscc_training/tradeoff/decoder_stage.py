@@ -82,7 +82,7 @@ def _of_looks(bench: Bench, taken: Simulated) -> Iterator[_Way]:
 
 
 def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way]:
-    from nscc_training.any_code.decode import decoded_clip, decoded_still
+    from nscc_training.any_code.decode import decoded_still
     from nscc_training.any_code.frames import coded_frame
     from nscc_training.any_code.stills import STILL_STAGES
 
@@ -109,10 +109,8 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
             run = partial(_by_tv, measured, count)
             yield _Way("gap-tv", f"{count} iterations", run, clip)
     for count in ANY_STAGES:
-        yield _Way(
-            "any", f"{count} stages",
-            lambda count=count: decoded_clip(measured, count)[0].numpy() * slots, clip,
-        )  # fmt: skip
+        run = partial(_by_any, measured, count, slots)
+        yield _Way("any", f"{count} stages", run, clip)
     yield from _of_run(bench, taken, np.asarray(light.dense()))
 
 
@@ -124,6 +122,14 @@ def _merged(bench: Bench, taken: Simulated) -> Values:
     frame_s = sum(container.slot_us) * 1e-6
     light = np.nanmean([np.where(known, found, np.nan) for found, known in told], axis=0)
     return np.asarray(light)[None] * frame_s
+
+
+def _by_any(measured: Any, stages: int, slots: Values) -> Values:
+    """The clip (N, rows, cols), electrons a slot, of the decoder for any code; `slots` (N, 1, 1):
+    their lengths over the mean."""
+    from nscc_training.any_code.decode import decoded_clip
+
+    return np.asarray(decoded_clip(measured, stages)[0].numpy() * slots)
 
 
 def _by_tv(measured: Any, iterations: int) -> Values:

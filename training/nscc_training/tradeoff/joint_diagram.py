@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
@@ -51,9 +51,11 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
             axes.plot(*place, "o", markersize=12, fillstyle="none", color=look().ink, clip_on=False)
             text = ", ".join(filter(None, (each.point.method, each.point.setting)))
             labels.append(Label(text, [place], style["color"]))
-    lines = ((joint.target_percent, "--", f"target, {joint.target}"),
-             (joint.shot_percent, ":", "the light's own noise"))  # fmt: skip
-    for error, dashes, _ in lines:
+    guides: list[tuple[float, Literal["--", ":"], str]] = [
+        (joint.target_percent, "--", f"target, {joint.target}"),
+        (joint.shot_percent, ":", "the light's own noise"),
+    ]
+    for error, dashes, _ in guides:
         axes.axhline(error, color=look().ink, linewidth=1.1, linestyle=dashes, zorder=1)
     axes.xaxis.set_major_formatter(EngFormatter(unit="s"))
     axes.set(xlabel="time", ylabel="RMS error, % of the mean signal")
@@ -61,7 +63,7 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     place_labels(axes, sorted(labels, key=lambda label: not label.name))
     times = "one run" if repeats == 1 else f"medians of {repeats} runs"
     handles = [
-        Line2D([], [], color=look().ink, linestyle=dashes, label=name) for _, dashes, name in lines
+        Line2D([], [], color=look().ink, linestyle=dashes, label=name) for _, dashes, name in guides
     ]
     handles.append(Line2D([], [], color=look().ink, linestyle="", marker="o", markersize=10,
                           fillstyle="none", label="advised"))  # fmt: skip
