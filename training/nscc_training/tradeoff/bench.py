@@ -252,8 +252,8 @@ def target_of(text: str, sensor: Any, scene: Follows) -> Tolerance:
         if found.electrons < scene.signal_e():
             return found
         reason = (
-            f"a target of {text[:40]} is no target: the mean signal is {scene.signal_e():.3g} electrons, "
-            "so that a black frame is as near"
+            f"a target of {text[:40]} is no target: the mean signal is {scene.signal_e():.3g} "
+            "electrons, so that a black frame is as near"
         )
     raise rejected(
         "NS0827",
