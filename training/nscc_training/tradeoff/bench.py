@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -26,7 +27,8 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.planner.tolerance import LEAST_E, Follows, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.planning import planning_of
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import load_sensor
@@ -120,7 +122,7 @@ class Bench:
     @cached_property
     def target(self) -> Tolerance:
         """The error to stay within. Rejected (NS0827) for what is none."""
-        return target_of(self.asked.target_error, self.sensor, lambda: self.signal_e)
+        return target_of(self.asked.target_error, self.sensor, _Follows(self))
 
     @cached_property
     def shot_percent(self) -> float:
@@ -200,6 +202,24 @@ class Bench:
         return np.asarray((exact.exposure_e - response.zero_e) / response.gain)
 
 
+@dataclass(frozen=True, eq=False)
+class _Follows:
+    """What a target may be a part of."""
+
+    bench: Bench
+
+    def signal_e(self) -> float:
+        """The mean signal."""
+        return self.bench.signal_e
+
+    def noise_e(self) -> float:
+        """The frame's own noise."""
+        bench = self.bench
+        return planning_of(
+            bench.container, bench.sensor, bench.light, bench.asked.device_seed
+        ).noise_e()
+
+
 def rms_percent(
     seen_e: Values, ideal_e: Values, counted: NDArray[np.bool_], signal_e: float
 ) -> float:
@@ -218,22 +238,22 @@ def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
     return tuple(us / whole * frame_us for us in container.slot_us)
 
 
-def target_of(text: str, sensor: Any, signal_e: Callable[[], float]) -> Tolerance:
+def target_of(text: str, sensor: Any, scene: Follows) -> Tolerance:
     """The error to stay within: `1%` of the mean signal, `5e`, `0.1lsb`. Rejected (NS0827) for
     anything else, and for more than the signal itself."""
     reason = None
     try:
-        found = tolerance_of(text, sensor, signal_e)
+        found = tolerance_of(text, sensor, scene)
     except Rejected as refused:
         if refused.diagnostics[0].code != "NS0746":
             raise
         reason = f"a target is a number above 0 with its unit, not '{text[:40]}'"
     else:
-        if found.electrons < signal_e():
+        if found.electrons < scene.signal_e():
             return found
         reason = (
-            f"a target of {text[:40]} is no target: the mean signal is {signal_e():.3g} electrons, "
-            "so that a black frame is as near"
+            f"a target of {text[:40]} is no target: the mean signal is {scene.signal_e():.3g} "
+            "electrons, so that a black frame is as near"
         )
     raise rejected(
         "NS0827",
@@ -255,8 +275,9 @@ def times_ms(repeats: int, run: Callable[[], object], clock: Callable[[], float]
 
 def scaled_text(target: str, factor: float) -> str:
     """A tolerance so many times another, in its unit: 3 % for 1 %."""
-    unit = target.strip().lstrip("0123456789.eE+-") if not target.strip().endswith("e") else "e"
-    return f"{float(target.strip().removesuffix(unit)) * factor:g}{unit}"
+    match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target)
+    assert match is not None  # it was read as a tolerance
+    return f"{float(match[1]) * factor:g}{match[2]}"
 
 
 def whole_ticks(slot_us: float, tick_us: float = 0.01) -> float:
