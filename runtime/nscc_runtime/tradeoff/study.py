@@ -167,8 +167,8 @@ class _Bench:
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
 
     def _allowed(self, given: str | float) -> Tolerance:
-        seed = self.settings.device_seed
-        return Chooser(self.program, self.scene.light, seed, given, None, selected("auto")).allowed
+        seed, auto = self.settings.device_seed, selected("auto")
+        return Chooser(self.program, self.scene.light, seed, None, given, None, auto).allowed
 
     def warm(self) -> None:
         """Loads what a process loads once."""
