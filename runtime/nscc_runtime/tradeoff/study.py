@@ -168,7 +168,7 @@ class _Bench:
 
     def _allowed(self, given: str | float) -> Tolerance:
         seed, auto = self.settings.device_seed, selected("auto")
-        return Chooser(self.program, self.scene.light, seed, None, given, None, auto).allowed
+        return Chooser(self.program, self.scene.light, seed, 1, given, None, auto).allowed
 
     def warm(self) -> None:
         """Loads what a process loads once."""
