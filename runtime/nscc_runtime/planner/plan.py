@@ -114,7 +114,7 @@ class Plan:
     `predicted_max_e`: the error that one pixel in a thousand passes, and the largest of a frame;
     `tolerance_max`, `tolerance_max_e`: what was asked of the largest, empty and None where nothing
     was. `noise_ratio`: the standard deviation of exposures over frames by that with every effect;
-    None where it is not predicted. `saturating_lack`: the dropped effects that pixels near
+    None where it is not promised. `saturating_lack`: the dropped effects that pixels near
     saturation lack as well, whose words run with all others. `cost`: None where there are no prices
     for it. As text a plan is the table that `nscc run` prints.
     """

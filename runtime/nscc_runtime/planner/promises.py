@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.planner.effect_fields import Fields
 from nscc_runtime.planner.lacking import guessed
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.predict import CLIP, Forecast
@@ -59,12 +60,13 @@ class Promises(Forecast):
     def noise_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`. Where the full well is passed, charge is
         not random."""
-        found, mean = self.sampled.rough, self.sampled.sample.mean
-        square = sum(
-            mean(each if name in found.after else np.where(found.clipped, 0.0, each))
-            for name, each in found.noise.items()
-        )
-        return with_readout_e(math.sqrt(float(np.mean(square))), self.program.sensor)
+        return with_readout_e(math.sqrt(_noise_e2(self.sampled.rough)), self.program.sensor)
+
+    @property
+    def coarse(self) -> bool:
+        """Whether errors may be larger than the noise of exposures. Where they are, effects are
+        left out that squeeze the noise as well, and no prediction of it is a promise."""
+        return self.tolerance_e**2 > _noise_e2(self.fields)
 
     def worst(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
@@ -124,3 +126,12 @@ class Promises(Forecast):
         if not square + added > 0:
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+
+
+def _noise_e2(fields: Fields) -> float:
+    """The variance of exposures over frames with every effect, mean over pixels and buckets."""
+    square = sum(
+        fields.sample.mean(each if name in fields.after else np.where(fields.clipped, 0.0, each))
+        for name, each in fields.noise.items()
+    )
+    return float(np.mean(square))

@@ -50,13 +50,13 @@ class CodedFrame:
 
     def part(self, rows: slice, cols: slice) -> CodedFrame:
         """A rectangle of its pixels."""
-        value_e, variance_e2, saturated = (
-            each[:, rows, cols] for each in (self.value_e, self.variance_e2, self.saturated)
-        )
         return replace(
-            self, value_e=value_e, variance_e2=variance_e2, saturated=saturated,
+            self,
+            value_e=self.value_e[:, rows, cols],
+            variance_e2=self.variance_e2[:, rows, cols],
+            saturated=self.saturated[:, rows, cols],
             row=self.row[rows, cols],
-        )  # fmt: skip
+        )
 
     def clip(self) -> Measured:
         """As the frames of a clip, whose unit is electrons in a slot of mean length."""
