@@ -266,4 +266,4 @@ def test_every_effect_runs_alone_and_changes_something() -> None:
     absent = {name for name in optional()
               if np.array_equal(exposures(container, light, sensor, name), nothing)}  # fmt: skip
     compared = {"comparator_offset", "comparator_noise"}
-    assert absent == {"motion", "decay", "adc_noise", "spreading", *compared}
+    assert absent == {"motion", "decay", "adc_noise", "spreading", "black_sun", *compared}

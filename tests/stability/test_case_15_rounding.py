@@ -9,7 +9,10 @@ from nscc_runtime.frame_file import read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.sensor import default_sensor
 
-TARGET = target_of((1, 1), full_well_e=255.0)
+# A full well is a step of IN: exposures are spread over the codes without a rest.
+TARGET = target_of(
+    (1, 1), full_well_e=255.0, register_max_e=127 * 255.0, register_min_e=-127 * 255.0
+)
 """An electron a code."""
 
 

@@ -94,7 +94,9 @@ def test_readout_rounds_half_to_even_and_clips() -> None:
     )
     frame = read_out(exposure(half.reshape(1, 1, -1)), TARGET)
     np.testing.assert_array_equal(frame.frame.ravel(), expected)
-    exact = replace(TARGET, full_well_e=255.0, adc_offset_lsb=10.0)
+    # A full well is a step of IN: exposures are spread over the codes without a rest.
+    reach = {"register_max_e": 127 * 255.0, "register_min_e": -127 * 255.0}
+    exact = replace(TARGET, full_well_e=255.0, adc_offset_lsb=10.0, **reach)
     frame = read_out(exposure(codes.reshape(1, 1, -1)), exact)
     np.testing.assert_array_equal(frame.frame.ravel(), np.clip(np.rint(codes) + 10, 0, 255))
 

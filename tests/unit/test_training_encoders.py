@@ -12,8 +12,9 @@ from training_oracle import shutters_of, small_target
 torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+from nscc_training.code_choices import SLOPED  # noqa: E402
 from nscc_training.codes_files import codes_bytes, load_codes, save_codes  # noqa: E402
-from nscc_training.encoders import RELAXATIONS, Encoder, ShutterSpec, make_encoder  # noqa: E402
+from nscc_training.encoders import Encoder, ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.programs import Chip, compiled, legal_codes, program_of  # noqa: E402
 from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
 
@@ -215,7 +216,7 @@ def test_the_quad_is_the_two_by_two_pattern() -> None:
     assert stop.tolist() == [[256, 64, 256, 64], [16, 4, 16, 4]] * 2
 
 
-@pytest.mark.parametrize("relaxation", [r for r in RELAXATIONS if r != "tried"])
+@pytest.mark.parametrize("relaxation", SLOPED)
 @pytest.mark.parametrize("spec", SPECS[1:], ids=name_of)
 def test_projection_keeps_parameters_where_gradients_live(
     spec: ShutterSpec, relaxation: str

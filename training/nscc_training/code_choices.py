@@ -8,8 +8,11 @@ SCATTERED = ("poisson-disc", "non-adjacent")
 """Exposures that keep away from their like (`nscc_training.encoders.scattered`)."""
 STARTS = ("random", "uniform", "quad", *ORDERED, *SCATTERED)
 
-RELAXATIONS = ("straight-through", "sigmoid", "gumbel", "tried", "search")
-"""How codes are learned; all but the last two are ways for gradients to get past the quantisation.
+SLOPED = ("straight-through", "sigmoid", "gumbel")
+"""Ways for gradients to get past the quantisation."""
+
+RELAXATIONS = (*SLOPED, "tried", "search")
+"""How codes are learned.
 
 `straight-through`: hard shutters forward, a stand-in slope backward. `sigmoid`: soft shutters
 forward, whose temperature a schedule takes down. `gumbel` (codebooks; elsewhere as `sigmoid`): soft

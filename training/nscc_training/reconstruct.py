@@ -325,9 +325,12 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame came from another sensor."""
-    model = folder.parts.model
-    if read.meta.get("sensor_sha256") == sensor_sha256(folder.parts.sensor):
+    model, own = folder.parts.model, folder.parts.sensor
+    if read.meta.get("sensor_sha256") == sensor_sha256(own):
         return
+    held = read.meta.get("sensor")
+    if isinstance(held, dict) and held and all(own.values.get(k) == v for k, v in held.items()):
+        return  # a frame of an older version: it does not know what has been added since
     figures = (("electrons_per_lsb", model.electrons_per_lsb), ("adc_offset", model.adc_offset_lsb))
     for name, wanted in figures:
         have = read.meta.get(name)
