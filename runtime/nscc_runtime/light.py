@@ -154,6 +154,14 @@ class Light:
         return np.asarray(self._transposed @ slots)
 
     @cached_property
+    def ended(self) -> NDArray[np.float32]:
+        """The frames, light without end as so much that no count tells it from more: a closed slot
+        makes nothing of that, where it makes no number of infinity."""
+        if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
+            return self.frames
+        return np.minimum(self.frames, np.float32(1e30))
+
+    @cached_property
     def in_order(self) -> bool:
         """Whether each slot n is a multiple of frame n."""
         count = len(self.frames)

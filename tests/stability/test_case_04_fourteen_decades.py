@@ -70,6 +70,8 @@ def test_case_04_every_effect_stays_finite(effect: str) -> None:
     assert found.valid.all()
 
 
+# The brightest pixels are black suns, and that is said.
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
 @pytest.mark.parametrize("lowering", LOWERINGS)
 def test_case_04_a_plan(lowering: str) -> None:
     container = program(TEXT, lowering, ROWS, COLS)

@@ -206,7 +206,7 @@ def test_the_second_bucket_ages_while_the_first_is_read() -> None:
 def test_dead_time_follows_the_words() -> None:
     # Launch 1 us, analog 0.2 us, digital 0.1 us; E electrons in 1000 us.
     rate = E / 1000.0
-    accumulate, latch = run("accumulate", "dead_time", 1), run("latch", "dead_time", 1)
+    accumulate, latch = (run(way, "dead_time,black_sun", 1) for way in ("accumulate", "latch"))
     # all, bus, bus, rpix, rpix; then the level is read two words later.
     reset_at, level_at = 1.0 + 5 * 0.2, 1.0 + 7 * 0.2
     # WHERE, then PIX is read by the next word; in a later slot two more words and rpix twice.

@@ -195,12 +195,12 @@ def _largest(sizes: Values, weight: Values) -> Worst:
     return largest(sizes[there], weight[there]) if there.any() else Worst(0.0, 0.0)
 
 
-def compared_rows(slots: int, total_e: Values, cells: int = _MOST_CELLS) -> NDArray[np.intp]:
+def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDArray[np.intp]:
     """The rows to compare where so many slots of a pixel are made: all, or bands of `_BAND` with
-    that of the brightest pixel, of so many `cells` (slots x pixels). `total_e` (rows, cols): all
-    the light of each pixel."""
+    that of the brightest pixel, of so many `cells` (slots x pixels; None: _MOST_CELLS). `total_e`
+    (rows, cols): all the light of each pixel."""
     height, cols = total_e.shape
-    wanted = cells // (slots * cols) // _BAND
+    wanted = (cells or _MOST_CELLS) // (slots * cols) // _BAND
     bands = -(-height // _BAND)
     if wanted >= bands:
         return np.arange(height)

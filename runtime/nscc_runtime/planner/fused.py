@@ -64,7 +64,7 @@ class Fused:
         ):
             return None
         source = scene.source
-        frames = np.require(source.frames, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
+        frames = np.require(source.ended, np.float32, ["C", "A"]).reshape(len(source.frames), -1)
         sensor, target = program.sensor, program.container.target
         sigmas, sources = [], []
         for effect, part in kept.errors():

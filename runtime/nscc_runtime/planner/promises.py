@@ -129,9 +129,12 @@ class Promises(Forecast):
 
 
 def _noise_e2(fields: Fields) -> float:
-    """The variance of exposures over frames with every effect, mean over pixels and buckets."""
-    square = sum(
-        fields.sample.mean(each if name in fields.after else np.where(fields.clipped, 0.0, each))
-        for name, each in fields.noise.items()
-    )
+    """The variance of exposures over frames with every effect, mean over pixels and buckets; what
+    is no number has none."""
+    square = 0.0
+    for name, each in fields.noise.items():
+        random = np.isfinite(each)
+        if name not in fields.after:
+            random &= ~fields.clipped
+        square += fields.sample.mean(np.where(random, each, 0.0))
     return float(np.mean(square))

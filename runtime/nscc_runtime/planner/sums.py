@@ -76,7 +76,7 @@ def scene_sums(
         raise ValueError("a lane that the weights do not have")
     out = np.empty((len(weights), *shape))
     room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * lane_count))
-    frames = np.require(light.frames, np.float32, ["C", "A"])
+    frames = np.require(light.ended, np.float32, ["C", "A"])
     for first in range(0, len(weights), room):
         tables = np.stack([on_frames(light, each) for each in weights[first : first + room]])
         bound = sum_loop.scene_sums.bound(

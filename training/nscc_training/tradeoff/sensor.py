@@ -24,9 +24,9 @@ from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.synthesis import Case, Way, compiled_or_not
 from nscc.words.container import Container
-from nscc_runtime import capture
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, load_sensor
+from nscc_runtime.simulate import Request, simulate
 from nscc_training.baselines.sci import gap_tv
 from nscc_training.design.chip import Chip as DesignChip
 from nscc_training.encoders import ShutterSpec, make_encoder
@@ -258,11 +258,12 @@ class _Bench:
         """The mean over the scenes, by a decoder that needs no training."""
         scores = []
         for index, scene in enumerate(self.shown):
-            shot = capture(
-                container, _light(scene, encoder.spec.slots), sensor=self.sensor,
+            request = Request.of(
                 effects=settings.effects, seed=1000 * settings.seed + index,
                 device_seed=settings.seed,
             )  # fmt: skip
+            light = _light(scene, encoder.spec.slots)
+            shot = simulate(container, light, self.sensor, request).frame
             frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
             saturated = shot.saturated[0]
             mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
