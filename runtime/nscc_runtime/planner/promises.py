@@ -131,7 +131,7 @@ class Promises(Forecast):
 def _noise_e2(fields: Fields) -> float:
     """The variance of exposures over frames with every effect, mean over pixels and buckets; what
     is no number has none."""
-    square = 0.0
+    square = np.zeros(len(fields.expected))
     for name, each in fields.noise.items():
         random = np.isfinite(each)
         if name not in fields.after:
