@@ -312,6 +312,7 @@ def test_examples_on_a_whole_chip(tmp_path: Path, root: Path) -> None:
             same_frame(tmp_path, "d.npz")
 
 
+@pytest.mark.pages
 def test_the_page_keeps_its_word(tmp_path: Path, root: Path) -> None:
     text = (root / "docs/device.md").read_text()
     lines = "".join(re.findall(r"^```sh\n(.*?)^```$", text, re.M | re.S)).splitlines()

@@ -152,14 +152,14 @@ def test_slots_too_short_for_a_codebook_name_the_rows_that_pass(tmp_path, rows):
 
 def test_the_message_says_where_the_words_go(tmp_path):
     (tmp_path / "p.nsl").write_text(STOPS)
-    said = invoke(["build", "p.nsl", "--max-words-per-slot", "3"], tmp_path)
+    said = invoke(["build", "p.nsl", "-O1", "--max-words-per-slot", "3"], tmp_path)
     assert (said.status, said.codes) == (1, ["NS0603"])
     assert not (tmp_path / "p.icw").exists()
     words = re.search(r"slot \d+ executes (\d+) words", said.err)[1]
     parts = re.search(rf"= {words} words: (.*); launching \d+ kernel", said.err)[1]
     assert sum(int(n) for n in re.findall(r"\d+", parts)) == int(words)
     assert f"--max-words-per-slot {words} accepts the words found" in said.err
-    allowed = invoke(["build", "p.nsl", "--max-words-per-slot", words], tmp_path)
+    allowed = invoke(["build", "p.nsl", "-O1", "--max-words-per-slot", words], tmp_path)
     assert allowed.status == 0
 
 
@@ -190,7 +190,7 @@ def test_every_command_that_compiles_takes_it(tmp_path, command):
     (tmp_path / "p.nsl").write_text(STOPS + "pixels stop = 1 + (x + 4 * y) % 16\n")
     scene = ["--scene", "builtin:dark"] if command == "run" else []
     out = "out.png" if command == "view" else "out.npz"
-    limited = [command, "p.nsl", *scene, "-o", out, "--max-words-per-slot"]
+    limited = [command, "p.nsl", *scene, "-o", out, "-O1", "--max-words-per-slot"]
     refused = invoke([*limited, "3"], tmp_path)
     assert (refused.status, refused.codes) == (1, ["NS0603"])
     assert not (tmp_path / out).exists()

@@ -69,7 +69,7 @@ def started(request: pytest.FixtureRequest) -> Iterator[Callable[[Example], Load
 def test_faulty_sessions_end_with_the_right_frame(
     started: Callable[[Example], Loaded],
 ) -> None:
-    for seed in range(4):
+    for seed in range(2):
         right, line = session(seed, started, RealTime, SLOT_US, Channel.CODES)
         assert right, line.faults
 

@@ -107,6 +107,7 @@ def test_a_store_that_is_full_proves_nothing():
         assert limit.built.figures["words_stored"] <= 40
 
 
+@pytest.mark.slow
 def test_the_same_limits_every_time():
     one, other = surveyed(TINY, "10us"), surveyed(TINY, "10us")
     assert limits_text(TINY, 1, list(one.values())) == limits_text(TINY, 1, list(other.values()))

@@ -53,7 +53,8 @@ def book_file(folder, rows, slots):
         (E16, "open", 16, "16 slots, each free: 65536 shutters"),
         (E16 + "\npixels bits = (256 * y + x) % 65536", "fixed", 16,
          "65536 different shutters in use"),
-        (f"frame 200 slots of 1ms\n{BUMPS}", "open", 15, "20100 different shutters"),
+        pytest.param(f"frame 200 slots of 1ms\n{BUMPS}", "open", 15, "20100 different shutters",
+                     marks=pytest.mark.slow),
         ("frame 9 slots of 1ms\ncode a : bit[9]\ncode b : bit[9]\n"
          "bucket one open when a[n]\nbucket two open when b[n]", "open", 18,
          "9 slots in 2 buckets, each free: 262144 shutters"),
@@ -181,7 +182,7 @@ def test_gates_that_were_not_found():
 
 
 def test_a_store_that_is_too_small():
-    text = f"frame 100 slots of 1ms\n{STOPS}"
+    text = f"frame 40 slots of 1ms\n{STOPS}"
     tiny = replace(load_target("scamp5", Path()), store_words=20)
     found = fault(text, target=tiny)
     assert found.code == "NS0501"

@@ -205,7 +205,9 @@ def test_analog_writes_and_headroom(name, lowering, chip, full_well_e):
     assert above.read.max() > target.full_well_e or above.held.max() > target.register_max_e
 
 
-@pytest.mark.parametrize("name", TEXTS)
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.slow] * (n == "b_many")) for n in TEXTS]
+)
 def test_alternatives_are_the_other_lowerings(name):
     _, values = built(TEXTS[name])
     others = {other["lowering"]: other for other in values["alternatives"]}
