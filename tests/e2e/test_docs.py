@@ -11,6 +11,8 @@ from typing import Any
 import pytest
 from nscc_command import invoke
 
+from nscc_runtime.effects import registered
+
 pytestmark = pytest.mark.pages
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -112,7 +114,7 @@ def test_the_table_of_a_plan_is_that_of_its_command(tmp_path: Path) -> None:
         found = re.findall(r"^(\w+) .*?(kept|dropped|absent)\b", text, re.M)
         return [(name, choice) for name, choice in found if name != "effect"]
 
-    assert len(rows(shown)) == 18
+    assert len(rows(shown)) == len(registered())
     assert rows(outcome.err) == rows(shown)
     for figure in ("predicted error", "audit: measured"):
         values = [float(re.search(rf"{figure} ([\d.]+)", text)[1]) for text in (shown, outcome.err)]  # type: ignore[index]

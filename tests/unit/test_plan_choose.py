@@ -328,3 +328,15 @@ def test_what_a_plan_costs_adds_up_and_is_at_most_that_of_all() -> None:
     assert sum(took) == pytest.approx(plan.cost.total_ms, abs=0.01 * len(took))
     assert plan.cost.total_ms <= plan.cost.all_ms == pytest.approx(everything.cost.total_ms)
     assert set(plan.saturating_lack) <= {e.name for e in plan.decisions if e.decision == "dropped"}
+
+
+def test_a_plan_of_a_bright_scene_serves_one_where_nothing_saturates() -> None:
+    container = case("b edges", 8, rows=64, cols=64)
+    sensor = sensor_of(container)
+    bright = made(container, scene("saturated", 8, 64, 64), sensor, 50.0)
+    dropped = next(e.name for e in bright.decisions if e.decision == "dropped")
+    plan = replace(bright, saturating_lack=(dropped,))
+    dim = scene("dim", 8, 64, 64)
+    found = predicted_for(Program.of(container, sensor), dim, plan, device_seed=5)
+    assert found.kept.on <= plan.kept.on  # without the well, which is far
+    assert found.predicted_e < 50.0

@@ -84,6 +84,8 @@ class Lacking:
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
+        if not len(self.near):
+            return Worst(0.0, 0.0)
         error = self._held(self.forced_off | lacking) - self._held(frozenset())
         rest = len(self.program.lanes) - len(self.near)
         weight = np.append(np.full(error.shape[1], len(self.near) / error.shape[1]), rest)
@@ -97,7 +99,7 @@ class Lacking:
     @remembered
     def _measured(self, lacking: frozenset[str]) -> tuple[Values, Values]:
         """What leaving effects out adds to the mean square, and its standard error."""
-        if not lacking:
+        if not lacking or not len(self.near):  # a plan of a brighter scene may lack some
             none = np.zeros(len(self.fields.expected))
             return none, none
         full = self._held(frozenset())
@@ -147,7 +149,7 @@ def guessed(
     fixed, variance = np.zeros(fields.expected.shape), np.zeros(fields.expected.shape)
     if not lacking:
         return fixed, variance
-    cut = np.abs(fields.fixed[BOTH]) > _CUT_E
+    cut = np.abs(fields.fixed.get(BOTH, fixed)) > _CUT_E  # absent where nothing saturates
     for name in sorted(lacking):
         behind = fields.after.get(name)
         if name in fields.fixed:
