@@ -12,6 +12,7 @@ machine, too.
 from __future__ import annotations
 
 import csv
+import os
 import resource
 import subprocess
 import sys
@@ -37,7 +38,9 @@ level = 1
 target = "scamp5"
 lowering = "accumulate"
 """
-FEWEST_SLOTS = 200
+FEWEST_SLOTS = 1100
+ALONE = {**os.environ, "OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
+"""One after the other is on one core: threads of numpy's would use the second."""
 
 
 def main() -> int:
@@ -45,8 +48,8 @@ def main() -> int:
     points = int(sys.argv[1]) if len(sys.argv) > 1 else POINTS
     with TemporaryDirectory() as folder:
         grid = Path(folder) / "grid.toml"
-        slots = [*range(FEWEST_SLOTS, FEWEST_SLOTS + points)]
-        grid.write_text(GRID.format(slots=slots))
+        slots = ",\n".join(str(FEWEST_SLOTS + point) for point in range(points))
+        grid.write_text(GRID.format(slots=f"[{slots}]"))
         serial_s, _, serial_cpu_s = swept(grid, 0)
         two_s, between_s, two_cpu_s = swept(grid, WORKERS)
         work_s = [float(row["seconds"]) for row in times(grid.with_name(str(WORKERS)))]
@@ -71,7 +74,9 @@ def swept(grid: Path, workers: int) -> tuple[float, float, float]:
     out = grid.with_name(str(workers))
     arguments = ["sweep", str(grid), "--out", str(out), "--workers", str(workers)]
     begin, before_s = perf_counter(), spent_s()
-    subprocess.run([sys.executable, "-m", "nscc_cli", *arguments], check=True, capture_output=True)
+    subprocess.run(
+        [sys.executable, "-m", "nscc_cli", *arguments], check=True, capture_output=True, env=ALONE
+    )
     whole_s, cpu_s = perf_counter() - begin, spent_s() - before_s
     ended_s = [float(row["ended_s"]) for row in times(out)]
     began_s = [
