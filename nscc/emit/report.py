@@ -8,6 +8,7 @@ from collections import Counter
 from typing import Any
 
 from nscc.emit.looks import looks_report
+from nscc.emit.subject import subject
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered
 from nscc.operations import Effect, Op, Phase
@@ -19,7 +20,6 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
     """The report as JSON values; keys as in the command line's contract."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
-    table = program.table
     slots = len(program.frame.slot_us)
     launches = Counter(kernel for _, kernel in schedule.launches)
     misfits = [
@@ -27,17 +27,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
         for name, misfit in choice.misfits.items()
     ]
     return {
-        "class": program.class_name,
-        "class_reason": program.class_reason,
-        "slots": slots,
-        "slot_time_us": list(program.frame.slot_us),
-        "codes": {
-            "mode": program.mode,
-            "count": len(table.codes),
-            "shutters": len(table.shutters),
-        },
-        "fields": {field.name: [field.low, field.high] for field in program.fields},
-        "buckets": [bucket.name for bucket in program.buckets],
+        **subject(program),
         "digital_registers": schedule.allocation.holders,
         "analog_registers": lowered.plan.registers,
         "lowering": lowered.plan.lowering,

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
+from nscc.emit.subject import subject
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 from nscc.prove.proof import Proof
@@ -79,19 +80,8 @@ def sending_text(sending: Sending) -> str:
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
     """The report as JSON values: the keys of other chips' that mean something here, and planes."""
     program, target = sending.program, sending.program.target
-    table = program.table
     return {
-        "class": program.class_name,
-        "class_reason": program.class_reason,
-        "slots": len(program.frame.slot_us),
-        "slot_time_us": list(program.frame.slot_us),
-        "codes": {
-            "mode": program.mode,
-            "count": len(table.codes),
-            "shutters": len(table.shutters),
-        },
-        "fields": {field.name: [field.low, field.high] for field in program.fields},
-        "buckets": [bucket.name for bucket in program.buckets],
+        **subject(program),
         "taps": {b.name: t for b, t in zip(program.buckets, target.taps, strict=False)},
         "lowering": "stream",
         "planes": {
