@@ -25,7 +25,7 @@ if "PYTEST_XDIST_WORKER" in os.environ:
 # The same examples on every run: a test that fails here fails everywhere.
 settings.register_profile(
     "ci",
-    max_examples=60,
+    max_examples=40,
     deadline=None,
     derandomize=True,
     suppress_health_check=[HealthCheck.too_slow, HealthCheck.function_scoped_fixture],

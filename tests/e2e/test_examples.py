@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from example_shutters import RULES, shutters_of
+from marks import slow
 from nscc_command import Outcome, invoke
 
 ROOT = Path(__file__).resolve().parent.parent.parent
@@ -31,6 +32,9 @@ LATCH_SERVES = {
 REFUSALS = {"latch": "NS0414", "edges": "NS0502"}
 
 examples = pytest.mark.parametrize("path", [pytest.param(p, id=p.stem) for p in EXAMPLES])
+long_later = pytest.mark.parametrize(
+    "path", [p if p.stem not in LONG else slow(p) for p in EXAMPLES], ids=lambda p: p.stem
+)
 fixed = pytest.mark.parametrize(
     "path", [pytest.param(p, id=p.stem) for p in EXAMPLES if p not in LOOKING]
 )
@@ -48,7 +52,7 @@ def test_an_example_begins_with_its_purpose(path: Path) -> None:
     assert max(map(len, path.read_text().splitlines())) <= 100
 
 
-@examples
+@long_later
 @pytest.mark.parametrize("level", ["0", "1", "2"])
 def test_builds_and_proves(path: Path, level: str, tmp_path: Path) -> None:
     fine(["build", path, "-O", level, "-o", "a.icw", "--emit", "report"], tmp_path)
@@ -66,7 +70,7 @@ def test_assembly_text_is_the_whole_container(path: Path, tmp_path: Path) -> Non
     assert (tmp_path / "a.icw").read_bytes() == (tmp_path / "b.icw").read_bytes()
 
 
-@examples
+@long_later
 def test_builds_for_every_legal_code(path: Path, tmp_path: Path) -> None:
     fine(["build", path, "--codes", "open", "-o", "a.icw"], tmp_path)
     fine(["prove", "a.icw"], tmp_path)

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import pytest
 from added_package import add_package, nscc_with
+from marks import slow
 
 SOURCE = '''
 from itertools import combinations_with_replacement
@@ -40,7 +41,7 @@ PROGRAM = "nsl 1 frame 15 slots of 1ms code b : bit[5] open when b[n % 5] or b[(
 BUILD = ("build", "p.nsl", "--lowering", "accumulate", "--emit", "report=-", "-O")
 
 
-@pytest.mark.parametrize("level", [0, 1, 2, pytest.param(3, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("level", [0, 1, 2, slow(3)])
 def test_an_encoding_from_outside_serves_a_program(tmp_path: Path, level: int) -> None:
     add_package(tmp_path, SOURCE, "nscc.encodings", "sums", "GOOD")
     (tmp_path / "p.nsl").write_text(PROGRAM)

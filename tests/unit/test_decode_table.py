@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from marks import slow
 from nscc_command import invoke
 from plan_cases import CASES, case
 from reference_programs import sensor_of
@@ -17,10 +18,12 @@ from nscc_runtime.light import Light
 from nscc_runtime.reference import frames
 
 ROWS, COLS, REPEATS = 16, 24, 60
+SHORT = {"b latch", "c accumulate", "d edges", "two buckets"}
+"""The kinds of class, lowering and number of buckets, once each."""
 EFFECTS = "shot,dark,read,reset,analog,leakage,dead_time"
 
 
-@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("name", [n if n in SHORT else slow(n) for n in CASES])
 def test_gain_bias_and_variance_are_those_of_the_reference(name: str) -> None:
     """Mean and variance of many frames of the words, executed one by one, at three levels."""
     program = case(name, rows=ROWS, cols=COLS)

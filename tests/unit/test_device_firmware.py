@@ -131,7 +131,11 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
 
 
 @pytest.fixture(
-    scope="module", params=[(), ("-DDEVKIT_STUB_TABLE_FUNCTION",)], ids=["object", "function"]
+    scope="module",
+    params=[
+        pytest.param((), id="object"),
+        pytest.param(("-DDEVKIT_STUB_TABLE_FUNCTION",), id="function", marks=pytest.mark.slow),
+    ],
 )
 def devkit_loader(
     request: pytest.FixtureRequest, root: Path, tmp_path_factory: pytest.TempPathFactory

@@ -25,6 +25,7 @@ from devkit_oracle import (
     record,
     run,
 )
+from marks import slow
 from nscc_command import invoke
 
 from nscc.emit.cpp.patterns import patterns_of
@@ -36,6 +37,8 @@ from nscc_runtime.light import Light
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLES = sorted((ROOT / "examples").glob("*.nsl"))
+KINDS = {"class_c", "codebook", "hdr_2x2", "first_light", "two_buckets"}
+"""One of each kind of text that C++ is written in: tables, planes, patterns, looks, buckets."""
 PUBLISHED = json.loads((ROOT / "tests/data/icw_examples.json").read_text())
 
 
@@ -89,14 +92,14 @@ def test_the_recording_library_encodes_the_published_examples(tmp_path: Path) ->
 
 
 @needs_compiler
-@pytest.mark.parametrize("path", [pytest.param(p, id=p.stem) for p in EXAMPLES])
-def test_examples_do_on_the_devkit_what_the_container_says(path: Path, tmp_path: Path) -> None:
-    checked(tmp_path, path.read_text())
+@pytest.mark.parametrize("name", [p.stem if p.stem in KINDS else slow(p.stem) for p in EXAMPLES])
+def test_examples_do_on_the_devkit_what_the_container_says(name: str, tmp_path: Path) -> None:
+    checked(tmp_path, (ROOT / f"examples/{name}.nsl").read_text())
 
 
 @needs_compiler
 @pytest.mark.parametrize("standard", ["-std=c++11", "-std=c++14", "-std=c++17"])
-@pytest.mark.parametrize("name", ["class_c", "class_e", "hdr_2x2"])
+@pytest.mark.parametrize("name", [slow("class_c"), slow("class_e"), "hdr_2x2"])
 def test_no_compiler_has_anything_to_say(name: str, standard: str, tmp_path: Path) -> None:
     file, _ = build(tmp_path, (ROOT / "examples" / f"{name}.nsl").read_text())
     check_syntax(file, standard)
@@ -127,7 +130,7 @@ def test_every_lowering(lowering: str, tmp_path: Path) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("codes", ["fixed", pytest.param("open", marks=pytest.mark.slow)])
+@pytest.mark.parametrize("codes", ["fixed", slow("open")])
 def test_long_frames_are_a_table_and_not_thousands_of_lines(codes: str, tmp_path: Path) -> None:
     text = (ROOT / "examples" / "class_b_4096.nsl").read_text()
     _, container, written = checked(tmp_path, text, "--codes", codes)
@@ -164,7 +167,7 @@ def test_all_thirteen_registers_the_masked_one_first(rows: str, tmp_path: Path) 
 
 
 @needs_compiler
-@pytest.mark.parametrize("shape", [(33, 70), (256, 64), (1, 8), (100, 256), (5, 1)])
+@pytest.mark.parametrize("shape", [(33, 70), slow((256, 64)), (1, 8), slow((100, 256)), (5, 1)])
 @pytest.mark.parametrize("data", ["tile", "plane"])
 def test_other_arrays(shape: tuple[int, int], data: str, tmp_path: Path) -> None:
     rows, cols = shape
@@ -242,7 +245,7 @@ def test_nothing_adds_up_over_4096_slots(tmp_path: Path) -> None:
 
 
 @needs_compiler
-@pytest.mark.parametrize("name", ["hdr_2x2", "class_c", "class_e"])
+@pytest.mark.parametrize("name", ["hdr_2x2", slow("class_c"), slow("class_e")])
 def test_the_simulators_build_opens_the_same_shutters(name: str, tmp_path: Path) -> None:
     """Words that have no call there are several: frame by frame they gather the same light, which
     falls between them as long as the slots are."""

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from marks import slow
 from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
@@ -67,7 +68,7 @@ def share(program: Container) -> torch.Tensor:
     return torch.from_numpy(program.table.shutters[:, 0].mean(axis=1)[lanes])
 
 
-@pytest.mark.parametrize("level", [0.1, 0.45, 0.93])
+@pytest.mark.parametrize("level", [slow(0.1), 0.45, slow(0.93)])
 def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, level: float) -> None:
     """Mean, deviation from steady light (bias) and variance of every place, within a tenth."""
     sensor = default_sensor(program.target)

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from marks import slow
 
 from nscc.compiler import compile_source
 from nscc.limits.families import families, random_rows
@@ -89,7 +90,7 @@ def test_largest_with_by_counting(most, ceiling):
     assert largest_with(lambda n: n * n, most, 1, ceiling) == max(counted, default=0)
 
 
-@pytest.mark.parametrize("size", [3, *(pytest.param(n, marks=pytest.mark.slow) for n in (4, 5, 6))])
+@pytest.mark.parametrize("size", [3, slow(4), slow(5), slow(6)])
 def test_families_count_their_shutters(size):
     """Against the decode table of the program itself, at sizes where each family has one."""
     for family in families():

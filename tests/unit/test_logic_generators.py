@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from lowering_oracle import program_from
+from marks import slow
 
 from nscc.logic.bound import level_bound
 from nscc.logic.cubes import Budget, cover
@@ -189,7 +190,7 @@ def test_every_family_serves_something():
     assert served == set(range(len(FAMILIES)))
 
 
-@pytest.mark.parametrize("level", [0, 1, pytest.param(2, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("level", [0, 1, slow(2)])
 def test_solutions_are_the_same_every_time(level):
     asked = problem("book", "edges")
     first = list(solutions(asked, MACHINES["scamp5"], level))

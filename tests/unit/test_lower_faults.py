@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from marks import slow
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
@@ -53,8 +54,7 @@ def book_file(folder, rows, slots):
         (E16, "open", 16, "16 slots, each free: 65536 shutters"),
         (E16 + "\npixels bits = (256 * y + x) % 65536", "fixed", 16,
          "65536 different shutters in use"),
-        pytest.param(f"frame 200 slots of 1ms\n{BUMPS}", "open", 15, "20100 different shutters",
-                     marks=pytest.mark.slow),
+        slow(f"frame 200 slots of 1ms\n{BUMPS}", "open", 15, "20100 different shutters"),
         ("frame 9 slots of 1ms\ncode a : bit[9]\ncode b : bit[9]\n"
          "bucket one open when a[n]\nbucket two open when b[n]", "open", 18,
          "9 slots in 2 buckets, each free: 262144 shutters"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from marks import slow
 
 torch = pytest.importorskip("torch")
 
@@ -71,8 +72,8 @@ def decibels(kind: str, name: str, loss_name: str, steps: int, rate: float) -> f
         ("clip", "fcnet", "l1", 3e-3),
         ("clip", "unet2d", "l1", 3e-3),
         ("clip", "unet2d", "psnr", 3e-3),
-        pytest.param("clip", "unet3d", "l1", 3e-3, marks=pytest.mark.slow),
-        pytest.param("clip", "unet3d", "psnr", 2e-3, marks=pytest.mark.slow),
+        slow("clip", "unet3d", "l1", 3e-3),
+        slow("clip", "unet3d", "psnr", 2e-3),
     ],
 )
 def test_one_batch_by_heart(kind: str, name: str, loss: str, rate: float) -> None:
