@@ -217,12 +217,12 @@ class Chooser(Promises):
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
         kept = everything().without(*dropped)
-        return self.program.work.words_ns(kept, SHIPPED, alone=False)
+        return self.program.work.words_ns(kept, SHIPPED, False)
 
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
         kept = everything().without(*lacking)
-        return self.program.work.words_ns(kept, SHIPPED, alone=True)
+        return self.program.work.words_ns(kept, SHIPPED, True)
 
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
