@@ -6,6 +6,8 @@ that these loops lend.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from nscc_runtime.loop import Bytes, Floats, Ints, compiled, inlined
@@ -16,8 +18,21 @@ from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
 BLOCK = 1024
 """Pixels that go through all steps together."""
 
+ROOM = 5 * BLOCK
+"""Numbers that `scratch` has room for where counts are drawn."""
+
 MOST_COUNTED = 80
 _NOTHING = 1e-17
+
+FORMULA_FROM = 2.0
+"""Below this rate the formula is too often near a whole number to be asked."""
+MARGIN = 0.02
+"""A formula's value that is nearer to a whole number than this times (1 + |z|**5) / rate**1.5 does
+not decide: its error, 0.016 of the same from FORMULA_FROM to SEARCH_BELOW, could have moved it
+across."""
+_UNSURE = -1.0
+_FEW = 8
+"""So small a part of a block's pixels is searched without asking the formula first."""
 
 FIRST_LANE = np.uint64(0)
 
@@ -47,30 +62,76 @@ def _exp_minus(x: float) -> float:
 
 
 @compiled
-def _searched(count: int, rates: Floats, rest: int, room: int, scratch: Floats) -> None:
-    """`nscc_runtime.noise.poisson_law.search`, step by step for many pixels at once.
-
-    `scratch` holds uniform numbers from `rest` on, then masses and the counts found, each of
-    `room`; `rates` are at most SEARCH_BELOW.
+def _searched(
+    count: int, few: Floats, places: Ints, rest: int, mass: int, found: int, scratch: Floats,
+    out: int,
+) -> None:  # fmt: skip
+    """scratch[out + places[j]] := `nscc_runtime.noise.poisson_law.search` for the rate few[j], at
+    most SEARCH_BELOW; `scratch` holds uniform numbers from `rest` on. Step by step for all at once;
+    those that have their count leave now and then.
     """
-    mass, found = rest + room, rest + 2 * room
-    for i in range(count):
-        start = _exp_minus(rates[i])
-        scratch[mass + i] = start
-        scratch[rest + i] -= start
-        scratch[found + i] = 0.0
-    for step in range(1, MOST_COUNTED):
-        inverse, going = 1.0 / step, 0
-        for i in range(count):
-            next_mass = scratch[mass + i] * (rates[i] * inverse)
-            left = scratch[rest + i]
-            on = left > 0.0 and next_mass > _NOTHING
-            scratch[mass + i] = next_mass
-            scratch[rest + i] = left - next_mass
-            scratch[found + i] += 1.0 if on else 0.0
+    for j in range(count):
+        start = _exp_minus(few[j])
+        scratch[mass + j] = start
+        scratch[rest + j] -= start
+        scratch[found + j] = 0.0
+    step, together = 1, 4
+    while count:
+        end = min(step + together, MOST_COUNTED)
+        for k in range(step, end):
+            inverse = 1.0 / k
+            for j in range(count):
+                next_mass = scratch[mass + j] * (few[j] * inverse)
+                left = scratch[rest + j]
+                scratch[mass + j] = next_mass
+                scratch[rest + j] = left - next_mass
+                scratch[found + j] += 1.0 if left > 0.0 and next_mass > _NOTHING else 0.0
+        going = 0
+        for j in range(count):
+            place = places[j]
+            scratch[out + place] = scratch[found + j]
+            scratch[rest + going] = scratch[rest + j]
+            scratch[mass + going] = scratch[mass + j]
+            scratch[found + going] = scratch[found + j]
+            few[going], places[going] = few[j], place
+            on = scratch[rest + j] > 0.0 and scratch[mass + j] > _NOTHING
             going += 1 if on else 0
-        if going == 0:
-            break
+        count = going if end < MOST_COUNTED else 0
+        step, together = end, 2 * together
+
+
+@compiled
+def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
+    """scratch[out + i] := the smallest count whose distribution function reaches the probability of
+    scratch[i], a normal number, at the rate rates[i], or at SEARCH_BELOW if that is less; _UNSURE
+    where the formula cannot say. 0 where the rate is so great that nobody asks.
+    """
+    for i in range(count):
+        rate, z = rates[i], scratch[i]
+        known = rate if rate > FORMULA_FROM else FORMULA_FROM
+        known = known if known < SEARCH_BELOW else SEARCH_BELOW
+        x = quantile(z, known)
+        whole, square = np.floor(x), z * z
+        margin = MARGIN * (1.0 + abs(z) * square * square) / (known * math.sqrt(known))
+        sure = rate >= FORMULA_FROM and x - whole > margin and x - whole < 1.0 - margin
+        decided = (whole if whole > 0.0 else 0.0) if sure else _UNSURE
+        scratch[out + i] = 0.0 if rate >= SETTLED_ABOVE else decided
+
+
+@compiled
+def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
+    """scratch[out + i] := the formula's count at the normal number scratch[i] and the rate rates[i]
+    if that is more and the rate is not below SEARCH_BELOW.
+
+    Up to SETTLED_ABOVE, what is there is the count at SEARCH_BELOW: the formula's error must not
+    let a greater rate give a smaller count.
+    """
+    for i in range(count):
+        rate = rates[i]
+        x = np.floor(quantile(scratch[i], rate if rate > SEARCH_BELOW else SEARCH_BELOW))
+        x = x if rate >= SEARCH_BELOW else 0.0
+        least = scratch[out + i]
+        scratch[out + i] = x if x > least else least
 
 
 @compiled
@@ -78,35 +139,44 @@ def counted(
     stream: np.uint64, top: float, first: int, stop: int, values: Floats, scratch: Floats,
     few: Floats, places: Ints,
 ) -> None:  # fmt: skip
-    """values[i] := a count of the rate values[i] at pixel first + i."""
-    low, high = 0, 0
-    for i in range(stop - first):
+    """values[i] := a count of the rate values[i] at pixel first + i, as
+    `nscc_runtime.noise.poisson_law.poisson_fast` finds it from the same uniform number.
+    """
+    count, low, middle, high = stop - first, 0, 0, 0
+    for i in range(count):
         rate = values[i] if values[i] > 0.0 else 0.0
         values[i] = rate if rate < top else top
-    for i in range(stop - first):
-        scratch[i] = unit(bits(stream, first + i, FIRST_LANE))
-    for i in range(stop - first):
-        if values[i] < SETTLED_ABOVE:
-            places[low] = i
-            few[low] = values[i] if values[i] < SEARCH_BELOW else SEARCH_BELOW
-            low += 1
-    for i in range(stop - first):
+    for i in range(count):
+        low += 1 if values[i] < SETTLED_ABOVE else 0
+        middle += 1 if values[i] >= FORMULA_FROM and values[i] < SETTLED_ABOVE else 0
         high += 1 if values[i] >= SEARCH_BELOW else 0
-    for j in range(low):
-        scratch[BLOCK + j] = scratch[places[j]]
-    for i in range(stop - first if high else 0):
-        z = float(normal_fast(scratch[i]))
-        x = np.floor(quantile(z, values[i] if values[i] > SEARCH_BELOW else SEARCH_BELOW))
-        scratch[i] = x if x > 0.0 else 0.0
-    if low:
-        _searched(low, few, BLOCK, BLOCK, scratch)
-        for j in range(low):
-            i, found = places[j], scratch[3 * BLOCK + j]
-            # The formula's error at the crossover must not let a greater rate give a smaller count.
-            formula = scratch[i] if values[i] >= SEARCH_BELOW else 0.0
-            scratch[i] = found if found > formula else formula
-    for i in range(stop - first):
-        values[i] = scratch[i]
+    uniforms, normals, counts = BLOCK, 0, 2 * BLOCK
+    for i in range(count):
+        scratch[uniforms + i] = unit(bits(stream, first + i, FIRST_LANE))
+    asked = middle > count // _FEW
+    if asked or high:
+        for i in range(count):
+            scratch[normals + i] = float(normal_fast(scratch[uniforms + i]))
+    if asked:
+        _decided(count, values, scratch, counts)
+    else:
+        for i in range(count):
+            # exp(-rate) is not below 1 - rate, so where u is not above that the count is 0.
+            more = values[i] < SETTLED_ABOVE and scratch[uniforms + i] > 1.0 - values[i]
+            scratch[counts + i] = _UNSURE if more else 0.0
+    unsure = 0
+    for i in range(count if low else 0):
+        places[unsure] = i
+        unsure += 1 if scratch[counts + i] < 0.0 else 0
+    for j in range(unsure):
+        rate = values[places[j]]
+        few[j] = rate if rate < SEARCH_BELOW else SEARCH_BELOW
+        scratch[uniforms + j] = scratch[uniforms + places[j]]
+    _searched(unsure, few, places, uniforms, 3 * BLOCK, 4 * BLOCK, scratch, counts)
+    if high:
+        _raised(count, values, scratch, counts)
+    for i in range(count):
+        values[i] = scratch[counts + i]
 
 
 @inlined

@@ -19,7 +19,7 @@ from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
-from nscc_runtime.planner.drawn import BLOCK
+from nscc_runtime.planner.drawn import BLOCK, ROOM
 from nscc_runtime.planner.fused_loop import Simple, fused
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.prepared import Prepared
@@ -160,7 +160,7 @@ def _scratch() -> dict[str, NDArray[Any]]:
     return {
         "part": np.empty(BLOCK, np.float32),
         "values": np.empty(BLOCK),
-        "scratch": np.empty(4 * BLOCK),
+        "scratch": np.empty(ROOM),
         "few": np.empty(BLOCK),
         "places": np.empty(BLOCK, np.int64),
     }

@@ -24,6 +24,90 @@ from nscc_runtime.loop import (
 BLOCK = 512
 """Pixels whose sums stay in the cache while the frames go by."""
 
+TOGETHER = 4
+"""Frames that are added for one time through the sums."""
+FEW = 4
+"""So many lanes have their weights chosen, not looked up: tables of fewer are filled up."""
+
+DARK, EVEN, MIXED = range(3)
+"""A frame's weights: all 0, one for all lanes, or any."""
+
+
+@inlined
+def _of_four(lane: int, a: float, b: float, c: float, d: float) -> float:
+    """The weight of one of four lanes: chosen, not looked up, so that LLVM makes vectors."""
+    low = b if lane == 1 else a
+    high = d if lane == 3 else c
+    return high if lane > 1 else low
+
+
+@compiled
+def _add_one(
+    source: Floats32, at: int, table: Floats, row: int, lane_count: int, lanes: Ints32, first: int,
+    stop: int, out: Floats, to: int,
+) -> None:  # fmt: skip
+    """out[to + p] += source[at + p] times the weight of the lane of p in a row of the table."""
+    if lane_count == FEW:
+        a, b, c, d = table[row], table[row + 1], table[row + 2], table[row + 3]
+        for p in range(first, stop):
+            out[to + p] += _of_four(lanes[p], a, b, c, d) * source[at + p]
+    else:
+        for p in range(first, stop):
+            out[to + p] += table[row + lanes[p]] * source[at + p]
+
+
+@compiled
+def _add_four(
+    source: Floats32, at: int, step: int, table: Floats, row: int, lane_count: int, lanes: Ints32,
+    first: int, stop: int, out: Floats, to: int,
+) -> None:  # fmt: skip
+    """The same of four frames `step` apart, one after the other, for one time through `out`."""
+    for p in range(first, stop):
+        lane = row + lanes[p]
+        total = out[to + p] + table[lane] * source[at + p]
+        total += table[lane + lane_count] * source[at + step + p]
+        total += table[lane + 2 * lane_count] * source[at + 2 * step + p]
+        out[to + p] = total + table[lane + 3 * lane_count] * source[at + 3 * step + p]
+
+
+@compiled
+def _add_even(
+    source: Floats32, at: int, step: int, table: Floats, row: int, lane_count: int, first: int,
+    stop: int, out: Floats, to: int,
+) -> None:  # fmt: skip
+    """The same of four frames that have one weight for all lanes each."""
+    a, b = table[row], table[row + lane_count]
+    c, d = table[row + 2 * lane_count], table[row + 3 * lane_count]
+    for p in range(first, stop):
+        total = out[to + p] + a * source[at + p]
+        total += b * source[at + step + p]
+        total += c * source[at + 2 * step + p]
+        out[to + p] = total + d * source[at + 3 * step + p]
+
+
+@compiled
+def _add(
+    source: Floats32, at: int, step: int, together: int, table: Floats, row: int, lane_count: int,
+    kinds: Bytes, kind: int, lanes: Ints32, first: int, stop: int, out: Floats, to: int,
+) -> None:  # fmt: skip
+    """out[to + p] += up to `TOGETHER` frames, each weighted by lane; kinds[kind ..]: of weights."""
+    most = DARK
+    for k in range(kind, kind + together):
+        most = max(most, kinds[k])
+    if most == DARK:
+        return
+    if together == TOGETHER and most == EVEN:
+        _add_even(source, at, step, table, row, lane_count, first, stop, out, to)
+    elif together == TOGETHER and lane_count != FEW:
+        _add_four(source, at, step, table, row, lane_count, lanes, first, stop, out, to)
+    else:
+        for k in range(together):
+            if kinds[kind + k] != DARK:
+                _add_one(
+                    source, at + k * step, table, row + k * lane_count, lane_count, lanes, first,
+                    stop, out, to,
+                )  # fmt: skip
+
 
 @record
 class SumSizes:
@@ -43,24 +127,27 @@ def weighted_sums(
     frames: Annotated[Floats32, "count pixels"],
     lanes: Annotated[Ints32, "pixels"],
     table: Annotated[Floats, "sums count lane_count"],
+    kinds: Annotated[Bytes, "sums count"],
     out: Written[Annotated[Floats, "sums pixels"]],
 ) -> None:
     """out[j, p] := the sum over k of table[j, k, lanes[p]] * frames[k, p].
 
-    Products and sums in float64, frame after frame.
+    Products and sums in float64, frame after frame. `kinds`: of the frames' weights.
     """
     pixels, end, count, lane_count = sizes.pixels, sizes.end, sizes.count, sizes.lane_count
-    sums = sizes.sums
     for first in range(sizes.begin, end, BLOCK):
         stop = min(first + BLOCK, end)
-        for j in range(sums):
+        for j in range(sizes.sums):
             for p in range(first, stop):
                 out[j * pixels + p] = 0.0
-        for k in range(count):
-            for j in range(sums):
-                row = (j * count + k) * lane_count
-                for p in range(first, stop):
-                    out[j * pixels + p] += table[row + lanes[p]] * frames[k * pixels + p]
+        for k in range(0, count, TOGETHER):
+            together = min(TOGETHER, count - k)
+            for j in range(sizes.sums):
+                kind = j * count + k
+                _add(
+                    frames, k * pixels, pixels, together, table, kind * lane_count, lane_count,
+                    kinds, kind, lanes, first, stop, out, j * pixels,
+                )  # fmt: skip
 
 
 @record
@@ -83,16 +170,16 @@ class SceneSizes:
 
 @inlined
 def _moved(
-    frames: Floats32, scale: Floats, frame: int, p: int, up: int, down: int, left: int, right: int,
-    c: np.float32,
+    frames: Floats32, share: Floats32, frame: int, p: int, up: int, down: int, left: int,
+    right: int, c: np.float32,
 ) -> np.float32:  # fmt: skip
     """The light of pixel p of a frame once its neighbours, so many places away, have exchanged."""
-    own = np.float32(scale[p]) * frames[frame + p]
+    own = share[p] * frames[frame + p]
     four = (
-        np.float32(scale[p + up]) * frames[frame + p + up]
-        + np.float32(scale[p + down]) * frames[frame + p + down]
-        + np.float32(scale[p + left]) * frames[frame + p + left]
-        + np.float32(scale[p + right]) * frames[frame + p + right]
+        share[p + up] * frames[frame + p + up]
+        + share[p + down] * frames[frame + p + down]
+        + share[p + left] * frames[frame + p + left]
+        + share[p + right] * frames[frame + p + right]
     )
     found: np.float32 = own + c * (four - np.float32(4.0) * own)
     return found
@@ -100,10 +187,10 @@ def _moved(
 
 @compiled
 def _smear(
-    sizes: SceneSizes, frames: Floats32, scale: Floats, frame: int, first: int, stop: int,
-    lit: Floats32,
+    sizes: SceneSizes, frames: Floats32, share: Floats32, frame: int, first: int, stop: int,
+    lit: Floats32, at: int,
 ) -> None:  # fmt: skip
-    """lit[i] := q + fraction laplacian(q) at pixel first + i, q = scale * frame; the border
+    """lit[at + i] := q + fraction laplacian(q) at pixel first + i, q = share * frame; the border
     reflects. The pixels are of one row.
     """
     cols, c = sizes.cols, np.float32(sizes.fraction)
@@ -112,11 +199,11 @@ def _smear(
     down = cols if row + 1 < sizes.rows else 0
     # Those inside have all neighbours: no branch, so LLVM makes vectors.
     for p in range(first + 1, stop - 1):
-        lit[p - first] = _moved(frames, scale, frame, p, up, down, -1, 1, c)
+        lit[at + p - first] = _moved(frames, share, frame, p, up, down, -1, 1, c)
     left, right = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
-    lit[0] = _moved(frames, scale, frame, first, up, down, left, right, c)
+    lit[at] = _moved(frames, share, frame, first, up, down, left, right, c)
     left, right = -1 if (stop - 1) % cols else 0, 1 if stop % cols else 0
-    lit[stop - 1 - first] = _moved(frames, scale, frame, stop - 1, up, down, left, right, c)
+    lit[at + stop - 1 - first] = _moved(frames, share, frame, stop - 1, up, down, left, right, c)
 
 
 @loop
@@ -124,17 +211,18 @@ def scene_sums(
     sizes: SceneSizes,
     frames: Annotated[Floats32, "count rows cols"],
     scale: Annotated[Floats, "rows cols"],
+    share: Floats32,
     lanes: Annotated[Ints32, "rows cols"],
     table: Annotated[Floats, "sums count lane_count"],
-    even: Annotated[Bytes, "sums count"],
+    kinds: Annotated[Bytes, "sums count"],
     lit: Written[Floats32],
     out: Written[Annotated[Floats, "sums rows cols"]],
 ) -> None:
     """out[j, p] := the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
 
     The frames pass once, for all sums. Products and sums in float64, frame after frame; smeared
-    light in float32. `even`: whether the table has the same for all lanes. `lit`: scratch for
-    `BLOCK` pixels.
+    light in float32. `share`: the scale in float32 where light is smeared. `kinds`: of the frames'
+    weights. `lit`: scratch for `TOGETHER` times `BLOCK` pixels.
     """
     cols, count, lane_count = sizes.cols, sizes.count, sizes.lane_count
     pixels = sizes.rows * cols
@@ -144,26 +232,24 @@ def scene_sums(
             for j in range(sizes.sums):
                 for p in range(first, stop):
                     out[j * pixels + p] = 0.0
-            for k in range(count):
+            for k in range(0, count, TOGETHER):
+                together = min(TOGETHER, count - k)
                 if sizes.smeared < sizes.sums:
-                    _smear(sizes, frames, scale, k * pixels, first, stop, lit)
-                for j in range(sizes.sums):
-                    at, frame, to = (j * count + k) * lane_count, k * pixels, j * pixels
-                    weight = table[at]
-                    if even[j * count + k] and weight == 0.0:
-                        continue
-                    if even[j * count + k] and j >= sizes.smeared:
-                        for p in range(first, stop):
-                            out[to + p] += weight * lit[p - first]
-                    elif even[j * count + k]:
-                        for p in range(first, stop):
-                            out[to + p] += weight * frames[frame + p]
-                    elif j >= sizes.smeared:
-                        for p in range(first, stop):
-                            out[to + p] += table[at + lanes[p]] * lit[p - first]
-                    else:
-                        for p in range(first, stop):
-                            out[to + p] += table[at + lanes[p]] * frames[frame + p]
+                    for near in range(together):
+                        frame = (k + near) * pixels
+                        _smear(sizes, frames, share, frame, first, stop, lit, near * BLOCK)
+                for j in range(sizes.smeared):
+                    kind = j * count + k
+                    _add(
+                        frames, k * pixels, pixels, together, table, kind * lane_count, lane_count,
+                        kinds, kind, lanes, first, stop, out, j * pixels,
+                    )  # fmt: skip
+                for j in range(sizes.smeared, sizes.sums):
+                    kind = j * count + k
+                    _add(
+                        lit, -first, BLOCK, together, table, kind * lane_count, lane_count, kinds,
+                        kind, lanes, first, stop, out, j * pixels,
+                    )  # fmt: skip
             for j in range(sizes.smeared):
                 for p in range(first, stop):
                     out[j * pixels + p] *= scale[p]

@@ -25,7 +25,7 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
-from nscc_runtime.planner.drawn import BLOCK
+from nscc_runtime.planner.drawn import BLOCK, ROOM
 from nscc_runtime.planner.frame_loop import (
     Adding,
     Counting,
@@ -92,7 +92,7 @@ class Summed:
                 keys=keys,
                 away=away,
                 values=np.empty(BLOCK),
-                scratch=np.empty(4 * BLOCK),
+                scratch=np.empty(ROOM),
                 few=np.empty(BLOCK),
                 places=np.empty(BLOCK, np.int64),
             )  # fmt: skip

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.planner import sum_loop
-from nscc_runtime.planner.sum_loop import SceneSizes, SumSizes
+from nscc_runtime.planner.sum_loop import DARK, EVEN, FEW, MIXED, SceneSizes, SumSizes
 from nscc_runtime.pool import in_parts
 
 _MOST_ENTRIES = 1 << 23
@@ -35,17 +35,24 @@ def weighted_sums(
     if pixels and not (lanes.min() >= 0 and lanes.max() < lane_count):
         raise ValueError("a lane that the tables do not have")
     out = np.empty((sums, pixels))
+    table, kinds = _laid_out(tables)
     bound = sum_loop.weighted_sums.bound(
         frames=np.require(frames, np.float32, ["C", "A"]),
         lanes=np.require(lanes, np.int32, ["C", "A"]),
-        table=np.require(tables, np.float64, ["C", "A"]),
+        table=table,
+        kinds=kinds,
         out=out,
     )
 
     def run(begin: int, end: int) -> None:
         bound(
             sizes=SumSizes(
-                pixels=pixels, begin=begin, end=end, count=count, lane_count=lane_count, sums=sums
+                pixels=pixels,
+                begin=begin,
+                end=end,
+                count=count,
+                lane_count=table.shape[2],
+                sums=sums,
             )
         )
 
@@ -77,24 +84,28 @@ def scene_sums(
     out = np.empty((len(weights), *shape))
     room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * lane_count))
     frames = np.require(light.ended, np.float32, ["C", "A"])
+    share = scale.astype(np.float32) if len(smeared) else np.ones(1, np.float32)
     for first in range(0, len(weights), room):
-        tables = np.stack([on_frames(light, each) for each in weights[first : first + room]])
+        table, kinds = _laid_out(
+            np.stack([on_frames(light, each) for each in weights[first : first + room]])
+        )
         bound = sum_loop.scene_sums.bound(
             frames=frames,
             scale=np.require(scale.reshape(shape), np.float64, ["C", "A"]),
             lanes=np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
-            table=tables,
-            even=(tables == tables[:, :, :1]).all(axis=2).view(np.uint8),
+            share=share,
+            table=table,
+            kinds=kinds,
             out=out[first : first + room],
         )
         sizes = {
-            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": len(tables),
-            "lane_count": tables.shape[2], "fraction": fraction,
-            "smeared": min(max(len(plain) - first, 0), len(tables)),
+            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": len(table),
+            "lane_count": table.shape[2], "fraction": fraction,
+            "smeared": min(max(len(plain) - first, 0), len(table)),
         }  # fmt: skip
 
         def run(begin: int, end: int, bound: Bound = bound, sizes: dict[str, Any] = sizes) -> None:
-            lit = np.empty(sum_loop.BLOCK, np.float32)
+            lit = np.empty(sum_loop.TOGETHER * sum_loop.BLOCK, np.float32)
             bound(sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit)
 
         in_parts(run, shape[0], threads)
@@ -120,6 +131,16 @@ def sums_by_slot(
         tables = np.stack([on_frames(light, each) for each in part])
         found[first : first + room] = weighted_sums(frames, lanes, tables, threads)
     return found
+
+
+def _laid_out(tables: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+    """Tables (J, T, lanes) as the loops take them, and the kinds of each frame's weights."""
+    even = (tables == tables[:, :, :1]).all(axis=2)
+    kinds = np.where(even, np.where(tables[:, :, 0] == 0.0, DARK, EVEN), MIXED).astype(np.uint8)
+    lacking = max(0, FEW - tables.shape[2])
+    if lacking:
+        tables = np.pad(tables, ((0, 0), (0, 0), (0, lacking)))
+    return np.require(tables, np.float64, ["C", "A"]), kinds
 
 
 def on_frames(light: Light, slots: NDArray[np.float64]) -> NDArray[np.float64]:
