@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_runtime.effects.spread import log_normal_in_loop
-from nscc_runtime.loop import Bytes, Floats, Floats32, Ints, Ints32, Words, compiled
+from nscc_runtime.loop import Floats, Floats32, Ints, Ints32, Words, compiled
 from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import halved, uniform
@@ -17,6 +17,8 @@ from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 
 SITES = 5
 """A pixel and its four neighbours."""
+LIT, DARK = range(2)
+"""Sources of charge."""
 
 
 @compiled
@@ -26,21 +28,15 @@ def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
 
 
 @compiled
-def _share(
-    rates: Floats, at: int, groups: Ints32, lane: int, group: int, first: int, stop: int
-) -> float:
-    """The rates of a group in the slots `first` .. `stop` - 1."""
-    total = 0.0
-    for n in range(first, stop):
-        if groups[lane + n] == group:
-            total += rates[at + n]
-    return total
+def _share(sums: Floats, row: int, first: int, stop: int) -> float:
+    """The rates of a group in the slots `first` .. `stop` - 1, from their sums up to each slot."""
+    return sums[row + stop] - sums[row + first]
 
 
 @compiled
 def _split(
     heap: Floats, stamps: Ints, top: int, parent: int, slots: int, whole: int,
-    rates: Floats, at: int, groups: Ints32, lane: int, group: int, stream: np.uint64, place: int,
+    sums: Floats, row: int, stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
     """Halve the count of a node."""
     size, above = whole, parent
@@ -54,8 +50,7 @@ def _split(
     if count <= 0.0:
         drawn = 0.0
     elif middle < slots:
-        left = _share(rates, at, groups, lane, group, start, middle)
-        right = _share(rates, at, groups, lane, group, middle, end)
+        left, right = _share(sums, row, start, middle), _share(sums, row, middle, end)
         drawn = halved(stream, place, parent, count, left, right)
     heap[top + 2 * parent] = drawn
     heap[top + 2 * parent + 1] = count - drawn
@@ -66,7 +61,7 @@ def _split(
 @compiled
 def _counted(
     heap: Floats, stamps: Ints, top: int, first: int, stop: int, slots: int, whole: int,
-    rates: Floats, at: int, groups: Ints32, lane: int, group: int, stream: np.uint64, place: int,
+    sums: Floats, row: int, stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
     """The count of a group in the slots `first` .. `stop` - 1.
 
@@ -88,10 +83,7 @@ def _counted(
                 while stamps[top + (node >> depth)] != place:
                     depth += 1
                 while depth > 0:
-                    _split(
-                        heap, stamps, top, node >> depth, slots, whole,
-                        rates, at, groups, lane, group, stream, place,
-                    )  # fmt: skip
+                    _split(heap, stamps, top, node >> depth, slots, whole, sums, row, stream, place)
                     depth -= 1
                 total += heap[top + node]
         low //= 2
@@ -100,45 +92,51 @@ def _counted(
 
 
 @compiled
-def _prepared(
-    sizes: Sizes, numbers: Numbers, of_count: np.uint64, place: int, rates: Floats, at: int,
-    groups: Ints32, present: Bytes, lane: int, group_ids: Words, heap: Floats, stamps: Ints,
-    first: int,
-) -> None:  # fmt: skip
-    """Draw the counts of a site's groups and put them at the tops of their heaps."""
+def _between(
+    sizes: Sizes, numbers: Numbers, source: int, counted: bool, place: int, begin: int, stop: int,
+    sums: Floats, streams: Words, heap: Floats, stamps: Ints, kept: int,
+) -> float:  # fmt: skip
+    """The charge of the slots `begin` .. `stop` - 1 of one source (`LIT`, `DARK`) at a site, whose
+    sums and heaps are number `kept`. A group's count is drawn when it is first asked for.
+    """
+    total = 0.0
     slots, whole, count = sizes.slots, sizes.whole, sizes.groups
     for group in range(count):
-        if present[lane * count + group]:
-            rate = _share(rates, at, groups, lane * slots, group, 0, slots)
-            rate = rate if rate < numbers.rate_cap else numbers.rate_cap
-            stream = stream_key(of_count, sizes.frame, group_ids[group])
-            top = first + 2 * whole * group + 1
-            heap[top] = poisson_exact(uniform(stream, place), rate)
-            stamps[top] = place
+        row = (kept * count + group) * (slots + 1)
+        inside, every = _share(sums, row, begin, stop), sums[row + slots]
+        if inside <= 0.0:
+            continue
+        if not counted:
+            total += inside
+            continue
+        top = (kept * count + group) * 2 * whole
+        if stamps[top + 1] != place:
+            rate = every if every < numbers.rate_cap else numbers.rate_cap
+            stream = streams[2 * source * count + group]
+            heap[top + 1] = poisson_exact(uniform(stream, place), rate)
+            stamps[top + 1] = place
+        # Where nothing was counted there is nothing to spread: so it is with most dark charge. Nor
+        # is there where no slot of the group is left out.
+        if heap[top + 1] <= 0.0 or (sums[row + begin] <= 0.0 and sums[row + stop] >= every):
+            total += heap[top + 1]
+            continue
+        stream = streams[(2 * source + 1) * count + group]
+        total += _counted(
+            heap, stamps, top, begin, stop, slots, whole, sums, row, stream, place
+        )  # fmt: skip
+    return total
 
 
 @compiled
-def _between(
-    sizes: Sizes, of_thin: np.uint64, counted: bool, place: int, begin: int, stop: int,
-    rates: Floats, at: int, groups: Ints32, present: Bytes, lane: int, group_ids: Words,
-    heap: Floats, stamps: Ints, first: int,
-) -> float:  # fmt: skip
-    """The charge of the slots `begin` .. `stop` - 1 at a site, of one source."""
-    total = 0.0
-    slots, whole, count = sizes.slots, sizes.whole, sizes.groups
-    if not counted:
-        for n in range(begin, stop):
-            total += rates[at + n]
-        return total
+def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> None:
+    """The keys of a frame's counts and of how they spread, of each source, for each group."""
+    count = sizes.groups
     for group in range(count):
-        # Where nothing was counted there is nothing to spread: so it is with most dark charge.
-        if present[lane * count + group] and heap[first + 2 * whole * group + 1] > 0.0:
-            stream = stream_key(of_thin, sizes.frame, group_ids[group])
-            total += _counted(
-                heap, stamps, first + 2 * whole * group, begin, stop, slots, whole,
-                rates, at, groups, lane * slots, group, stream, place,
-            )  # fmt: skip
-    return total
+        name = group_ids[group]
+        streams[group] = stream_key(keys.count_light, sizes.frame, name)
+        streams[count + group] = stream_key(keys.thin_light, sizes.frame, name)
+        streams[2 * count + group] = stream_key(keys.count_dark, sizes.frame, name)
+        streams[3 * count + group] = stream_key(keys.thin_dark, sizes.frame, name)
 
 
 @compiled
@@ -153,14 +151,12 @@ def kept_at(sizes: Sizes, place: int) -> int:
 
 @compiled
 def charge(
-    sizes: Sizes, numbers: Numbers, keys: Keys, places: Ints, begin: int, stop: int,
-    rates: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
-    heap: Floats, stamps: Ints,
+    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sums: Floats,
+    streams: Words, heap: Floats, stamps: Ints,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
     if begin >= stop:
         return 0.0
-    slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
     own, flow = 0.0, 0.0
     for site in range(SITES if sizes.exchanges else 1):
         place = places[site]
@@ -168,14 +164,13 @@ def charge(
             continue
         kept = 2 * kept_at(sizes, place)
         total = _between(
-            sizes, keys.thin_light, sizes.counts_light == 1, place, begin, stop, rates,
-            kept * slots, groups, present, lanes[place], group_ids, heap, stamps, kept * room,
+            sizes, numbers, LIT, sizes.counts_light == 1, place, begin, stop, sums, streams, heap,
+            stamps, kept + LIT,
         )  # fmt: skip
         if sizes.counts_dark:
             total += _between(
-                sizes, keys.thin_dark, True, place, begin, stop, rates,
-                (kept + 1) * slots, groups, present, lanes[place], group_ids, heap, stamps,
-                (kept + 1) * room,
+                sizes, numbers, DARK, True, place, begin, stop, sums, streams, heap, stamps,
+                kept + DARK,
             )  # fmt: skip
         if site == 0:
             own = total
@@ -185,41 +180,42 @@ def charge(
 
 
 @compiled
+def _summed(
+    sizes: Sizes, groups: Ints32, lane: int, kept: int, n: int, rate: float, sums: Floats
+) -> None:
+    """Add the rate of slot n to the sums of its group, which go on without it in the others."""
+    slots, mine = sizes.slots, groups[lane * sizes.slots + n]
+    for group in range(sizes.groups):
+        at = (kept * sizes.groups + group) * (slots + 1) + n
+        before = sums[at] if n > 0 else 0.0
+        sums[at] = before
+        sums[at + 1] = before + rate if group == mine else before
+
+
+@compiled
 def lit(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int,
-    frames: Floats32, row_start: Ints, frame_index: Ints32, weight: Floats, slot_s: Floats,
-    groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
-    rates: Floats, heap: Floats, stamps: Ints,
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, frames: Floats32, row_start: Ints,
+    frame_index: Ints32, weight: Floats, slot_s: Floats, groups: Ints32, lanes: Ints32,
+    sums: Floats,
 ) -> None:  # fmt: skip
-    """The rates of a site, slot by slot, and the counts of its groups, where they are kept."""
-    slots, pixels = sizes.slots, sizes.rows * sizes.cols
-    room = 2 * sizes.whole * sizes.groups
+    """The rates of a site, added up slot by slot for each group, where they are kept."""
+    pixels, lane = sizes.rows * sizes.cols, lanes[place]
     response = 1.0
     if sizes.uneven:
         response += numbers.uneven * normal(uniform(keys.uneven, place))
         response = response if response > 0.0 else 0.0
     kept = 2 * kept_at(sizes, place)
-    at = kept * slots
-    for n in range(slots):
+    for n in range(sizes.slots):
         total = 0.0
         for k in range(row_start[n], row_start[n + 1]):
             total += float(frames[frame_index[k] * pixels + place]) * weight[k]
         rate = float(np.float32(total))
         rate = (rate + numbers.echo * rate) * response
         rate = rate if rate > 0.0 else 0.0
-        rates[at + n] = rate if rate < numbers.rate_cap else numbers.rate_cap
-    if sizes.counts_light:
-        _prepared(
-            sizes, numbers, keys.count_light, place, rates, at, groups, present, lanes[place],
-            group_ids, heap, stamps, kept * room,
-        )  # fmt: skip
+        rate = rate if rate < numbers.rate_cap else numbers.rate_cap
+        _summed(sizes, groups, lane, kept + LIT, n, rate, sums)
     if sizes.counts_dark:
-        at += slots
         z = normal(uniform(keys.dark, place))
         current = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)
-        for n in range(slots):
-            rates[at + n] = slot_s[n] * current
-        _prepared(
-            sizes, numbers, keys.count_dark, place, rates, at, groups, present, lanes[place],
-            group_ids, heap, stamps, (kept + 1) * room,
-        )  # fmt: skip
+        for n in range(sizes.slots):
+            _summed(sizes, groups, lane, kept + DARK, n, slot_s[n] * current, sums)

@@ -23,11 +23,11 @@ from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
-_FEWEST, _MOST = 48, 1024
+_FEWEST, _MOST = 48, 512
 """Pixels on which it is measured."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
-_PART = 4
+_PART = 8
 """Of this many pixels near saturation one is measured."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""

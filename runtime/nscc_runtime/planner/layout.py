@@ -111,6 +111,8 @@ class Entry:
     boundary: int
     resets: int
     acts: int
+    seen: int
+    """Whether a word reads PIX, this or a later one, before PIX is reset: what fell before it."""
     number: int
     reads_pix: int
     sources: int

@@ -30,7 +30,7 @@ from nscc_runtime.loop import (
 )
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
-from nscc_runtime.planner.charge_loop import SITES, charge, kept_at, lit, stream_key
+from nscc_runtime.planner.charge_loop import SITES, charge, kept_at, lit, stream_key, streams_of
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 
 _READS, _RESETS, _WORDS = 0, 1, 2
@@ -47,9 +47,9 @@ Entries = Annotated[NDArray[Any], Entry]
 @compiled
 def _missing(
     sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
-    entries: Entries, weights: Floats, kind: int, missing: Floats,
+    entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats,
 ) -> None:  # fmt: skip
-    """What the draws of the words lack of the draws of the buckets: z - Q^T x, by their keys."""
+    """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x."""
     buckets = sizes.buckets
     for bucket in range(buckets):
         stream = stream_key(of_sum, sizes.frame, np.uint64(bucket))
@@ -61,6 +61,7 @@ def _missing(
             number = _drawn_number(sizes, entries[e], kind, draw)
             stream = stream_key(of_part, sizes.frame, number)
             x = normal(uniform(stream, place))
+            drawn[(e - first) * sizes.draws + draw] = x
             for bucket in range(buckets):
                 at = (e * sizes.draws + draw) * buckets + bucket
                 missing[kind * buckets + bucket] -= weights[at] * x
@@ -85,14 +86,12 @@ def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64
 
 @compiled
 def _error(
-    sizes: Sizes, of_part: np.uint64, place: int, e: int, entries: Entries, weights: Floats,
-    kind: int, draw: int, missing: Floats,
+    sizes: Sizes, e: int, first: int, weights: Floats, kind: int, draw: int, missing: Floats,
+    drawn: Floats,
 ) -> float:  # fmt: skip
-    """The unit normal error of one draw of a word."""
+    """The unit normal error of one draw of word e of a lane whose words begin with `first`."""
     buckets = sizes.buckets
-    number = _drawn_number(sizes, entries[e], kind, draw)
-    stream = stream_key(of_part, sizes.frame, number)
-    found = normal(uniform(stream, place))
+    found = drawn[(e - first) * sizes.draws + draw]
     for bucket in range(buckets):
         at = (e * sizes.draws + draw) * buckets + bucket
         found += weights[at] * missing[kind * buckets + bucket]
@@ -101,8 +100,8 @@ def _error(
 
 @compiled
 def _execute(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, entries: Entries,
-    operands: Ints, weights: Floats, signs: Floats, missing: Floats, pattern: float,
+    sizes: Sizes, numbers: Numbers, e: int, first: int, entries: Entries, operands: Ints,
+    weights: Floats, signs: Floats, missing: Floats, drawn: Floats, pattern: float,
     registers: Floats, full: Ints, lost: Floats, fresh: bool,
 ) -> None:  # fmt: skip
     """Run one word. PIX is register `registers`, its reset level the next one, then IN. `fresh`:
@@ -113,7 +112,7 @@ def _execute(
         registers[pix] = 0.0
         full[pix] = 0
         if sizes.reset_errors:
-            z = _error(sizes, keys.part_resets, place, e, entries, weights, _RESETS, 0, missing)
+            z = _error(sizes, e, first, weights, _RESETS, 0, missing, drawn)
             registers[pix + 1] = numbers.reset_error * z
         return
     total, gathered, lost_e = 0.0, 0, 0.0
@@ -128,7 +127,7 @@ def _execute(
         if source == pix:
             total += registers[pix + 1]
             if sizes.read_errors:
-                z = _error(sizes, keys.part_reads, place, e, entries, weights, _READS, 0, missing)
+                z = _error(sizes, e, first, weights, _READS, 0, missing, drawn)
                 total += numbers.read_error * z
     result = total / -entry.divisor
     lost_e /= entry.divisor
@@ -136,7 +135,7 @@ def _execute(
         register = operands[entry.operands + entry.sources + i]
         value, here_e = result, lost_e
         if sizes.word_errors:
-            z = _error(sizes, keys.part_words, place, e, entries, weights, _WORDS, i + 1, missing)
+            z = _error(sizes, e, first, weights, _WORDS, i + 1, missing, drawn)
             error = pattern + numbers.word_error * z
             value = numbers.gain * value + signs[register] * error
         if sizes.bends:
@@ -195,9 +194,9 @@ def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats, fu
 @compiled
 def _run(
     sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
-    start_s: Floats, groups: Ints32, present: Bytes, lanes: Ints32, group_ids: Words,
-    entries: Entries, operands: Ints, weights: Floats, signs: Floats, rates: Floats, heap: Floats,
-    stamps: Ints, missing: Floats, registers: Floats, full: Ints, lost: Floats, places: Ints,
+    start_s: Floats, entries: Entries, operands: Ints, weights: Floats, signs: Floats,
+    sums: Floats, streams: Words, heap: Floats, stamps: Ints, missing: Floats, drawn: Floats,
+    registers: Floats, full: Ints, lost: Floats, places: Ints,
 ) -> None:  # fmt: skip
     """Run a pixel through its words, the charge of the slots falling meanwhile."""
     slots, pattern = sizes.slots, 0.0
@@ -209,16 +208,17 @@ def _run(
         boundary = slots if e == stop else entries[e].boundary
         if e < stop and not entries[e].acts:
             continue
+        # Of charge that nothing reads before PIX is reset, or the frame ends, nothing is asked.
+        seen = e < stop and entries[e].seen == 1
         if at < boundary:
-            fallen_e = charge(
-                sizes, numbers, keys, places, at + 1, boundary, rates, groups, present,
-                lanes, group_ids, heap, stamps,
-            )  # fmt: skip
-            fallen_e += (1.0 - fallen) * charge(
-                sizes, numbers, keys, places, at, at + 1, rates, groups, present,
-                lanes, group_ids, heap, stamps,
-            )  # fmt: skip
-            _fall(sizes, numbers, fallen_e, registers, full)
+            if seen:
+                fallen_e = charge(
+                    sizes, numbers, places, at + 1, boundary, sums, streams, heap, stamps
+                )
+                fallen_e += (1.0 - fallen) * charge(
+                    sizes, numbers, places, at, at + 1, sums, streams, heap, stamps
+                )
+                _fall(sizes, numbers, fallen_e, registers, full)
             if sizes.leaks:
                 kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
                 for register in range(sizes.registers):
@@ -228,15 +228,15 @@ def _run(
             break
         if sizes.slow_words:
             now = entries[e].end
-            slot = at if at < slots else slots - 1
-            fallen_e = (now - fallen) * charge(
-                sizes, numbers, keys, places, slot, slot + 1, rates, groups, present,
-                lanes, group_ids, heap, stamps,
-            )  # fmt: skip
-            _fall(sizes, numbers, fallen_e, registers, full)
+            if seen:
+                slot = at if at < slots else slots - 1
+                fallen_e = (now - fallen) * charge(
+                    sizes, numbers, places, slot, slot + 1, sums, streams, heap, stamps
+                )
+                _fall(sizes, numbers, fallen_e, registers, full)
             fallen = now
         _execute(
-            sizes, numbers, keys, place, e, entries, operands, weights, signs, missing, pattern,
+            sizes, numbers, e, first, entries, operands, weights, signs, missing, drawn, pattern,
             registers, full, lost, fresh,
         )  # fmt: skip
         fresh = fresh or entries[e].resets == 1
@@ -280,7 +280,6 @@ def run_pixels(
     slot_s: Annotated[Floats, "slots"],
     start_s: Annotated[Floats, "slots+1"],
     groups: Annotated[Ints32, "lanes slots"],
-    present: Annotated[Bytes, "lanes groups"],
     group_ids: Annotated[Words, "groups"],
     entry_start: Annotated[Ints, "lanes+1"],
     entries: Annotated[Entries, "entries"],
@@ -290,11 +289,13 @@ def run_pixels(
     readout_register: Annotated[Ints, "buckets"],
     readout_gain: Annotated[Floats, "buckets"],
     readout_wait_s: Annotated[Floats, "buckets"],
-    rates: Written[Floats],
+    sums: Written[Floats],
+    streams: Written[Words],
     heap: Written[Floats],
     stamps: Written[Ints],
     tags: Written[Ints],
     missing: Written[Floats],
+    drawn: Written[Floats],
     registers: Written[Annotated[Floats, "registers+3"]],
     full: Written[Annotated[Ints, "registers+3"]],
     lost: Written[Annotated[Floats, "registers+3"]],
@@ -307,9 +308,10 @@ def run_pixels(
 
     `lanes`: the lane of each pixel. `groups`: the index of the group of each slot; `group_ids`:
     what keys call them. The words of lane l are entry_start[l] .. entry_start[l + 1] of `entries`;
-    `weights`: of their draws in the buckets. From `rates` to `places`: scratch, `stamps` and `tags`
+    `weights`: of their draws in the buckets. From `sums` to `places`: scratch, `stamps` and `tags`
     once filled with -1. Places in rising order find most of their neighbours' charge already there.
     """
+    streams_of(sizes, keys, group_ids, streams)
     for i in range(sizes.pixels):
         place, lane = chosen[i], lanes[chosen[i]]
         _surround(sizes, place, places)
@@ -320,34 +322,33 @@ def run_pixels(
             if tags[site_at] != places[site]:
                 lit(
                     sizes, numbers, keys, places[site], frames, row_start, frame_index, weight,
-                    slot_s, groups, present, lanes, group_ids, rates, heap, stamps,
+                    slot_s, groups, lanes, sums,
                 )  # fmt: skip
                 tags[site_at] = places[site]
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes.read_errors:
             _missing(
                 sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
-                _READS, missing,
+                _READS, missing, drawn,
             )  # fmt: skip
         if sizes.reset_errors:
             _missing(
                 sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
-                _RESETS, missing,
+                _RESETS, missing, drawn,
             )  # fmt: skip
         leak = 0.0
         if sizes.word_errors:
             _missing(
                 sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
-                _WORDS, missing,
+                _WORDS, missing, drawn,
             )  # fmt: skip
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
             leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
         _begin(sizes, numbers, keys, place, registers, full, lost)
         _run(
-            sizes, numbers, keys, place, leak, first, stop, start_s, groups, present, lanes,
-            group_ids, entries, operands, weights, signs, rates, heap, stamps, missing, registers,
-            full, lost, places,
+            sizes, numbers, keys, place, leak, first, stop, start_s, entries, operands, weights,
+            signs, sums, streams, heap, stamps, missing, drawn, registers, full, lost, places,
         )  # fmt: skip
         _read_out(
             sizes, numbers, i, leak, readout_register, readout_gain, readout_wait_s, registers,

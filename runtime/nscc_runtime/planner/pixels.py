@@ -66,10 +66,12 @@ class Pixels:
         rows, operands = _entries(program)
         entries = rows[word]
         entries["acts"] = acts[word, lane]
+        entry_start = np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
+        entries["seen"] = _seen(entries, entry_start)
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
-            np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64),
+            entry_start,
             entries,
             operands,
             np.ascontiguousarray(draws[word, :, lane]),
@@ -100,8 +102,6 @@ class Pixels:
             raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
         program = self.program
         source = (effects.part(Moving) and light.motion) or light
-        present = np.zeros((len(self.groups), len(self.group_ids)), np.uint8)
-        np.put_along_axis(present, self.groups.astype(np.intp), 1, axis=1)
         container = program.container
         names = (*container.target.analog_registers, "PIX")
         signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
@@ -120,7 +120,6 @@ class Pixels:
             slot_s=np.require(slot_s, np.float64, ["C", "A"]),
             start_s=np.concatenate(([0.0], np.cumsum(slot_s))),
             groups=self.groups,
-            present=present,
             group_ids=self.group_ids,
             entry_start=self.entry_start,
             entries=self.entries,
@@ -141,7 +140,9 @@ class Pixels:
             sizes = self._sizes(end - begin, light, frame, effects)
             part = np.empty((len(container.buckets), end - begin))
             bits = np.empty(part.shape, np.uint8)
-            bound(sizes=sizes, chosen=chosen[begin:end], out=part, marked=bits, **_scratch(sizes))
+            bound(
+                sizes=sizes, chosen=chosen[begin:end], out=part, marked=bits, **self._scratch(sizes)
+            )
             out[:, begin:end], marked[:, begin:end] = part, bits
 
         in_parts(fill, len(chosen), threads, _FEWEST)
@@ -152,8 +153,8 @@ class Pixels:
         rows, cols = light.shape
         groups = len(self.group_ids)
         whole = 1 << (container.slots - 1).bit_length()
-        # What the charge of one site takes: rates, counts and their stamps, of light and dark.
-        each = 16 * (container.slots + 2 * 2 * whole * groups)
+        # What a site's charge takes: sums of rates, counts and their stamps, of light and dark.
+        each = 16 * groups * (container.slots + 1 + 2 * 2 * whole)
         marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         return Sizes(
             pixels=count,
@@ -171,6 +172,23 @@ class Pixels:
             **switches(Sizes, effects),
             **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
         )
+
+    def _scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
+        slots, groups, room = sizes.slots, sizes.groups, 2 * sizes.whole * sizes.groups
+        sites = 3 * sizes.kept_cols if sizes.exchanges else 1
+        return {
+            "sums": np.empty(2 * sites * groups * (slots + 1)),
+            "streams": np.empty(4 * groups, np.uint64),
+            "heap": np.empty(2 * sites * room),
+            "stamps": np.full(2 * sites * room, -1, np.int64),
+            "tags": np.full(sites, -1, np.int64),
+            "missing": np.empty(ERRORS * sizes.buckets),
+            "drawn": np.empty(int(np.diff(self.entry_start).max(initial=0)) * sizes.draws),
+            "registers": np.empty(sizes.registers + 3),
+            "full": np.empty(sizes.registers + 3, np.int64),
+            "lost": np.empty(sizes.registers + 3),
+            "places": np.empty(SITES, np.int64),
+        }
 
 
 def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
@@ -196,10 +214,22 @@ def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
             "end": end if last else min(end, 1.0),
             "divisor": word.op.operation.divisor,
             "acts": True,
+            "seen": False,
         }
         rows.append(tuple(entry[name] for name in _ENTRY.names or ()))
         operands += [names.index(name) for name in sources + destinations]
     return np.array(rows, _ENTRY), np.array(operands, np.int64)
+
+
+def _seen(entries: NDArray[Any], entry_start: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Whether what falls on PIX before each word is read, by it or later, before PIX is reset."""
+    count = len(entries)
+    turns = entries["acts"].astype(bool) & (entries["resets"] | entries["reads_pix"]).astype(bool)
+    # The next word that reads or resets PIX; none of another lane.
+    here = np.where(turns, np.arange(count), count)
+    next_turn = np.minimum.accumulate(here[::-1])[::-1]
+    within = next_turn < np.repeat(entry_start[1:], np.diff(entry_start))
+    return np.asarray(within & ~entries["resets"].astype(bool)[np.minimum(next_turn, count - 1)])
 
 
 def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
@@ -228,19 +258,3 @@ def _keys(seed: int, device_seed: int) -> Keys:
             found[f"sum_{part.at}"] = base(seed, effect.stream, SUM)
             found[f"part_{part.at}"] = base(seed, effect.stream, PART)
     return Keys(**found)
-
-
-def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:
-    slots, room = sizes.slots, 2 * sizes.whole * sizes.groups
-    sites = 3 * sizes.kept_cols if sizes.exchanges else 1
-    return {
-        "rates": np.empty(2 * sites * slots),
-        "heap": np.empty(2 * sites * room),
-        "stamps": np.full(2 * sites * room, -1, np.int64),
-        "tags": np.full(sites, -1, np.int64),
-        "missing": np.empty(ERRORS * sizes.buckets),
-        "registers": np.empty(sizes.registers + 3),
-        "full": np.empty(sizes.registers + 3, np.int64),
-        "lost": np.empty(sizes.registers + 3),
-        "places": np.empty(SITES, np.int64),
-    }

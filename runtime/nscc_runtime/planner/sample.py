@@ -13,11 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-_MOST_PIXELS = 2048
-_FEWEST_PIXELS = 1024
-_MOST_SAMPLES = 1 << 17
+_MOST_PIXELS = 1024
+_FEWEST_PIXELS = 512
+_MOST_SAMPLES = 1 << 16
 """Frames x pixels, above the fewest pixels."""
-_MOST_NEAR = 512
+_FEWEST_NEAR, _MOST_NEAR = 256, 512
+_NEAR_PART = 16
+"""Of this many pixels near saturation one is taken, as running them through their words is dear."""
 _GOLDEN = 0.6180339887498949
 
 
@@ -53,9 +55,9 @@ def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]
     places, count = np.unique(drawn, return_counts=True)
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
-    some = near
-    if len(near) > _MOST_NEAR:
-        some = near[np.unique(drawn_by(np.ones(len(near)), _MOST_NEAR))]
+    some, most = near, min(max(len(near) // _NEAR_PART, _FEWEST_NEAR), _MOST_NEAR)
+    if len(near) > most:
+        some = near[np.unique(drawn_by(np.ones(len(near)), most))]
     weight = np.concatenate([weight, np.full(len(some), len(near) / max(1, len(some)))])
     places = np.concatenate([places, some]).astype(np.int64)
     return Sample(places, weight, np.arange(len(places)) >= len(places) - len(some))
