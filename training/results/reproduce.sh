@@ -1,16 +1,17 @@
 #!/bin/bash
 # Trains and evaluates everything in this folder again, on two cores in about five hours:
 #   bash training/results/reproduce.sh DATA OUT [OPTION OF nscc sweep ...]
-# DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4 and sci/*.mat. OUT is made: links to
-# the data as they are split, and three sweeps, of results.toml, linear.toml and successors.toml, with
-# their runs and results. Ended and started again it goes on.
+# DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4, sci/*.mat and photographs/*/*.jpg
+# (`python training/data/fetch.py DATA/photographs`). OUT is made: links to the data as they are split,
+# and three sweeps, of results.toml, linear.toml and successors.toml, with their runs and results.
+# Ended and started again it goes on.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
 data=$(cd "$1" && pwd)
 mkdir -p "$2" && cd "$2"
 shift 2
-mkdir -p data/{hdr_train,hdr_test,pano,mixed,clips,sci}
+mkdir -p data/{hdr_train,hdr_test,pano,moving,mixed,clips,sci}
 
 # Of five panoramas by name the second and the fourth are kept back.
 k=0
@@ -21,6 +22,7 @@ for file in "$data"/hdr/*.hdr; do
     k=$((k + 1))
 done
 ln -sf "$data"/hdr/*.hdr data/pano/
+ln -sf "$data"/hdr/*.hdr "$data"/photographs/*/*.jpg data/moving/
 ln -sf "$data"/hdr/*.hdr "$data"/video/*.mp4 data/mixed/
 ln -sf "$data"/video/*.mp4 "$data"/sci/*.mat data/clips/
 ln -sf "$data"/sci/*.mat data/sci/
@@ -46,6 +48,7 @@ for effects in all ''; do
 done
 score hdr_learned_0 hdr_test hdr-v1 all
 for name in vid_learned_0 u3_d_learned_1; do score $name clips video-v1 all; done
+python "$here"/without.py all/results/under/without.json all/runs/under_still all/runs/under_clip
 
 # What accuracy costs in time: the 2 x 2 pattern's decoders on the same captures.
 nscc tradeoff decoder --data data/clips --scenes 7 --size 256 --budget 90 \
