@@ -116,7 +116,8 @@ class Plan:
     was. `noise_ratio`: the standard deviation of exposures over frames by that with every effect;
     None where it is not promised. `saturating_lack`: the dropped effects that pixels near
     saturation lack as well, whose words run with all others. `cost`: None where there are no prices
-    for it. As text a plan is the table that `nscc run` prints.
+    for it. `reused`: it was made for an earlier scene, with light of this kind and no weaker, whose
+    predictions these are. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -140,6 +141,7 @@ class Plan:
     noise_ratio: float | None = field(default=None, metadata=_LATER)
     saturating_lack: tuple[str, ...] = field(default=(), metadata=_LATER)
     cost: Cost | None = field(default=None, metadata=_LATER)
+    reused: bool = field(default=False, metadata=_LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -182,6 +184,8 @@ class Plan:
         lines.append(": ".join(filter(None, (loop, "; ".join(self.slot_loop_reasons)))))
         if self.cost is not None:
             lines.append(self.cost.said)
+        if self.reused:
+            lines.append("made for an earlier scene, whose light was of this kind and no weaker")
         return "\n".join(lines)
 
     def _costs(self) -> list[tuple[str, ...]]:
@@ -308,6 +312,7 @@ class Plan:
             "saturating_lack": list(self.saturating_lack),
             "cost": None if self.cost is None else asdict(self.cost),
             "other_states": self.other_states,
+            "reused": self.reused,
             "effects": [asdict(each) for each in self.decisions],
         }
 
