@@ -19,9 +19,11 @@ from nscc_runtime.effects import (
     registered,
     selected,
 )
+from nscc_runtime.effects.parts import Counted, Errors, Exchange
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.planner.effect_fields import TRIED
 from nscc_runtime.planner.lacking import Lacking
 from nscc_runtime.planner.plan import Approximation, Choice, Cost, Decision, Loop, Plan
 from nscc_runtime.planner.predict import WORDS
@@ -260,10 +262,23 @@ class Chooser(Promises):
         effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
         return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
 
+    def _trying_ns(self, dropped: frozenset[str]) -> float:
+        """Nanoseconds of running a sample of pixels near saturation through their words."""
+        work, every = self.program.work, everything()
+        alone = every.without(*every.names(Exchange))
+        quiet = alone.without(*every.names(Counted), *every.names(Errors))
+        tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
+        found = float(tried) * TRIED * work.words_ns(quiet, SHIPPED, True)
+        if self.sampled.noisy(self.tolerance_e):
+            found += tried * TRIED * work.words_ns(alone, SHIPPED, True)
+        if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
+            found += self._lacking(self.state(dropped)).tried_ns
+        return found
+
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms = len(self.program.lanes) * 1e-6
-        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms
+        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns(dropped) * 1e-6
         total, near = self._frame_ns(dropped, self.forced_off | lacking)
         every, _ = self._frame_ns(frozenset(), frozenset())
         return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + planning_ms)

@@ -87,7 +87,7 @@ class Cost:
         found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
         if self.saturating_ms > 0:
             found.insert(0, ("(saturating)", saturating, self.saturating_ms))
-        return [*found, ("(the rest)", "light added up and read out", rest_ms)]
+        return [*found, ("(the rest)", "light, words and readout", rest_ms)]
 
     @property
     def said(self) -> str:
@@ -195,8 +195,9 @@ class Plan:
         kept_ms = sum(each.cost_ms_model for each in self.decisions if each.decision == "kept")
         lack = ", ".join(self.saturating_lack)
         saturating = "their words one by one" + (f", without {lack}" if lack else "")
+        looks = ("",) if self.other_states is not None else ()
         return [
-            (name, "", "", "", what, f"{cost_ms:.2f}")
+            (name, "", "", "", what, f"{cost_ms:.2f}", *looks)
             for name, what, cost_ms in self.cost.rows(kept_ms, saturating)
         ]
 
