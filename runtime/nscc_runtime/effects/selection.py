@@ -60,7 +60,7 @@ class Selection:
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
         """Those that have a part of that kind in sums over slots, with the part."""
-        return [(effect, part) for effect in self.effects for part in effect.parts(kind)]
+        return [each for each in _parts(registered(), kind) if each[0].name in self.on]
 
     @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
@@ -100,6 +100,12 @@ def everything() -> Selection:
 @cache
 def _all_of(effects: tuple[Effect, ...]) -> Selection:
     return Selection(frozenset(effect.name for effect in effects), frozenset())
+
+
+@cache
+def _parts(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
+    """The parts of that kind of all of these effects."""
+    return tuple((effect, part) for effect in effects for part in effect.parts(kind))
 
 
 def selected(text: str) -> Selection:

@@ -217,12 +217,12 @@ class Chooser(Promises):
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
         kept = everything().without(*dropped)
-        return self.program.work.words_ns(kept, SHIPPED, alone=False)
+        return self.program.work.words_ns(kept, SHIPPED, False)
 
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
         kept = everything().without(*lacking)
-        return self.program.work.words_ns(kept, SHIPPED, alone=True)
+        return self.program.work.words_ns(kept, SHIPPED, True)
 
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
@@ -298,7 +298,7 @@ class Chooser(Promises):
             self.closed,
             predicted_p999_e=worst.p999_e,
             predicted_max_e=worst.max_e,
-            noise_ratio=None if self.coarse else self.noise_ratio(dropped, path != "sums", lacking),
+            noise_ratio=self.noise_told(dropped, path != "sums", lacking),
             saturating_lack=tuple(sorted(lacking)),
             cost=self._cost(dropped, lacking),
         ).told(self.allowed, self.allowed_max)

@@ -38,8 +38,8 @@ FORCED = "forced off"
 """What all that is forced off does where pixels run through their words: random parts included."""
 BOTH = "saturation"
 """What saturation of PIX and of registers do together."""
-_SURELY = 4.0
-"""Times the tolerance: noise changes what saturation loses by less than the rest."""
+_SURELY = 1.5
+"""Times the tolerance: noise takes less than the rest from what saturation loses."""
 _CLIPPED_E = 1.0
 _SIGMAS = 8
 

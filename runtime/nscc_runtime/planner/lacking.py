@@ -24,11 +24,11 @@ from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
-_FEWEST, _MOST = 48, 1024
+_FEWEST, _MOST = 48, 512
 """Pixels on which it is measured."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
-_PART = 4
+_PART = 8
 """Of this many pixels near saturation one is measured."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
@@ -137,7 +137,7 @@ class Lacking:
     def _words_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of a pixel."""
         kept = self._every.without(*self.forced_off, *lacking)
-        return self.program.work.words_ns(kept, SHIPPED, alone=True)
+        return self.program.work.words_ns(kept, SHIPPED, True)
 
     def _guessed(self, lacking: frozenset[str]) -> float:
         """The mean square that leaving effects out adds, by their fields."""

@@ -166,16 +166,21 @@ class Forecast(ABC):
         """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
         state = self.state(dropped)
         names, products = self._products(state)
-        inside = self.inside(dropped)
-        at = [i for i, name in enumerate(names) if name in inside]
-        part = products[:, at][:, :, at]
+        chosen = self.inside(dropped)
+        inside = np.array([name in chosen for name in names], np.float64)
         variances = self._variances(state)
         random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
         random = random + self._rounding(dropped)
         if not everywhere:
-            random = random + sum((square for _, square in self.short_cuts(dropped)), _NOTHING)
-        sizes = np.sqrt(np.maximum(np.diagonal(part, axis1=1, axis2=2), 0.0)).sum(axis=1)
-        return part.sum(axis=(1, 2)) + random, sizes**2 + random
+            random = random + self.cut_square(state, tuple(self._taken(dropped)))
+        sizes = np.sqrt(np.maximum(np.diagonal(products, axis1=1, axis2=2), 0.0)) @ inside
+        return products @ inside @ inside + random, sizes**2 + random
+
+    @remembered
+    def cut_square(self, state: str, names: tuple[str, ...]) -> NDArray[np.float64]:
+        """The mean square (buckets,) of some short cuts."""
+        means = self._means(state)
+        return sum((means[name] for name in names), _NOTHING)
 
     def inside(self, dropped: frozenset[str]) -> frozenset[str]:
         """The fixed fields that a plan lacks which leaves these effects out."""
@@ -292,13 +297,8 @@ class Forecast(ABC):
         """At how many rates of leakage sums are made."""
         size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
         most = _LEAK_PART * self.tolerance_e
-        enough = (n for n in range(1, leak_nodes.MOST) if self._leak_error(n) * size <= most)
+        enough = (n for n in range(1, leak_nodes.MOST) if self.program.leak_error(n) * size <= most)
         return next(enough, leak_nodes.MOST)
-
-    def _leak_error(self, count: int) -> float:
-        """The relative error of sums at so many rates of leakage."""
-        age_s = float(self.program.slot_s.sum())
-        return leak_nodes.error(everything().the(Leak), self.program.sensor, count, age_s)
 
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The short cuts of a plan by sums, with their mean squares (buckets,)."""
@@ -337,7 +337,7 @@ class Forecast(ABC):
             "formula": np.full(where.shape, _FORMULA_E**2),
             "neighbours": fields.neighbours[self.closed] * where,
             "noise": fields.noise_cut * after,
-            "leak": self._leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
+            "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }
 
     def contribution(self, effect: Effect) -> tuple[float, float]:

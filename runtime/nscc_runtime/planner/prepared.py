@@ -228,10 +228,20 @@ class Prepared:
     @cached_property
     def saturating(self) -> NDArray[np.int64]:
         """The places of pixels that may saturate in a way that sums do not know."""
-        return self.saturating_with(self.kept)
+        limit = self._limit(self.kept)
+        if self._most_charge < limit.min():
+            return np.empty(0, np.int64)
+        return np.flatnonzero(self._charge >= limit[self.program.lanes])
 
-    def saturating_with(self, kept: Selection) -> NDArray[np.int64]:
-        """The same with other effects simulated."""
+    def saturating_with(self, fewer: Selection) -> NDArray[np.int64]:
+        """The same with fewer of the effects that saturate: some of these pixels."""
+        some = self.saturating
+        if not len(some):
+            return some
+        return some[self._charge[some] >= self._limit(fewer)[self.program.lanes[some]]]
+
+    def _limit(self, kept: Selection) -> Values:
+        """The least charge (lanes,) with which a pixel may saturate so."""
         program, sensor = self.program, self.program.sensor
         well, soft = kept.part(Well), kept.part(Soft)
         limit = np.full(len(program.container.encoding), np.inf)
@@ -242,9 +252,7 @@ class Prepared:
         if soft is not None:
             room = soft.linear_e(sensor) - program.reach.noise_e
             limit = np.minimum(limit, room / program.reach.light)
-        if self._most_charge < limit.min():
-            return np.empty(0, np.int64)
-        return np.flatnonzero(self._charge >= limit[program.lanes])
+        return limit
 
     @property
     def _most_charge(self) -> float:

@@ -13,6 +13,7 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Exchange, SlowWords
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.pixels import Pixels
+from nscc_runtime.remembered import remembered
 
 
 @dataclass(frozen=True)
@@ -73,7 +74,8 @@ class Work:
         """Of a pixel in the reference."""
         return prices.slot_of_reference * self.slots
 
-    def words_ns(self, kept: Selection, prices: Prices, *, alone: bool) -> float:
+    @remembered
+    def words_ns(self, kept: Selection, prices: Prices, alone: bool) -> float:
         """Of a pixel through its words with the effects in `kept`, its neighbours' charge found for
         it `alone` or for all pixels."""
         errors = len(kept.errors()) * self.words

@@ -14,6 +14,7 @@ from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGa
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
+from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.overlap import Overlap
 from nscc_runtime.planner.pixels import Pixels
@@ -95,6 +96,12 @@ class Program:
     def lanes(self) -> NDArray[np.int32]:
         """The lane of every pixel, flat."""
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
+
+    @remembered
+    def leak_error(self, count: int) -> float:
+        """The relative error of sums at so many rates of leakage."""
+        age_s = float(self.slot_s.sum())
+        return leak_nodes.error(everything().the(Leak), self.sensor, count, age_s)
 
     @cached_property
     def all_single(self) -> bool:

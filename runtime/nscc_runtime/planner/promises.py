@@ -26,6 +26,8 @@ from nscc_runtime.remembered import remembered
 
 _UNDRAWN = ("thinning", "neighbours", "noise")
 """Short cuts whose squares are variance that is not drawn."""
+_UNTOLD = 0.01
+"""By so much the ratio of noise may depend on pixels near saturation."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,22 +112,84 @@ class Promises(Forecast):
         """The predicted standard deviation of a plan's exposures over frames by that with every
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
-        found, state = self.fields, self.state(dropped)
-        full, mine = (np.zeros(found.expected.shape) for _ in range(2))
-        near = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
-        for name, each in found.noise.items():
-            there = each if name in found.after else np.where(found.clipped, 0.0, each)
-            full += there
-            kept = each if state == "sums" else there
-            lost = np.where(near, name in self.forced_off | lacking, name in dropped)
-            mine += np.where(lost, 0.0, kept)
+        state = self.state(dropped)
+        undrawn = tuple(name for name in self._taken(dropped) if name in _UNDRAWN)
+        full = mine = 0.0
+        for name, noise in self._noise(state).items():
+            full += noise.all
+            mine += 0.0 if name in dropped else noise.far
+            near_lost = dropped if everywhere else self.forced_off | lacking
+            mine += 0.0 if name in near_lost else noise.near
         if not everywhere:
-            mine -= sum((each for name, each in self.cuts(dropped) if name in _UNDRAWN), 0.0)
-        square, kept_e2 = (float(np.mean(found.sample.mean(each))) for each in (full, mine))
+            mine -= float(np.mean(self.cut_square(state, undrawn)))
+        square, kept_e2 = full, mine
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
         if not square + added > 0:
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+
+    def noise_told(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
+    ) -> float | None:
+        """`noise_ratio` where it is a promise, else None. What noise is left of pixels near
+        saturation nobody foretells, only that it is less: it is no promise where that decides."""
+        ratio = self.noise_ratio(dropped, everywhere, lacking)
+        near = self.fields.sample.near
+        if ratio is None or self.coarse or not near.any():
+            return None if self.coarse else ratio
+        full, mine = self._noise_e2_of(dropped, everywhere, lacking)
+        far_e2, kept_e2 = (
+            float(np.mean(self.fields.sample.mean(np.where(near, 0.0, each))))
+            for each in (full, mine)
+        )
+        if not far_e2 > 0:
+            return ratio if np.array_equal(full, mine) else None
+        without = math.sqrt(max(kept_e2, 0.0) / far_e2)
+        return ratio if abs(without - ratio) <= _UNTOLD else None
+
+    def _noise_e2_of(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The variance over frames (buckets, pixels of the sample) with every effect, and under a
+        plan."""
+        found, state = self.fields, self.state(dropped)
+        runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
+        full, mine = (np.zeros(found.expected.shape) for _ in range(2))
+        for name, each in found.noise.items():
+            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+            full += there
+            lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
+            mine += np.where(lost, 0.0, each if state == "sums" else there)
+        if not everywhere:
+            mine -= sum((each for name, each in self.cuts(dropped) if name in _UNDRAWN), 0.0)
+        return full, mine
+
+    @remembered
+    def _noise(self, state: str) -> dict[str, _Noise]:
+        """What each effect adds to the noise in a state of the pixels that may saturate."""
+        found, runs = self.fields, self.runs(state)
+
+        def mean(values: NDArray[np.float64]) -> float:
+            return float(np.mean(found.sample.mean(values)))
+
+        parts = {}
+        for name, each in found.noise.items():
+            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+            kept = each if state == "sums" else there
+            parts[name] = _Noise(
+                mean(there), mean(np.where(runs, 0.0, kept)), mean(np.where(runs, kept, 0.0))
+            )
+        return parts
+
+
+@dataclass(frozen=True)
+class _Noise:
+    """An effect's part in the variance over frames, mean over pixels and buckets: with `all`
+    simulated, and of that of a plan's pixels `far` from saturation and `near` to it."""
+
+    all: float
+    far: float
+    near: float
 
 
 def _noise_e2(fields: Fields) -> float:

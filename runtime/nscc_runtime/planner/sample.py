@@ -13,11 +13,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-_MOST_PIXELS = 2048
-_FEWEST_PIXELS = 1024
-_MOST_SAMPLES = 1 << 17
+_MOST_PIXELS = 1024
+_FEWEST_PIXELS = 512
+_MOST_SAMPLES = 1 << 16
 """Frames x pixels, above the fewest pixels."""
-_MOST_NEAR = 512
+_FEWEST_NEAR, _MOST_NEAR = 256, 512
+_NEAR_PART = 16
+"""Of this many pixels near saturation one is taken, as running them through their words is dear."""
 _GOLDEN = 0.6180339887498949
 
 
@@ -59,12 +61,12 @@ def sample_of(
     places, count = np.unique(drawn, return_counts=True)
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
-    far = len(places)
+    far, most = len(places), min(max(len(near) // _NEAR_PART, _FEWEST_NEAR), _MOST_NEAR)
     spilt = np.empty(0, np.int64) if spilt is None else spilt
     for stratum in (np.setdiff1d(near, spilt), spilt):
         some = stratum
-        if len(some) > _MOST_NEAR:
-            some = some[np.unique(drawn_by(np.ones(len(some)), _MOST_NEAR))]
+        if len(some) > most:
+            some = some[np.unique(drawn_by(np.ones(len(some)), most))]
         weight = np.append(weight, np.full(len(some), len(stratum) / max(1, len(some))))
         places = np.append(places, some)
     return Sample(places.astype(np.int64), weight, np.arange(len(places)) >= far)
