@@ -326,7 +326,7 @@ class Chooser(Promises):
             self.closed,
             predicted_p999_e=worst.p999_e,
             predicted_max_e=worst.max_e,
-            noise_ratio=None if self.coarse else self.noise_ratio(dropped, path != "sums", lacking),
+            noise_ratio=self.noise_told(dropped, path != "sums", lacking),
             saturating_lack=tuple(sorted(lacking)),
             cost=self._cost(dropped, lacking),
         ).told(self.allowed, self.allowed_max)

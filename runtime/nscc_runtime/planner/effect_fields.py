@@ -72,6 +72,8 @@ class Fields:
     noise_cut: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
+    spilt: bool = False
+    """Whether neighbours' light brings some pixels near saturation."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -86,6 +88,7 @@ class SampledFields:
     device_seed: int
     forced_off: frozenset[str] = frozenset()
     threads: int = 1
+    spilt: bool = False
 
     @cached_property
     def rough(self) -> Fields:
@@ -116,7 +119,7 @@ class SampledFields:
 
     @cached_property
     def _near(self) -> _Near:
-        return _Near(self._scene, self.forced_off, self.threads)
+        return _Near(self._scene, self.forced_off, self.threads, self.spilt)
 
     @cached_property
     def _found(self) -> Mapping[str, Field]:
@@ -143,6 +146,7 @@ class SampledFields:
             noise_cut,
             np.zeros(expected.shape, np.bool_),
             {},
+            self.spilt,
         )
 
 
@@ -172,6 +176,7 @@ class _Near:
     scene: SampledScene
     forced_off: frozenset[str]
     threads: int
+    spilt: bool
 
     @cached_property
     def _every(self) -> Selection:
@@ -186,10 +191,10 @@ class _Near:
 
     def _by_selection(self, kept: Selection) -> Held:
         """What the words make of these pixels with all of `kept`, without what saturates first,
-        last, and both; neighbours' charge never.
+        last, and both; neighbours' charge where it brings some of them there, as it is dear.
         """
         well, register = self._saturation
-        exchanges = self._every.names(Exchange)
+        exchanges = () if self.spilt else self._every.names(Exchange)
         return {
             names: self._held(kept.without(*names, *exchanges))
             for names in ((), (well,), (register,), (well, register))

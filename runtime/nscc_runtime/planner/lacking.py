@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Selection, everything
+from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.light import Light
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.prices import SHIPPED
@@ -57,6 +58,9 @@ class Lacking:
         """
         if len(self.near) < 2 * _FEWEST:
             return frozenset()
+        if self.fields.spilt:
+            # A few pixels beside suns, which no measurement may meet, are nothing without it.
+            dropped = dropped - everything().names(Exchange)
         found: list[str] = []
         while True:
             left = [

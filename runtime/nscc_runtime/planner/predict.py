@@ -44,6 +44,8 @@ is about as much as all of the gates' switching does.
 _FORMULA_E = 0.015
 """RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
+_SPILT = 0.01
+"""Of a full well: what neighbours must give a pixel to count as bringing it near saturation."""
 _CLOSED_PART = 0.1
 WORDS = "words"
 """The state where pixels run through their words; without some of saturation it begins so."""
@@ -89,9 +91,12 @@ class Forecast(ABC):
         # A few pixels may have most of the dark charge, as lamps have most of the light.
         dark_e = self._everything.current * self.program.slot_s.sum()
         total_e = (self._everything.total + dark_e).reshape(self.light.shape)
-        sample = sample_of(total_e, len(self.light.frames), self.near)
+        sample = sample_of(total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
-        return SampledFields(self.program, self.light, sample, self.device_seed, lost, self.threads)
+        return SampledFields(
+            self.program, self.light, sample, self.device_seed, lost, self.threads,
+            len(self.spilt) > 0,
+        )  # fmt: skip
 
     @cached_property
     def saturation(self) -> frozenset[str]:
@@ -116,6 +121,13 @@ class Forecast(ABC):
     def near(self) -> NDArray[np.int64]:
         """The pixels that may saturate with every effect on."""
         return self._everything.saturating
+
+    @cached_property
+    def spilt(self) -> NDArray[np.int64]:
+        """Those of them that neighbours' light brings there, as suns do to what is beside them."""
+        every, exchange = self._everything, everything().the(Exchange)
+        inflow_e = every.inflow_e(exchange)[self.near]
+        return self.near[inflow_e > _SPILT * every.full_e]
 
     @cached_property
     def _everything(self) -> Prepared:

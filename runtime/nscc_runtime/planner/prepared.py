@@ -284,12 +284,16 @@ class Prepared:
         charge = self._sum(self.source, [seen])[0] * scale
         if exchange is not None:
             # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-            part, lit = self._fraction(exchange), self.total * scale
-            flow = exchange.smeared(lit.reshape(self.light.shape), part).reshape(-1)
-            flow -= (1.0 - 4 * part) * lit
-            charge = np.maximum(charge, (1.0 - 4 * part) * charge + flow)
+            own = 1.0 - 4 * self._fraction(exchange)
+            charge = np.maximum(charge, own * charge + self.inflow_e(exchange))
         charge += self._wanted_current * (program.slot_s @ seen)[program.lanes]
         return np.asarray(charge + _SIGMAS * np.sqrt(charge))
+
+    def inflow_e(self, exchange: Exchange) -> Values:
+        """What neighbours give each pixel of their light, in a whole frame."""
+        part, lit = self._fraction(exchange), self.total * self._wanted_scale
+        flow = exchange.smeared(lit.reshape(self.light.shape), part).reshape(-1)
+        return np.asarray(flow - (1.0 - 4 * part) * lit)
 
     def _fraction(self, part: Echo | Exchange | None) -> float:
         return 0.0 if part is None else part.fraction(self.program.sensor)

@@ -26,6 +26,8 @@ from nscc_runtime.remembered import remembered
 
 _UNDRAWN = ("thinning", "neighbours", "noise")
 """Short cuts whose squares are variance that is not drawn."""
+_UNTOLD = 0.01
+"""By so much the ratio of noise may depend on pixels near saturation."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -125,6 +127,42 @@ class Promises(Forecast):
         if not square + added > 0:
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+
+    def noise_told(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
+    ) -> float | None:
+        """`noise_ratio` where it is a promise, else None. What noise is left of pixels near
+        saturation nobody foretells, only that it is less: it is no promise where that decides."""
+        ratio = self.noise_ratio(dropped, everywhere, lacking)
+        near = self.fields.sample.near
+        if ratio is None or self.coarse or not near.any():
+            return None if self.coarse else ratio
+        full, mine = self._noise_e2_of(dropped, everywhere, lacking)
+        far_e2, kept_e2 = (
+            float(np.mean(self.fields.sample.mean(np.where(near, 0.0, each))))
+            for each in (full, mine)
+        )
+        if not far_e2 > 0:
+            return ratio if np.array_equal(full, mine) else None
+        without = math.sqrt(max(kept_e2, 0.0) / far_e2)
+        return ratio if abs(without - ratio) <= _UNTOLD else None
+
+    def _noise_e2_of(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """The variance over frames (buckets, pixels of the sample) with every effect, and under a
+        plan."""
+        found, state = self.fields, self.state(dropped)
+        runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
+        full, mine = (np.zeros(found.expected.shape) for _ in range(2))
+        for name, each in found.noise.items():
+            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+            full += there
+            lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
+            mine += np.where(lost, 0.0, each if state == "sums" else there)
+        if not everywhere:
+            mine -= sum((each for name, each in self.cuts(dropped) if name in _UNDRAWN), 0.0)
+        return full, mine
 
     @remembered
     def _noise(self, state: str) -> dict[str, _Noise]:

@@ -36,11 +36,17 @@ class Sample:
         return np.asarray(values @ self.weight / self.weight.sum())
 
 
-def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]) -> Sample:
+def sample_of(
+    total_e: NDArray[np.float64],
+    frames: int,
+    near: NDArray[np.int64],
+    spilt: NDArray[np.int64] | None = None,
+) -> Sample:
     """A sample of a scene of that many frames; the same on every call.
 
     `total_e` (rows, cols): all the light of each pixel. `near`: the places of pixels that may
-    saturate, in order.
+    saturate, in order; `spilt`, in order: those among them that neighbours' light brings there. A
+    few of these may lose more than all others, so they are a stratum beside the rest of `near`.
     """
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
@@ -55,12 +61,15 @@ def sample_of(total_e: NDArray[np.float64], frames: int, near: NDArray[np.int64]
     places, count = np.unique(drawn, return_counts=True)
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
-    some, most = near, min(max(len(near) // _NEAR_PART, _FEWEST_NEAR), _MOST_NEAR)
-    if len(near) > most:
-        some = near[np.unique(drawn_by(np.ones(len(near)), most))]
-    weight = np.concatenate([weight, np.full(len(some), len(near) / max(1, len(some)))])
-    places = np.concatenate([places, some]).astype(np.int64)
-    return Sample(places, weight, np.arange(len(places)) >= len(places) - len(some))
+    far, most = len(places), min(max(len(near) // _NEAR_PART, _FEWEST_NEAR), _MOST_NEAR)
+    spilt = np.empty(0, np.int64) if spilt is None else spilt
+    for stratum in (np.setdiff1d(near, spilt), spilt):
+        some = stratum
+        if len(some) > most:
+            some = some[np.unique(drawn_by(np.ones(len(some)), most))]
+        weight = np.append(weight, np.full(len(some), len(stratum) / max(1, len(some))))
+        places = np.append(places, some)
+    return Sample(places.astype(np.int64), weight, np.arange(len(places)) >= far)
 
 
 def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:

@@ -174,11 +174,15 @@ class SampledScene:
         return self.program.tables.pattern(model).T[:, self.lanes] * error
 
     def by_rate(self, pattern: bool = False) -> Values:
-        per_s = self.on_device(self.all.the(Leak).per_s)
-        off = (per_s / self.program.full.leak_per_s - 1.0) / _LEAK_STEP
         if pattern:
-            return np.asarray(off * (self._errors(self._faster) - self.pattern))
-        return np.asarray(off * (self.lit(self._faster) - self.light))
+            return np.asarray(self._off * (self._errors(self._faster) - self.pattern))
+        return np.asarray(self._off * (self.lit(self._faster) - self.light))
+
+    @cached_property
+    def _off(self) -> Values:
+        """By how much the pixels' leakage is off its mean, in steps of `_LEAK_STEP` of that."""
+        per_s = self.on_device(self.all.the(Leak).per_s)
+        return np.asarray((per_s / self.program.full.leak_per_s - 1.0) / _LEAK_STEP)
 
     @cached_property
     def dark_s(self) -> Values:
@@ -214,11 +218,11 @@ class SampledScene:
 
     def errors_cut(self, at: str, sigma_e: float) -> Values:
         """The variance that is left out where they are drawn as at the mean leakage."""
-        spread, tables = self.all.the(Leak).spread(self.sensor), self.program.tables
+        tables = self.program.tables
         factor, rest = tables.noise(at, self.program.full)
         other = tables.noise(at, self._faster)[0] - factor
-        cut = rest + (other**2).sum(axis=2) * (spread / _LEAK_STEP) ** 2
-        return np.asarray(sigma_e**2 * cut.T[:, self.lanes])
+        by_rate = (other**2).sum(axis=2).T[:, self.lanes] * self._off**2
+        return np.asarray(sigma_e**2 * (rest.T[:, self.lanes] + by_rate))
 
     def left_out(self) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variance that sums leave out because counts are not spread over the slots, with
