@@ -1,10 +1,11 @@
 """Codes side by side behind the one decoder for any code, on a window of each clip.
 
-    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN ...
+    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN[@start] ...
 
-DATA is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of
-112 x 112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what
-`nscc evaluate` would say of it; those that are there and belong to the same weights stay.
+Codes are those that a class may start with, those of a run, or those that the run began with. DATA
+is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of 112 x
+112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what `nscc
+evaluate` would say of it; those that are there and belong to the same weights stay.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from nscc_training.encoders import Encoder, make_encoder
 from nscc_training.evaluation.baseline_codes import codes_named
 from nscc_training.evaluation.results import Scene, Subject, scored, with_arrays
 from nscc_training.evaluation.video import Window, clips_of, windows
+from nscc_training.loop.setup import started_encoder
 from nscc_training.programs import Chip, compiled, program_of, words_per_slot
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
@@ -57,10 +59,18 @@ def main() -> None:
 def codes_of(what: str) -> tuple[Encoder, dict[str, Any]]:
     """Codes by class and start, or of a run, and what is to be said of them."""
     told: dict[str, Any] = {"codes": what}
-    if (Path(what) / "result.json").is_file():
-        run = load_run(Path(what))
-        encoder, report = run.parts.encoder, run.result["codes"]
-        told = {key: report[key] for key in ("start", "moved", "places")}
+    folder, _, part = what.partition("@")
+    if (Path(folder) / "result.json").is_file():
+        run = load_run(Path(folder))
+        parts, report = run.parts, run.result["codes"]
+        told = {"class": parts.encoder.spec.kind, "start": report["start"],
+                "seed": parts.settings.train.seed}  # fmt: skip
+        if part == "start":
+            chosen = parts.settings.shutter
+            encoder = started_encoder(chosen, parts.chip, parts.target, told["seed"])
+        else:
+            encoder = parts.encoder
+            told |= {key: report[key] for key in ("moved", "places")}
     else:
         encoder = make_encoder(*codes_named(what, PROTOCOL, ("any",), "any"))
     words = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))

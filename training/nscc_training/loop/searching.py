@@ -24,8 +24,8 @@ from nscc_training.sensor_model import SensorModel
 _SPEEDS = (2.0, 8.0, 24.0, 64.0)
 """Pixels a frame: of hands and heads over a few frames of film, up to what flies past."""
 _MEAN_LIGHT = 0.1
-"""Of the light that fills a well. Films are three times as bright in the mean; but a display shows
-noise in what is dark, and with this the closed form ranks codes as the decoder for any code does."""
+"""Of the light that fills a well. Films have three times as much in the mean, but a display shows
+noise where they are dark: so the closed form ranks codes as the decoder for any code does."""
 
 
 def search(parts: Parts, batch: Batch, step: int) -> float:

@@ -28,7 +28,7 @@ def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
     become copies of a block of its own, later by so much from block to block. Codes stay legal for
     the class; a move may find nothing to change.
     """
-    found = _repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
+    found = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
         where = _somewhere(spec.tile, generator)
         kind = generator.random()
@@ -73,11 +73,12 @@ def _from_beside(codes: Codes, where: Where, generator: Generator, *, exchange: 
     return found
 
 
-def _repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """The tile as copies of a block of it, each later than the one above and the one to its left.
+def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
+    """The tile as copies of a block of it, each later by so much than the one above and the one to
+    its left.
 
-    Of one place it makes shutters that begin one after the other, of the 2 x 2 pattern two phases:
-    what blocks of single places cannot come to by small steps.
+    Of one place it makes shutters that open one after the other, of a pattern its phases: tiles
+    that small steps do not come to.
     """
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     top, left = (int(generator.integers(side)) for side in spec.tile)
