@@ -15,7 +15,6 @@ import shlex
 from collections.abc import Callable
 from functools import cache
 from pathlib import Path
-from statistics import fmean
 from typing import Any
 
 from nscc_training.evaluation.hdr_looks import LOOKING, rows_text
@@ -30,8 +29,11 @@ CODES = {
     "cyclic": "`cyclic`, free bits",
     "random-c": "random, `c`, seed 0",
     "random-d": "random, `d`, seed 0",
-    "start_@": "random, free bits",
-    "found_@": "**searched from those**",
+    **{
+        f"{name}_{seed}": f"{told}, free bits, seed {seed}"
+        for seed in SEEDS[:2]
+        for name, told in (("start", "random"), ("found", "**searched from these**"))
+    },
 }
 """The rows of `codes`, as `codes.py` names them, and what they are."""
 
@@ -139,25 +141,19 @@ def looks() -> str:
 def codes() -> str:
     """The table of codes behind the decoder for any code: a column a source, and what each gains
     over the 2 x 2 pattern."""
-    there = [(f"codes-{name}", told) for name, told in CODES.items()]
     sources = [item["file"] for item in result("codes-quad")["items"]]
     head = ["code", "places moved", "words a slot", *(Path(file).stem for file in sources),
             "mean", "over 2 x 2 (95 %)"]  # fmt: skip
     rows = [head, ["---"] * len(head)]
-    for name, told in there:
-        found = results(name)
-        settings = [each["settings"] for each in found]
-        left = ", ".join(f"{one['moved']} of {one['places']}" for one in settings if "moved" in one)
-        by_file = [
-            fmean(
-                item["psnr_db"] for each in found for item in each["items"] if item["file"] == file
-            )
-            for file in sources
-        ]
-        over = "" if name == "codes-quad" else gain("codes-quad", name, "psnr_db")
+    for name, told in CODES.items():
+        found = result(f"codes-{name}")
+        settings = found["settings"]
+        left = f"{settings['moved']} of {settings['places']}" if "moved" in settings else ""
+        by_file = {item["file"]: item["psnr_db"] for item in found["items"]}
+        over = "" if name == "quad" else gain("codes-quad", f"codes-{name}", "psnr_db")
         rows.append([
-            told, left, f"{fmean(each['words_per_slot'] for each in settings):.1f}",
-            *(f"{value:.1f}" for value in by_file), mean(name, "psnr_db"), over,
+            told, left, f"{settings['words_per_slot']:.1f}",
+            *(f"{by_file[file]:.1f}" for file in sources), mean(f"codes-{name}", "psnr_db"), over,
         ])  # fmt: skip
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
