@@ -102,8 +102,8 @@ def test_a_stage_without_noise_and_denoiser_gives_the_frame() -> None:
 
 
 def test_each_stage_mirrors_what_the_denoiser_sees_and_its_answer_back() -> None:
-    """A denoiser that pushes clips to the right and into the next slot is led astray nowhere: four
-    stages have pushed to both sides and in both directions of time."""
+    """A denoiser that pushes clips down and to the right leads nowhere: four stages have pushed to
+    all sides."""
     clip = torch.zeros(1, 5, 7, 9)
     clip[0, 2, 3, 4] = 1
     planes = clip.unsqueeze(1).expand(-1, 3, -1, -1, -1)
@@ -111,14 +111,12 @@ def test_each_stage_mirrors_what_the_denoiser_sees_and_its_answer_back() -> None
 
     def denoiser(seen: torch.Tensor, told: torch.Tensor, _level: torch.Tensor) -> torch.Tensor:
         assert torch.equal(told[:, 0], seen)  # the planes are mirrored with the clip
-        return seen.roll((1, 1, 2), (-3, -2, -1))
+        return seen.roll((1, 2), (-2, -1))
 
     for number in range(4):
         made = mirrored(denoiser, number)(clip, planes, torch.ones(1))
         shifted.append((made[0].nonzero()[0] - torch.tensor([2, 3, 4])).tolist())
-    assert np.sum(shifted, axis=0).tolist() == [0, 0, 0]
-    assert shifted[0] == [1, 1, 2]
-    assert len({tuple(shift) for shift in shifted}) == 4
+    assert sorted(shifted) == [[0, -1, -2], [0, -1, 2], [0, 1, -2], [0, 1, 2]]
 
 
 def test_at_last_a_clip_gives_the_frames_where_they_are_exact() -> None:

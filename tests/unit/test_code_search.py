@@ -30,6 +30,7 @@ from nscc_training.search import (  # noqa: E402
     told_db,
 )
 from nscc_training.search.choose import design_motion  # noqa: E402
+from nscc_training.search.moves import repeated  # noqa: E402
 
 SPECS = {
     "b": ShutterSpec("b", 16, (4, 8)),
@@ -130,6 +131,33 @@ def test_moves_stay_legal_and_are_of_many_places(kind: str) -> None:
     assert all(np.array_equal(before[name], codes[name]) for name in codes)
     assert min(many) <= 2
     assert max(many) >= spec.places // 2
+
+
+@pytest.mark.parametrize("kind", ["c", "d", "e", "codebook"])
+def test_a_tile_of_copies_has_its_block_later_every_time(kind: str) -> None:
+    """Beside shutters rolled around the frame; of a bump at its end only a part may be left."""
+    spec = SPECS[kind]
+    encoder = make_encoder(spec, "staggered" if kind in "cd" else "cyclic")
+    codes = encoder.codes() | ({"book": encoder.book()} if kind == "codebook" else {})
+    many = 0
+    for seed in range(40):
+        encoder.load_codes(repeated(spec, codes, np.random.default_rng(seed)))
+        found = encoder.hard().numpy().reshape(spec.slots, -1)
+        full = found[:, found.sum(axis=0).argmax()]
+        around = np.array([np.roll(full, k) for k in range(spec.slots)])
+        assert found.any(axis=0).all()
+        # Each is one of those, or less.
+        assert (around @ found >= found.sum(axis=0)).any(axis=0).all()
+        many += len(np.unique(found.T, axis=0)) > 2
+    assert many > 20
+
+
+def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
+    spec = ShutterSpec("b", 256, (4, 8))
+    stops = np.full(spec.tile, 256)
+    found = [repeated(spec, {"stop": stops}, np.random.default_rng(k))["stop"] for k in range(40)]
+    assert {int(np.log2(stop)) for one in found for stop in one.ravel()} == set(range(9))
+    assert all((np.log2(one) % 1 == 0).all() for one in found)
 
 
 def parts_of(**shutter: object) -> searching.Parts:

@@ -1,10 +1,12 @@
 """Codes side by side behind the one decoder for any code, on a window of each clip.
 
-    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN ...
+    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN[@start] ...
 
-DATA is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of
-112 x 112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what
-`nscc evaluate` would say of it; those that are there and belong to the same weights stay.
+Codes are those that a class may start with, those of a run, or those that the run began with. DATA
+is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of 112 x
+112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what `nscc
+evaluate` would say of it; those that are there and belong to the same decoder stay: to its weights
+and to the text of its modules.
 """
 
 from __future__ import annotations
@@ -29,6 +31,7 @@ from nscc_training.encoders import Encoder, make_encoder
 from nscc_training.evaluation.baseline_codes import codes_named
 from nscc_training.evaluation.results import Scene, Subject, scored, with_arrays
 from nscc_training.evaluation.video import Window, clips_of, windows
+from nscc_training.loop.setup import started_encoder
 from nscc_training.programs import Chip, compiled, program_of, words_per_slot
 from nscc_training.protocols import load_protocol
 from nscc_training.run_folder import load_run
@@ -36,6 +39,8 @@ from nscc_training.sensor_model import SensorModel, frame_of, laid
 
 SIDE = 112
 PROTOCOL = load_protocol("video-v1")
+KEY = "decoder_sha256"
+MODULES = ("decode.py", "measured.py", "network.py", "stages.py")
 
 
 def main() -> None:
@@ -43,24 +48,39 @@ def main() -> None:
     if len(sys.argv) < 4:
         raise SystemExit(__doc__)
     data, out = map(Path, sys.argv[1:3])
-    weights = sha256((files("nscc_training.any_code") / WEIGHTS).read_bytes()).hexdigest()
+    decoder = digest()
     for name, _, what in (argument.partition("=") for argument in sys.argv[3:]):
         path = out / f"codes-{name}.json"
-        if path.is_file() and json.loads(path.read_text())["settings"]["weights_sha256"] == weights:
+        if path.is_file() and json.loads(path.read_text())["settings"].get(KEY) == decoder:
             continue
         encoder, told = codes_of(what)
-        path.write_text(json.dumps(evaluated(encoder, data, told | {"weights_sha256": weights}),
+        path.write_text(json.dumps(evaluated(encoder, data, told | {KEY: decoder}),
                                    indent=2) + "\n")  # fmt: skip
         print(path, flush=True)
+
+
+def digest() -> str:
+    """Of all that the decoder is made of."""
+    folder = files("nscc_training.any_code")
+    parts = (folder / name for name in (WEIGHTS, *MODULES))
+    return sha256(b"".join(part.read_bytes() for part in parts)).hexdigest()
 
 
 def codes_of(what: str) -> tuple[Encoder, dict[str, Any]]:
     """Codes by class and start, or of a run, and what is to be said of them."""
     told: dict[str, Any] = {"codes": what}
-    if (Path(what) / "result.json").is_file():
-        run = load_run(Path(what))
-        encoder, report = run.parts.encoder, run.result["codes"]
-        told = {key: report[key] for key in ("start", "moved", "places")}
+    folder, _, part = what.partition("@")
+    if (Path(folder) / "result.json").is_file():
+        run = load_run(Path(folder))
+        parts, report = run.parts, run.result["codes"]
+        told = {"class": parts.encoder.spec.kind, "start": report["start"],
+                "seed": parts.settings.train.seed}  # fmt: skip
+        if part == "start":
+            chosen = parts.settings.shutter
+            encoder = started_encoder(chosen, parts.chip, parts.target, told["seed"])
+        else:
+            encoder = parts.encoder
+            told |= {key: report[key] for key in ("moved", "places")}
     else:
         encoder = make_encoder(*codes_named(what, PROTOCOL, ("any",), "any"))
     words = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))

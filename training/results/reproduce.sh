@@ -1,17 +1,17 @@
 #!/bin/bash
 # Trains and evaluates everything in this folder again, on two cores in about five hours:
 #   bash training/results/reproduce.sh DATA OUT [OPTION OF nscc sweep ...]
-# DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4, sci/*.mat and photographs/*/*.jpg
-# (`python training/data/fetch.py DATA/photographs`). OUT is made: links to the data as they are split,
-# and three sweeps, of results.toml, linear.toml and successors.toml, with their runs and results.
-# Ended and started again it goes on.
+# DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4 and sci/*.mat. OUT is made: links to
+# the data as they are split, photographs that training/data/fetch.py fetches, and four sweeps, of
+# results.toml, linear.toml, successors.toml and ways.toml, with their runs and results. Ended and
+# started again it goes on.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
 data=$(cd "$1" && pwd)
 mkdir -p "$2" && cd "$2"
 shift 2
-mkdir -p data/{hdr_train,hdr_test,pano,moving,mixed,clips,sci}
+mkdir -p data/{hdr_train,hdr_test,pano,mixed,clips,sci,scenes}
 
 # Of five panoramas by name the second and the fourth are kept back.
 k=0
@@ -22,16 +22,28 @@ for file in "$data"/hdr/*.hdr; do
     k=$((k + 1))
 done
 ln -sf "$data"/hdr/*.hdr data/pano/
-ln -sf "$data"/hdr/*.hdr "$data"/photographs/*/*.jpg data/moving/
 ln -sf "$data"/hdr/*.hdr "$data"/video/*.mp4 data/mixed/
 ln -sf "$data"/video/*.mp4 "$data"/sci/*.mat data/clips/
 ln -sf "$data"/sci/*.mat data/sci/
+[ -d photos ] || python "$here"/../data/fetch.py photos
+ln -sf "$data"/hdr/*.hdr "$PWD"/photos/*/*.jpg data/scenes/
+ln -sfn scenes data/moving
 cp "$here"/*.toml .
 
 nscc sweep results.toml --out all "$@"
 nscc sweep linear.toml --out linear "$@"
 nscc sweep successors.toml --out successors "$@"
+nscc sweep ways.toml --out ways "$@"
 nscc evaluate looks --data data/hdr_test --results all
+
+# Codes behind the decoder for any code: given, found by searches, and those that these began with.
+codes=(quad=c:quad two-phase=c:two-phase staggered=c:staggered cyclic=e:cyclic
+    random-c=c:random random-d=d:random)
+for seed in 0 1 2; do
+    codes+=("start_$seed=all/runs/searched_$seed@start" "found_$seed=all/runs/searched_$seed")
+done
+for way in search tried straight straight_noise; do codes+=("way_$way=ways/runs/way_$way"); done
+python "$here"/codes.py data/clips all/results "${codes[@]}"
 
 # What comes with nscc: learned on under everything that the emulator does to frames.
 mkdir -p all/results/under

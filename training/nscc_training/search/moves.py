@@ -15,6 +15,8 @@ Values = NDArray[np.int64]
 
 _PERIODS = (1, 2, 4, 8)
 _MOST_AT_ONCE = 4
+_REPEATED = 0.25
+"""The part of the draws that begin by making the tile anew of a block of it."""
 
 
 def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
@@ -22,10 +24,11 @@ def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
     A move is of one place, of a rectangle, of all places that are alike modulo a period down and
     across, or of every other block. Their shutters open at another time, are open for longer or for
-    less, or become those of places beside them, in exchange or as copies. Codes stay legal for the
-    class; a move may find nothing to change.
+    less, or become those of places beside them, in exchange or as copies. Before that the tile may
+    become copies of a block of its own, later by so much from block to block. Codes stay legal for
+    the class; a move may find nothing to change.
     """
-    found = codes
+    found = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
         where = _somewhere(spec.tile, generator)
         kind = generator.random()
@@ -68,6 +71,22 @@ def _from_beside(codes: Codes, where: Where, generator: Generator, *, exchange: 
             changed = np.where(given, np.roll(values, step, axis=(0, 1)), changed)
         found[name] = changed
     return found
+
+
+def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
+    """The tile as copies of a block of it, each later by so much than the one above and the one to
+    its left.
+
+    Of one place it makes shutters that open one after the other, of a pattern its phases: tiles
+    that small steps do not come to.
+    """
+    high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
+    top, left = (int(generator.integers(side)) for side in spec.tile)
+    down, right = (int(each) for each in generator.integers(0, spec.slots, 2))
+    y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
+    source = (top + y % high) % spec.tile[0], (left + x % wide) % spec.tile[1]
+    taken = {name: values if name == "book" else values[source] for name, values in codes.items()}
+    return _LATER[spec.kind](spec, taken, down * (y // high) + right * (x // wide))
 
 
 def _by(slots: int, generator: Generator) -> int:
@@ -113,11 +132,15 @@ def _bits(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -
 
 
 def _rows(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
-    """Places take one row of the book, or a row becomes another shape."""
+    """Places take one row of the book, or a row becomes another shape, or all rows become one's
+    shape at moments around the frame."""
     book = codes["book"]
-    row = int(generator.integers(len(book)))
-    if generator.random() < 0.5:
+    row, kind = int(generator.integers(len(book))), generator.random()
+    if kind < 0.45:
         return {"id": np.where(where, row, codes["id"]), "book": book}
+    if kind > 0.9:
+        moments = np.arange(len(book)) * spec.slots // len(book)
+        return {"id": codes["id"], "book": np.stack([np.roll(book[row], k) for k in moments])}
     book = book.copy()
     book[row] = _reshaped(book[row].reshape(-1, 1, 1) == 1, generator)[:, 0, 0]
     return {"id": codes["id"], "book": book}
@@ -140,6 +163,37 @@ def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.boo
     return np.asarray(np.where(made.any(axis=0), made, opened))
 
 
+def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    """Exposures halved so often; after one slot comes the longest."""
+    octaves = np.log2(spec.slots)
+    made = 2.0 ** ((np.log2(codes["stop"]) - lag) % (octaves + 1))
+    return {"stop": _clipped(np.rint(made), 1, spec.slots)}
+
+
+def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    assert spec.length is not None
+    return {"start": (codes["start"] + lag) % (spec.slots - spec.length + 1)}
+
+
+def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    """Bumps go on past the frame's end, which cuts them, and come in again at its begin."""
+    before = codes["stop"] - codes["start"] - 1
+    start = (codes["start"] + before + lag) % (spec.slots + before) - before
+    stop = start + before + 1
+    return {"start": _clipped(start, 0, spec.slots), "stop": _clipped(stop, 0, spec.slots)}
+
+
+def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    lag = lag % spec.slots
+    bits, every = codes["bits"], (1 << spec.slots) - 1
+    return {"bits": (bits << lag & every) | bits >> (spec.slots - lag)}
+
+
+def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
+    """The shapes of a codebook one after the other, in whatever order they are."""
+    return {"id": (codes["id"] + lag) % len(codes["book"]), "book": codes["book"]}
+
+
 def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
     return np.asarray(np.clip(values, low, high), np.int64)
 
@@ -148,3 +202,9 @@ MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
     "b": _stops, "c": _starts, "d": _edges, "e": _bits, "codebook": _rows,
 }  # fmt: skip
 """How the shutters of some places change together, by class."""
+
+_LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
+    "b": _shorter, "c": _starts_later, "d": _edges_later, "e": _bits_later,
+    "codebook": _rows_later,
+}  # fmt: skip
+"""Shutters later around the frame, by class; for stills, shorter."""
