@@ -18,7 +18,7 @@ from nscc_training.any_code.lessons import filmed, mask_drawn  # noqa: E402
 from nscc_training.any_code.measured import Measured  # noqa: E402
 from nscc_training.any_code.muon import orthogonal  # noqa: E402
 from nscc_training.any_code.network import exchanged  # noqa: E402
-from nscc_training.any_code.stages import schedule, stage, started  # noqa: E402
+from nscc_training.any_code.stages import led, mirrored, schedule, stage, started  # noqa: E402
 from nscc_training.any_code.stills import started_still  # noqa: E402
 from nscc_training.any_code.training import Part, Trainer  # noqa: E402
 from nscc_training.baselines.sci import gap_tv  # noqa: E402
@@ -99,6 +99,38 @@ def test_a_stage_without_noise_and_denoiser_gives_the_frame() -> None:
         np.testing.assert_allclose(
             measured.of(now)[open_somewhere], target[open_somewhere], atol=1e-4
         )
+
+
+def test_each_stage_mirrors_what_the_denoiser_sees_and_its_answer_back() -> None:
+    """A denoiser that pushes clips down and to the right leads nowhere: four stages have pushed to
+    all sides."""
+    clip = torch.zeros(1, 5, 7, 9)
+    clip[0, 2, 3, 4] = 1
+    planes = clip.unsqueeze(1).expand(-1, 3, -1, -1, -1)
+    shifted = []
+
+    def denoiser(seen: torch.Tensor, told: torch.Tensor, _level: torch.Tensor) -> torch.Tensor:
+        assert torch.equal(told[:, 0], seen)  # the planes are mirrored with the clip
+        return seen.roll((1, 2), (-2, -1))
+
+    for number in range(4):
+        made = mirrored(denoiser, number)(clip, planes, torch.ones(1))
+        shifted.append((made[0].nonzero()[0] - torch.tensor([2, 3, 4])).tolist())
+    assert sorted(shifted) == [[0, -1, -2], [0, -1, 2], [0, 1, -2], [0, 1, 2]]
+
+
+def test_at_last_a_clip_gives_the_frames_where_they_are_exact() -> None:
+    clip, mask = scene(4, 6, 24)
+    frame = (clip * mask).sum(axis=0)
+    measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
+    found = led(measured, torch.from_numpy(clip)[None] + 0.3)
+    open_somewhere = (mask.sum(axis=0) > 0)[None, None]
+    np.testing.assert_allclose(
+        measured.of(found)[open_somewhere], measured.value[open_somewhere], atol=1e-5
+    )
+    # What is nearest: places and slots that are never open stay as they were.
+    closed = mask == 0
+    np.testing.assert_allclose(found[0].numpy()[closed], clip[closed] + 0.3, atol=1e-6)
 
 
 @pytest.mark.parametrize("seed", range(3))

@@ -5,7 +5,8 @@
 Codes are those that a class may start with, those of a run, or those that the run began with. DATA
 is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of 112 x
 112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what `nscc
-evaluate` would say of it; those that are there and belong to the same weights stay.
+evaluate` would say of it; those that are there and belong to the same decoder stay: to its weights
+and to the text of its modules.
 """
 
 from __future__ import annotations
@@ -38,6 +39,8 @@ from nscc_training.sensor_model import SensorModel, frame_of, laid
 
 SIDE = 112
 PROTOCOL = load_protocol("video-v1")
+KEY = "decoder_sha256"
+MODULES = ("decode.py", "measured.py", "network.py", "stages.py")
 
 
 def main() -> None:
@@ -45,15 +48,22 @@ def main() -> None:
     if len(sys.argv) < 4:
         raise SystemExit(__doc__)
     data, out = map(Path, sys.argv[1:3])
-    weights = sha256((files("nscc_training.any_code") / WEIGHTS).read_bytes()).hexdigest()
+    decoder = digest()
     for name, _, what in (argument.partition("=") for argument in sys.argv[3:]):
         path = out / f"codes-{name}.json"
-        if path.is_file() and json.loads(path.read_text())["settings"]["weights_sha256"] == weights:
+        if path.is_file() and json.loads(path.read_text())["settings"].get(KEY) == decoder:
             continue
         encoder, told = codes_of(what)
-        path.write_text(json.dumps(evaluated(encoder, data, told | {"weights_sha256": weights}),
+        path.write_text(json.dumps(evaluated(encoder, data, told | {KEY: decoder}),
                                    indent=2) + "\n")  # fmt: skip
         print(path, flush=True)
+
+
+def digest() -> str:
+    """Of all that the decoder is made of."""
+    folder = files("nscc_training.any_code")
+    parts = (folder / name for name in (WEIGHTS, *MODULES))
+    return sha256(b"".join(part.read_bytes() for part in parts)).hexdigest()
 
 
 def codes_of(what: str) -> tuple[Encoder, dict[str, Any]]:

@@ -138,6 +138,17 @@ def windows(name: str) -> str:
     return f"{len(files)} windows, {max(map(files.count, files))} of them of one film"
 
 
+def without(name: str, what: str) -> str:
+    """How many dB a run has more on a sensor that is without something, as `without.py` says."""
+    scores = _without(name)["without"]
+    return f"{scores[what] - scores['nothing']:+.2f}"
+
+
+def noise(name: str, effects: str, kind: str) -> str:
+    """By how many codes a run's pixels vary, in_time or of_pixels."""
+    return f"{_without(name)['noise_lsb'][effects][kind]:.1f}"
+
+
 def looks() -> str:
     """The table of pixels that look, as `nscc evaluate looks` prints it, of those with results."""
     kept = [name for name in LOOKING if evaluated(name)]
@@ -173,7 +184,7 @@ FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
         mean, source, gain, gain_by_source, stop, words, moved, validated, steps, validation,
-        cost, windows, looks, codes,
+        cost, windows, without, noise, looks, codes,
     )
 }  # fmt: skip
 
@@ -187,6 +198,11 @@ def written() -> str:
 
     template = (HERE / "README.template.md").read_text(encoding="utf-8")
     return re.sub(r"\{\{(.*?)\}\}", filled, template)
+
+
+def _without(name: str) -> dict[str, Any]:
+    path = HERE / "evaluations" / "under" / "without.json"
+    return dict(json.loads(path.read_text(encoding="utf-8"))[name])
 
 
 def _digits(value: float | None, metric: str) -> str:

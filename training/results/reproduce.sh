@@ -27,6 +27,7 @@ ln -sf "$data"/video/*.mp4 "$data"/sci/*.mat data/clips/
 ln -sf "$data"/sci/*.mat data/sci/
 [ -d photos ] || python "$here"/../data/fetch.py photos
 ln -sf "$data"/hdr/*.hdr "$PWD"/photos/*/*.jpg data/scenes/
+ln -sfn scenes data/moving
 cp "$here"/*.toml .
 
 nscc sweep results.toml --out all "$@"
@@ -53,12 +54,15 @@ score() { # RUN DATA PROTOCOL EFFECTS
 for kind in still clip; do
     nscc train under_$kind.toml --out all/runs/under_$kind
 done
+nscc train under_clip.toml --set 'sensor.effects=""' --out all/runs/noise_clip
 for effects in all ''; do
     score under_still hdr_test hdr-v1 "$effects"
     score under_clip clips video-v1 "$effects"
 done
+score noise_clip clips video-v1 ""
 score hdr_learned_0 hdr_test hdr-v1 all
 for name in vid_learned_0 u3_d_learned_1; do score $name clips video-v1 all; done
+python "$here"/without.py all/results/under/without.json all/runs/under_still all/runs/under_clip
 
 # What accuracy costs in time: the 2 x 2 pattern's decoders on the same captures.
 nscc tradeoff decoder --data data/clips --scenes 7 --size 256 --budget 90 \

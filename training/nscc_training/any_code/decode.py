@@ -12,7 +12,7 @@ from torch import Tensor
 
 from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
-from nscc_training.any_code.stages import STAGES, schedule, stage, started
+from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage, started
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 
 WEIGHTS = "weights.safetensors"
@@ -38,7 +38,8 @@ def shipped(kind: str) -> ClipDenoiser:
 
 @torch.no_grad()
 def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
-    """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages.
+    """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages;
+    at last it is led to the frames once more.
 
     The whites of the light need not be 1 here, as a denoiser wants them: what the brightest pixels
     say is taken for that.
@@ -47,8 +48,10 @@ def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
     measured = measured.over(unit)
     clip, target = started(measured)
     with bf16_where_multiplied():
-        for sigma in schedule(count):
-            clip, target = stage(measured, shipped("clip"), clip, target, sigma)
+        for number, sigma in enumerate(schedule(count)):
+            denoiser = mirrored(shipped("clip"), number)
+            clip, target = stage(measured, denoiser, clip, target, sigma)
+        clip = led(measured, clip)
     return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
 
 

@@ -100,7 +100,7 @@ def evaluate_run(
                 "NS0841", "sci8 brings its own measurements, which no chip has made",
                 helps=("leave --effects out, or take video-v1",),
             )  # fmt: skip
-        decode = partial(_made_by_chip, folder, seed, container_of(folder), effects)
+        decode = partial(made_by_chip, folder, seed, container_of(folder), effects)
     if protocol.name == "hdr-v1":
         crops, unusable = hdr.parted(files, protocol)
         left_out += [crop.as_json() for crop in unusable]
@@ -238,7 +238,7 @@ def container_of(folder: RunFolder) -> Container:
     return found
 
 
-def _made_by_chip(
+def made_by_chip(
     folder: RunFolder, seed: int, container: Container, effects: str, scene: Scene, index: int
 ) -> tuple[NDArray[Any], float]:
     """The same from a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make it."""
