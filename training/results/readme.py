@@ -102,6 +102,12 @@ def moved(name: str) -> str:
     return ", ".join(f"{codes['moved']}" for codes in found) + f" of {found[0]['places']}"
 
 
+def validated(name: str) -> str:
+    """A run's PSNR on its validation patches: with the start's codes, and with those learned."""
+    found = run_of(name)
+    return f"{found['codes']['start_alone_psnr_db']:.2f} | {found['headline']['psnr_db']:.2f}"
+
+
 def steps(name: str) -> str:
     """For how many steps a run was trained."""
     return str(result(name)["settings"]["steps"])
@@ -177,8 +183,8 @@ def evaluated(name: str) -> bool:
 FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
-        mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows,
-        without, noise, looks, codes,
+        mean, source, gain, gain_by_source, stop, words, moved, validated, steps, validation,
+        cost, windows, without, noise, looks, codes,
     )
 }  # fmt: skip
 
