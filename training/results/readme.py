@@ -31,7 +31,7 @@ CODES = {
     "random-d": "random, `d`, seed 0",
     **{
         f"{name}_{seed}": f"{told}, free bits, seed {seed}"
-        for seed in SEEDS[:2]
+        for seed in SEEDS
         for name, told in (("start", "random"), ("found", "**searched from these**"))
     },
 }
@@ -100,6 +100,12 @@ def moved(name: str) -> str:
     """At how many places of its tile a run's codes left their start."""
     found = [run_of(name.replace("@", str(k)))["codes"] for k in (SEEDS if "@" in name else [0])]
     return ", ".join(f"{codes['moved']}" for codes in found) + f" of {found[0]['places']}"
+
+
+def validated(name: str) -> str:
+    """A run's PSNR on its validation patches: with the start's codes, and with those learned."""
+    found = run_of(name)
+    return f"{found['codes']['start_alone_psnr_db']:.2f} | {found['headline']['psnr_db']:.2f}"
 
 
 def steps(name: str) -> str:
@@ -177,8 +183,8 @@ def evaluated(name: str) -> bool:
 FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
-        mean, source, gain, gain_by_source, stop, words, moved, steps, validation, cost, windows,
-        without, noise, looks, codes,
+        mean, source, gain, gain_by_source, stop, words, moved, validated, steps, validation,
+        cost, windows, without, noise, looks, codes,
     )
 }  # fmt: skip
 

@@ -54,10 +54,12 @@ score() { # RUN DATA PROTOCOL EFFECTS
 for kind in still clip; do
     nscc train under_$kind.toml --out all/runs/under_$kind
 done
+nscc train under_clip.toml --set 'sensor.effects=""' --out all/runs/noise_clip
 for effects in all ''; do
     score under_still hdr_test hdr-v1 "$effects"
     score under_clip clips video-v1 "$effects"
 done
+score noise_clip clips video-v1 ""
 score hdr_learned_0 hdr_test hdr-v1 all
 for name in vid_learned_0 u3_d_learned_1; do score $name clips video-v1 all; done
 python "$here"/without.py all/results/under/without.json all/runs/under_still all/runs/under_clip
