@@ -109,7 +109,7 @@ class Chooser(Promises):
             fitting = self._fitting(moves, dropped, limit) if moves else []
             if not fitting:
                 fitting = self._fitting(self._moves(dropped), dropped, limit)
-            found = next((n for n in fitting if self._bounded(dropped | n)), None)
+            found = next((n for n in fitting if self._sure(dropped | n, limit)), None)
             if found is None:
                 break
             dropped |= found
@@ -159,6 +159,12 @@ class Chooser(Promises):
     def _square(self, dropped: frozenset[str]) -> float:
         """The predicted mean square error of the worst bucket, in square electrons."""
         return self.square(dropped, self._path(dropped) != "sums")
+
+    def _sure(self, dropped: frozenset[str], limit: float) -> bool:
+        """Whether it fits with two standard errors of the sample above the limit, and is bounded."""
+        error = float(np.max(self.sampling_error(dropped, self._path(dropped) != "sums")))
+        most = max(limit / MARGIN**2, self._square(self.forced_off))
+        return self._square(dropped) + 2.0 * error <= most and self._bounded(dropped)
 
     def _bounded(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> bool:
         """Whether the worst pixels and the noise keep to what was asked, or to what is forced."""
@@ -231,13 +237,11 @@ class Chooser(Promises):
 
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
-        kept = everything().without(*dropped)
-        return self.program.work.words_ns(kept, SHIPPED, False)
+        return self.program.work.words_ns(everything().without(*dropped), SHIPPED, False)
 
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
-        kept = everything().without(*lacking)
-        return self.program.work.words_ns(kept, SHIPPED, True)
+        return self.program.work.words_ns(everything().without(*lacking), SHIPPED, True)
 
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
