@@ -161,7 +161,7 @@ class Chooser(Promises):
         return self.square(dropped, self._path(dropped) != "sums")
 
     def _sure(self, dropped: frozenset[str], limit: float) -> bool:
-        """Whether it fits with two standard errors of the sample above the limit, and is bounded."""
+        """Whether it fits with two standard errors of the sample, and keeps to its bounds."""
         error = float(np.max(self.sampling_error(dropped, self._path(dropped) != "sums")))
         most = max(limit / MARGIN**2, self._square(self.forced_off))
         return self._square(dropped) + 2.0 * error <= most and self._bounded(dropped)
