@@ -279,7 +279,7 @@ class Chooser(Promises):
         effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
         return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
 
-    def _trying_ns(self, dropped: frozenset[str]) -> float:
+    def _trying_ns(self) -> float:
         """Nanoseconds of running a sample of pixels near saturation through their words."""
         work, every = self.program.work, everything()
         alone = every.without(*every.names(Exchange))
@@ -288,17 +288,17 @@ class Chooser(Promises):
         found = float(tried) * TRIED * work.words_ns(quiet, SHIPPED, True)
         if self.sampled.noisy(self.tolerance_e):
             found += tried * TRIED * work.words_ns(alone, SHIPPED, True)
-        if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
-            found += self._lacking(self.state(dropped)).tried_ns
         return found
 
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms = len(self.program.lanes) * 1e-6
-        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns(dropped) * 1e-6
+        least_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns() * 1e-6
+        # What pixels near saturation can do without is asked where something may be left out.
+        planning_ms = least_ms + self._lacking(self.state(dropped)).tried_ns * 1e-6
         total, near = self._frame_ns(dropped, self.forced_off | lacking)
         every, _ = self._frame_ns(frozenset(), frozenset())
-        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + planning_ms)
+        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + least_ms)
 
     def made(self, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str) -> Plan:
         """The plan that leaves these effects out; pixels near saturation have those of them that
