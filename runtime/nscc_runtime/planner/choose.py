@@ -127,7 +127,8 @@ class Chooser(Promises):
     ) -> list[frozenset[str]]:
         """Of some moves those whose mean square error stays below the limit and that save time,
         what saves most for its error first."""
-        now, found = self._square(dropped), []
+        now = self._square(dropped)
+        found: list[tuple[float, list[str], frozenset[str]]] = []
         for names in moves:
             then = self._square(dropped | names)
             if then <= max(limit, now):
