@@ -98,7 +98,8 @@ def _sizes(values: NDArray[np.float32]) -> tuple[float, float, float, float]:
     if not 0 < largest < np.inf:
         return largest, largest, largest, largest
     size /= np.float32(largest)
-    square = size * size
+    # Not below what has an eighth power: numbers next to nothing are slow.
+    square = np.maximum(size * size, np.float32(1e-9))
     roots = float(size.mean()), float(square.mean()) ** 0.5, float((square**4).mean()) ** 0.125, 1.0
     mean, root, eighth, one = (each * largest for each in roots)
     return mean, root, eighth, one
