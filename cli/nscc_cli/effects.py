@@ -26,18 +26,26 @@ _WIDTH = 98
 @click.argument("name", required=False, type=EFFECT, metavar="[EFFECT]")
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
+@click.option("--cost", is_flag=True, help="Print what simulating takes on this machine.")
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
               show_default=True,
               help="The chip whose figures are the defaults.")  # fmt: skip
 @click.option("--sensor", type=PATH, help="Show this file's values, not the defaults.")
 @click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
-def command(name: str | None, as_json: bool, toml: bool, target: str, **options: Any) -> None:
+def command(
+    name: str | None, as_json: bool, toml: bool, cost: bool, target: str, **options: Any
+) -> None:
     """List the effects of the sensor, or show all about one (EFFECT)."""
     from nscc_runtime.effects import effects_json
     from nscc_runtime.sensor import sensor_toml
 
-    if as_json + toml + (name is not None) > 1:
-        raise click.UsageError("EFFECT, --json and --toml print different things: give one of them")
+    if as_json + toml + cost + (name is not None) > 1:
+        raise click.UsageError(
+            "EFFECT, --json, --toml and --cost print different things: give one of them"
+        )
+    if cost:
+        click.echo(costs())
+        return
     found = sensor_of(load_target(target, Path()), options)
     if toml:
         click.echo(sensor_toml(found), nl=False)
@@ -54,6 +62,37 @@ def listing() -> str:
     return columns([(each.name, each.kind, each.title) for each in registered()]) + (
         "\n\nfixed: the same in every frame; random: new in every frame; after: in the readout\n"
         "`nscc effects NAME` shows one, --toml prints a sensor file"
+    )
+
+
+def costs() -> str:
+    """What simulating takes here, beside the prices that plans are chosen by; measured if nobody
+    has."""
+    from nscc_runtime import machine_prices
+    from nscc_runtime.effects import registered
+
+    found, where = machine_prices.kept(), machine_prices.place()
+    if found is None:
+        from nscc_runtime.planner.measuring import measured
+
+        found = measured()
+        where_kept = machine_prices.keep(found)
+        told = f"measured now, kept in {where}" if where_kept else "measured now, not kept"
+    else:
+        told = f"measured before, kept in {where}: without that file it is measured anew"
+    rows = [("price", "shipped", "here", "unit", "of")]
+    rows += [
+        (e.name, "" if e.shipped is None else f"{e.shipped:.4g}", f"{e.here:.4g}", e.unit, e.what)
+        for e in found.prices
+    ]
+    rows += [
+        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel by sums over slots")
+        for e in registered() if e.cost_ns
+    ]  # fmt: skip
+    threads = "1 thread" if found.threads == 1 else f"{found.threads} threads"
+    return columns(rows, left=(0, 3, 4)) + (
+        f"\n\nof one core; frames are done first with {threads}\n{told}\n"
+        "shipped prices decide on effects, what is measured here on threads, which change no bit"
     )
 
 

@@ -37,6 +37,7 @@ from nscc_runtime.given import (
     number,
     sensor_of,
 )
+from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
@@ -69,6 +70,7 @@ def capture(
     repeat: int | None = Request.repeat,
     threads: int | None = Request.threads,
     torch_device: str | None = Request.torch_device,
+    turn: Turn | None = Request.turn,
 ) -> Capture:
     """Capture a scene with a program on the emulated chip, or `repeat` frames of it.
 
@@ -84,7 +86,8 @@ def capture(
     by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns. `threads`, by
     default as many as there are processors, change no bit. `torch_device` ("cuda", "cpu") has a
     plan's frames drawn and added up by torch, many repeats at once, with the same random numbers;
-    what plans leave to the words of single pixels stays on the processor.
+    what plans leave to the words of single pixels stays on the processor. With a `turn` of
+    `nscc_runtime.kept_plans` the plan of an earlier scene is used where it covers this one.
 
     Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
     not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
@@ -110,7 +113,7 @@ def capture(
         effects=_effects(call, effects), tolerance=_tolerance(call, "tolerance", tolerance),
         tolerance_max=_tolerance(call, "tolerance_max", tolerance_max), plan=file,
         fidelity=fidelity, audit=audit, seed=int(seed), device_seed=int(device_seed),
-        repeat=repeat, threads=threads, torch_device=torch_device,
+        repeat=repeat, threads=threads, torch_device=torch_device, turn=turn,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
     exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
@@ -131,8 +134,10 @@ def captures(
 ) -> list[Capture]:
     """Capture many scenes with one program, one scene with many, or pair by pair; as `capture`.
 
-    Lists hold many, anything else is one. Programs are analysed once. WrongArgument where there are
-    neither as many scenes as programs nor one of either.
+    Lists hold many, anything else is one. Programs are analysed once. A plan is kept with its
+    program and sensor: the next scenes have it as long as their light is of the same kind and no
+    stronger, whatever the threads. WrongArgument where there are neither as many scenes as programs
+    nor one of either.
     """
     many_programs = [*programs] if isinstance(programs, list | tuple) else [programs]
     many_lights = [*lights] if isinstance(lights, list | tuple) else [lights]
@@ -143,11 +148,17 @@ def captures(
             helps=("give as many of both in lists, or one of either",),
         )
 
-    def run(program: Any, light: Any) -> Capture:
-        return capture(program, light, threads=1, **options)
+    plans = KeptPlans()
+
+    def run(number: int, program: Any, light: Any) -> Capture:
+        try:
+            return capture(program, light, threads=1, turn=Turn(plans, number), **options)
+        finally:
+            plans.passed(number)
 
     with ThreadPoolExecutor(threads or processors()) as pool:
-        return [*pool.map(run, islice(cycle(many_programs), count), cycle(many_lights))]
+        each = islice(cycle(many_programs), count), cycle(many_lights)
+        return [*pool.map(run, range(count), *each)]
 
 
 def plan(

@@ -10,6 +10,7 @@ from typing import Any
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_runtime.frame_file import joined, stacked
+from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.progress import unseen
 from nscc_runtime.response import Response, response_of
@@ -55,7 +56,8 @@ def simulate_scene(
     """Expose a scene of one or three colours; raises as `simulate`, NS0739 for what cannot be.
 
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
-    other: their noise has the seeds `request.seed`, and so on. Plan and audit are those of the
+    other: their noise has the seeds `request.seed`, and so on; a plan serves the next ones that it
+    covers. Plan and audit are those of the
     piece that is furthest off; a tolerance that is a part of the scene is of that of all.
     """
     listener = listener or Listener()
@@ -68,10 +70,11 @@ def simulate_scene(
         request = _for_all(container, lights, sensor, request)
         one = replace(listener, progress=unseen)
         numbered = listener.progress(numbered, "exposing pieces", len(lights))
-    made = [
-        simulate(container, light, sensor, replace(request, seed=request.seed + number), one)
-        for number, light in numbered
-    ]
+    made, plans = [], KeptPlans()
+    for number, light in numbered:
+        turn = Turn(plans, number) if len(lights) > 1 else request.turn
+        asked = replace(request, seed=request.seed + number, turn=turn)
+        made.append(simulate(container, light, sensor, asked, one))
     frames, each = [one.frame for one in made], len(lights) // len(scene)
     frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
     frame = frames[0] if len(scene) == 1 else stacked(frames)

@@ -9,6 +9,8 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import pairwise
 
+from nscc_runtime.machine_prices import best_threads
+
 
 def processors() -> int:
     """How many threads a run may use."""
@@ -16,8 +18,11 @@ def processors() -> int:
 
 
 def threads_of(asked: int | None) -> int:
-    """So many threads as were asked for, by default one a processor."""
-    return processors() if asked is None else asked
+    """So many threads as were asked for, by default one a processor, or as many as have been found
+    to be worth it on this machine."""
+    if asked is not None:
+        return asked
+    return min(best_threads() or processors(), processors())
 
 
 @cache

@@ -21,6 +21,7 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, marks, selected
 from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
+from nscc_runtime.kept_plans import Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
 from nscc_runtime.planner.tolerance import DEFAULT, Given
@@ -32,6 +33,7 @@ from nscc_runtime.timings import Timings
 if TYPE_CHECKING:  # a frame without effects starts without the planner
     from nscc_runtime.planner.audit import Audit
     from nscc_runtime.planner.plan import Plan
+    from nscc_runtime.planner.planning import Planning
 
 Fidelity = Literal["planned", "reference"]
 
@@ -45,6 +47,7 @@ class Request:
     one, by a plan: the one given, that of a file, or one made now, whose text is given back if
     `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
     effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.
+    With a `turn` the plan of an earlier scene serves this one, too, where it covers it.
     `repeat` frames, or one (None). `threads`, by default as many as there are processors, change no
     bit. A `torch_device` draws and adds up the frames of a plan by sums, many at once.
     """
@@ -60,6 +63,7 @@ class Request:
     repeat: int | None = None
     threads: int | None = None
     torch_device: str | None = None
+    turn: Turn | None = None
 
     @classmethod
     def of(
@@ -272,8 +276,7 @@ def _planned(
         if file is not None and given:
             plan = planning.predicted(read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
-            most = request.tolerance_max
-            plan = planning.plan(request.tolerance, request.effects, most)
+            plan = _made(planning, container, light, sensor, request)
         else:
             assert not isinstance(request.plan, Path)
             plan = request.plan
@@ -293,6 +296,22 @@ def _planned(
     )  # fmt: skip
     text = plan_text(plan, digest, sensor) if file is not None and not given else None
     return Simulated(frame, origin, plan.kept, plan, report, text, broken)
+
+
+def _made(
+    planning: Planning, container: Container, light: Light, sensor: Sensor, request: Request
+) -> Plan:
+    """A plan made for this scene, or an earlier one that covers it."""
+    from nscc_runtime.kept_plans import Statistics
+    from nscc_runtime.planner.frames import made_ready
+
+    asked = request.tolerance, request.effects, request.tolerance_max
+    # Where pixels look, a plan hangs on how many of them stand near a level.
+    if request.turn is None or container.machine is not None:
+        return planning.plan(*asked)
+    found = Statistics.of(light, made_ready(container, sensor).open_part)
+    one = container, sensor, request.device_seed, asked
+    return request.turn.plan(one, found, lambda: planning.plan(*asked))
 
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:

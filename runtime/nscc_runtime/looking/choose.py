@@ -18,7 +18,8 @@ from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.looking.sample import Difference, Sample
 from nscc_runtime.planner.choose import MARGIN, after_exposure
-from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Decision, Plan
+from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Cost, Decision, Plan
+from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.tolerance import Tolerance
 
 _LEFT_OUT = 0.5
@@ -136,11 +137,24 @@ class Chooser:
             other_states=now.other_states,
             predicted_p999_e=now.worst.p999_e,
             predicted_max_e=now.worst.max_e,
+            cost=self._cost(dropped),
         ).told(self.allowed, self.allowed_max)
         lacking = ways.lacks(plan.kept)
         if lacking:
             return replace(plan, slot_loop="reference", slot_loop_reasons=lacking)
         return plan
+
+    def _cost(self, dropped: frozenset[str]) -> Cost:
+        """What the plan takes that leaves these effects out."""
+        ms, present = self.sample.pixels * 1e-6, [e for e in registered() if e.name in self.alone]
+        # The sample is exposed with all effects, and without each.
+        exposed = (len(present) + 1) * self.sample.light.frames[0].size
+        planning_ms = SHIPPED.looked * exposed * 1e-6
+        frame_ms, every_ms = (
+            ms * (SHIPPED.looked + sum(self._saved_ns(e) for e in present if e.name not in without))
+            for without in (dropped, frozenset())
+        )
+        return Cost(frame_ms + planning_ms, 0.0, planning_ms, every_ms + planning_ms)
 
     def _decision(
         self, effect: Effect, dropped: frozenset[str], now: Difference, forced_reason: str

@@ -19,9 +19,11 @@ from nscc_runtime.effects import (
     registered,
     selected,
 )
+from nscc_runtime.effects.parts import Counted, Errors, Exchange
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.planner.effect_fields import TRIED
 from nscc_runtime.planner.lacking import Lacking
 from nscc_runtime.planner.plan import Approximation, Choice, Cost, Decision, Loop, Plan
 from nscc_runtime.planner.predict import WORDS
@@ -100,18 +102,17 @@ class Chooser(Promises):
         if forced > limit:
             # What the user forced off has broken the promise: the rest keeps to it by itself.
             limit += forced
+        fitting: list[frozenset[str]] = []
         while True:
-            now = self._square(dropped)
-            fits = []
-            for names in self._moves(dropped):
-                then = self._square(dropped | names)
-                if then <= max(limit, now) and self._bounded(dropped | names):
-                    saved = self._saved_ns(names, dropped)
-                    if saved > 0:
-                        fits.append((saved / max(then - now, 1e-12), sorted(names)))
-            if not fits:
+            moves = [names for names in fitting if not names <= dropped]
+            # What did not fit before seldom does with less room: it is tried again at the end.
+            fitting = self._fitting(moves, dropped, limit) if moves else []
+            if not fitting:
+                fitting = self._fitting(self._moves(dropped), dropped, limit)
+            found = next((n for n in fitting if self._bounded(dropped | n)), None)
+            if found is None:
                 break
-            dropped |= set(max(fits)[1])
+            dropped |= found
         lacking: frozenset[str] = frozenset()
         if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
             free = dropped - self.forced_off - self.saturation - self.slow
@@ -120,6 +121,20 @@ class Chooser(Promises):
             if not self._bounded(dropped, lacking):
                 lacking = frozenset()
         return self.made(dropped, lacking, forced_reason)
+
+    def _fitting(
+        self, moves: Iterable[frozenset[str]], dropped: frozenset[str], limit: float
+    ) -> list[frozenset[str]]:
+        """Of some moves those whose mean square error stays below the limit and that save time,
+        what saves most for its error first."""
+        now, found = self._square(dropped), []
+        for names in moves:
+            then = self._square(dropped | names)
+            if then <= max(limit, now):
+                saved = self._saved_ns(names, dropped)
+                if saved > 0:
+                    found.append((saved / max(then - now, 1e-12), sorted(names), names))
+        return [names for *_, names in sorted(found, reverse=True, key=lambda each: each[:2])]
 
     @remembered
     def _lacking(self, state: str) -> Lacking:
@@ -260,10 +275,23 @@ class Chooser(Promises):
         effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
         return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
 
+    def _trying_ns(self, dropped: frozenset[str]) -> float:
+        """Nanoseconds of running a sample of pixels near saturation through their words."""
+        work, every = self.program.work, everything()
+        alone = every.without(*every.names(Exchange))
+        quiet = alone.without(*every.names(Counted), *every.names(Errors))
+        tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
+        found = float(tried) * TRIED * work.words_ns(quiet, SHIPPED, True)
+        if self.sampled.noisy(self.tolerance_e):
+            found += tried * TRIED * work.words_ns(alone, SHIPPED, True)
+        if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
+            found += self._lacking(self.state(dropped)).tried_ns
+        return found
+
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms = len(self.program.lanes) * 1e-6
-        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms
+        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns(dropped) * 1e-6
         total, near = self._frame_ns(dropped, self.forced_off | lacking)
         every, _ = self._frame_ns(frozenset(), frozenset())
         return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + planning_ms)

@@ -29,6 +29,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sampled import SampledScene
+from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 Held = dict[tuple[str, ...], Values]
@@ -40,6 +41,8 @@ BOTH = "saturation"
 """What saturation of PIX and of registers do together."""
 _SURELY = 1.5
 """Times the tolerance: noise takes less than the rest from what saturation loses."""
+TRIED = 4
+"""Runs of a sample through its words that show what saturation loses."""
 _CLIPPED_E = 1.0
 _SIGMAS = 8
 
@@ -97,11 +100,18 @@ class SampledFields:
     def for_tolerance(self, tolerance_e: float) -> Fields:
         """The same, with what saturation loses of all that is random, unless that is so far above
         the tolerance that no noise decides on it."""
-        near = self._near
-        if not self.sample.near.any() or (not self.forced_off and near.surely_kept(tolerance_e)):
+        if not self.noisy(tolerance_e):
             return self.rough
+        near = self._near
         found = near.added(self._far, self._found, near.with_noise)
         return near.forced(found) if self.forced_off else found
+
+    @remembered
+    def noisy(self, tolerance_e: float) -> bool:
+        """Whether noise decides on what saturation loses."""
+        if not self.sample.near.any():
+            return False
+        return bool(self.forced_off) or not self._near.surely_kept(tolerance_e)
 
     @cached_property
     def _scene(self) -> SampledScene:

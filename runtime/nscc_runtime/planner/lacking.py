@@ -81,6 +81,16 @@ class Lacking:
         before, after = self._words_ns(frozenset()), self._words_ns(lacking)
         return (before - after) * len(self.near) > (before + after) * len(self._places)
 
+    @property
+    def tried_ns(self) -> float:
+        """Nanoseconds that measuring has taken."""
+        return sum(self._words_ns(lacking) * len(self._places) for lacking in self._tried)
+
+    @cached_property
+    def _tried(self) -> list[frozenset[str]]:
+        """What the measured pixels have lacked so far, each once."""
+        return []
+
     def square(self, lacking: frozenset[str]) -> Values:
         """What leaving effects out adds to the mean square error over the array, (buckets,)."""
         mean, _ = self._measured(lacking)
@@ -127,6 +137,7 @@ class Lacking:
     @remembered
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
+        self._tried.append(lacking)
         program = self.program
         found, _ = program.pixels.exposures(
             self.light, program.slot_s, self._places, self._every.without(*lacking),

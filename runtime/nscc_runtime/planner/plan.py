@@ -87,7 +87,7 @@ class Cost:
         found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
         if self.saturating_ms > 0:
             found.insert(0, ("(saturating)", saturating, self.saturating_ms))
-        return [*found, ("(the rest)", "light added up and read out", rest_ms)]
+        return [*found, ("(the rest)", "light, words and readout", rest_ms)]
 
     @property
     def said(self) -> str:
@@ -116,7 +116,8 @@ class Plan:
     was. `noise_ratio`: the standard deviation of exposures over frames by that with every effect;
     None where it is not promised. `saturating_lack`: the dropped effects that pixels near
     saturation lack as well, whose words run with all others. `cost`: None where there are no prices
-    for it. As text a plan is the table that `nscc run` prints.
+    for it. `reused`: it was made for an earlier scene, with light of this kind and no weaker, whose
+    predictions these are. As text a plan is the table that `nscc run` prints.
     """
 
     tolerance_e: float
@@ -140,6 +141,7 @@ class Plan:
     noise_ratio: float | None = field(default=None, metadata=_LATER)
     saturating_lack: tuple[str, ...] = field(default=(), metadata=_LATER)
     cost: Cost | None = field(default=None, metadata=_LATER)
+    reused: bool = field(default=False, metadata=_LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]
@@ -182,6 +184,8 @@ class Plan:
         lines.append(": ".join(filter(None, (loop, "; ".join(self.slot_loop_reasons)))))
         if self.cost is not None:
             lines.append(self.cost.said)
+        if self.reused:
+            lines.append("made for an earlier scene, whose light was of this kind and no weaker")
         return "\n".join(lines)
 
     def _costs(self) -> list[tuple[str, ...]]:
@@ -191,8 +195,9 @@ class Plan:
         kept_ms = sum(each.cost_ms_model for each in self.decisions if each.decision == "kept")
         lack = ", ".join(self.saturating_lack)
         saturating = "their words one by one" + (f", without {lack}" if lack else "")
+        looks = ("",) if self.other_states is not None else ()
         return [
-            (name, "", "", "", what, f"{cost_ms:.2f}")
+            (name, "", "", "", what, f"{cost_ms:.2f}", *looks)
             for name, what, cost_ms in self.cost.rows(kept_ms, saturating)
         ]
 
@@ -308,6 +313,7 @@ class Plan:
             "saturating_lack": list(self.saturating_lack),
             "cost": None if self.cost is None else asdict(self.cost),
             "other_states": self.other_states,
+            "reused": self.reused,
             "effects": [asdict(each) for each in self.decisions],
         }
 

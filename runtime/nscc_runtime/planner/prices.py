@@ -23,7 +23,8 @@ class Prices:
     `slot_of_reference`: the reference, a slot. Of the loop over words: `pixel` to begin one;
     `word`; `error`, one of a word's small errors; `slot`, the light of a slot at one site (a pixel
     or a neighbour); `count`, the electrons of a group of slots drawn at a site; `split`, one count
-    halved.
+    halved. `summed`: a pixel by sums over slots, `light` one frame of its light. `planned`: a pixel
+    of the scene that is planned, beside the milliseconds `plan_ms`. `looked`: a pixel that looks.
     """
 
     slot_of_reference: float
@@ -37,11 +38,13 @@ class Prices:
     light: float
     planned: float
     plan_ms: float
+    looked: float
 
 
 SHIPPED = Prices(
     slot_of_reference=450.0, pixel=1000.0, word=60.0, error=55.0, slot=14.0, count=300.0,
     split=60.0, summed=90.0, light=0.5, planned=60.0, plan_ms=8.0,
+    looked=1200.0,
 )  # fmt: skip
 """Measured on a core of an x86 server at about 3 GHz; what they add up to is right to a factor of
 about 1.6."""

@@ -97,6 +97,12 @@ class Program:
         """The lane of every pixel, flat."""
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
 
+    @cached_property
+    def open_part(self) -> NDArray[np.float32]:
+        """The part (rows, cols) of the frame whose light each pixel sees."""
+        part = self.slot_s @ self.tables.seen() / max(float(self.slot_s.sum()), 1e-300)
+        return np.asarray(part[self.lanes].reshape(self.reference.groups.lane.shape), np.float32)
+
     @remembered
     def leak_error(self, count: int) -> float:
         """The relative error of sums at so many rates of leakage."""

@@ -115,15 +115,14 @@ class Promises(Forecast):
         None where nothing is random."""
         state = self.state(dropped)
         undrawn = tuple(name for name in self._taken(dropped) if name in _UNDRAWN)
-        full = mine = 0.0
+        square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
-            full += noise.all
-            mine += 0.0 if name in dropped else noise.far
+            square += noise.all
+            kept_e2 += 0.0 if name in dropped else noise.far
             near_lost = dropped if everywhere else self.forced_off | lacking
-            mine += 0.0 if name in near_lost else noise.near
+            kept_e2 += 0.0 if name in near_lost else noise.near
         if not everywhere:
-            mine -= float(np.mean(self.cut_square(state, undrawn)))
-        square, kept_e2 = full, mine
+            kept_e2 -= float(np.mean(self.cut_square(state, undrawn)))
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
         if not square + added > 0:
             return None

@@ -1,0 +1,187 @@
+"""Plans kept from scene to scene: the next frames of a film are exposed under the plan of an
+earlier one, as long as their light is of the same kind and no stronger.
+
+What is left out of a frame errs in proportion to light, to its steps between neighbours, or steeper
+where pixels saturate; so a plan goes on being good while none of these has grown by more than the
+room that plans leave below their tolerance.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from concurrent.futures import Future
+from dataclasses import dataclass, replace
+from threading import Condition
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import everything
+from nscc_runtime.effects.parts import Saturates
+from nscc_runtime.light import Light
+
+if TYPE_CHECKING:  # captures without effects start without the planner
+    from nscc_runtime.planner.plan import Plan
+
+Values = NDArray[np.float64]
+
+_MORE = 1.03
+"""By what factor light may grow: plans leave a tenth of their tolerance."""
+_LESS, _LESS_OF_PART = 0.5, 0.95
+"""Below these factors a plan is made anew: a cheaper one may do; a tolerance that is a part of the
+scene has become smaller."""
+_SHIFTED = 0.02
+"""The part of the light that may fall in other slots."""
+_SOME = 8
+"""Of each row and column every one of so many says when light falls."""
+
+
+@dataclass(frozen=True, eq=False)
+class Statistics:
+    """What of a scene's light decides on the errors of a plan.
+
+    `sizes`, in electrons: of the light of a pixel over the frame the mean, the root of the mean
+    square, that of the eighth power, the largest; the root mean square of steps between neighbours;
+    and the first four again of the light while pixels are open. `course` (frames,): what part of
+    all light has fallen by the end of each of the scene's frames.
+    """
+
+    light: Light
+    sizes: Values
+    course: Values
+
+    @classmethod
+    def of(cls, light: Light, open_part: NDArray[np.float32]) -> Statistics:
+        """Of a scene, in one pass over its frames; `open_part` (rows, cols): how much of the frame
+        each pixel is open."""
+        weight = light.on_frames(np.ones((light.slots, 1)))[:, 0]
+        with np.errstate(over="ignore", invalid="ignore"):
+            total = np.tensordot(weight.astype(np.float32), light.frames, 1)
+            steps = [np.diff(total, axis=axis).reshape(-1) for axis in (0, 1)]
+            step = _sizes(np.concatenate(steps))[1]
+            course = np.cumsum(weight * light.frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
+            course /= course[-1] if len(course) and course[-1] > 0 else 1.0
+            sizes = *_sizes(total), step, *_sizes(total * open_part)
+        return cls(light, np.array(sizes, np.float64), course)
+
+    def resembles(
+        self, other: Statistics, *, saturating: bool = True, least: float = _LESS
+    ) -> bool:
+        """Whether the other scene's light is of this kind and no stronger: no more saturates unless
+        pixels that may are simulated (`saturating`), and of its mean `least` is left.
+        """
+        if not (np.isfinite(self.sizes).all() and np.isfinite(other.sizes).all()):
+            return False
+        more = np.full(len(self.sizes), _MORE)
+        if not saturating:
+            more[[2, 3, 7, 8]] = 1.0  # of what saturates a little more light may lose much more
+        return bool(
+            _alike(self.light, other.light)
+            and (other.sizes <= more * self.sizes).all()
+            and (other.sizes[:2] >= least * self.sizes[:2]).all()
+            and np.abs(other.course - self.course).max(initial=0.0) <= _SHIFTED
+        )
+
+    def covers(self, other: Statistics, plan: Plan) -> bool:
+        """Whether a plan that was made for this scene will do for another one."""
+        names = everything().names(Saturates)
+        dropped = any(e.decision == "dropped" and e.name in names for e in plan.decisions)
+        least = _LESS_OF_PART if plan.allowed.follows else _LESS
+        return self.resembles(other, saturating=not dropped, least=least)
+
+
+def _sizes(values: NDArray[np.float32]) -> tuple[float, float, float, float]:
+    """Mean, root of the mean square, root of the mean eighth power, and largest, of their sizes."""
+    size = np.abs(values)
+    largest = float(size.max(initial=0.0))
+    if not 0 < largest < np.inf:
+        return largest, largest, largest, largest
+    size /= np.float32(largest)
+    # Not below what has an eighth power: numbers next to nothing are slow.
+    square = np.maximum(size * size, np.float32(1e-9))
+    roots = float(size.mean()), float(square.mean()) ** 0.5, float((square**4).mean()) ** 0.125, 1.0
+    mean, root, eighth, one = (each * largest for each in roots)
+    return mean, root, eighth, one
+
+
+def _alike(one: Light, other: Light) -> bool:
+    """Whether frames of these lights fall in the same slots."""
+    if one.shape != other.shape or (one.motion is None) != (other.motion is None):
+        return False
+    pairs = (
+        (one.row_start, other.row_start), (one.frame_index, other.frame_index),
+        (one.weight, other.weight),
+    )  # fmt: skip
+    alike = len(one.frames) == len(other.frames) and all(np.array_equal(*pair) for pair in pairs)
+    return alike and (
+        one.motion is None or other.motion is None or _alike(one.motion, other.motion)
+    )
+
+
+class KeptPlans:
+    """The plans of a film's frames, or of the scenes of a batch, which are numbered from 0.
+
+    Scenes may be exposed at the same time: whose plan one takes follows from their order alone.
+    Every number has to be `passed`, whether its scene was planned or not.
+    """
+
+    def __init__(self) -> None:
+        self._last: dict[Hashable, tuple[Statistics, Future[Plan]]] = {}
+        self._passed: set[int] = set()
+        self._turn = 0
+        self._changed = Condition()
+
+    def plan(
+        self, number: int, asked: Hashable, found: Statistics, make: Callable[[], Plan]
+    ) -> Plan:
+        """The plan of scene `number`: that of the last one that was planned for what is `asked`, if
+        it covers this one, and what `make` gives otherwise."""
+        with self._changed:
+            self._changed.wait_for(lambda: self._turn >= number)
+        try:
+            earlier = self._earlier(asked, found)
+            if earlier is not None:
+                return earlier
+            mine: Future[Plan] = Future()
+            self._last[asked] = found, mine
+        finally:
+            self.passed(number)
+        try:
+            mine.set_result(make())
+        except BaseException as error:
+            mine.set_exception(error)
+            raise
+        return mine.result()
+
+    def _earlier(self, asked: Hashable, found: Statistics) -> Plan | None:
+        """The last plan, where it covers a scene."""
+        if asked not in self._last:
+            return None
+        statistics, made = self._last[asked]
+        # Most scenes that differ are told apart before that plan is there.
+        if not statistics.resembles(found) or made.exception() is not None:
+            return None
+        plan = made.result()
+        return replace(plan, reused=True) if statistics.covers(found, plan) else None
+
+    def passed(self, number: int) -> None:
+        """Scene `number` has its plan, or needs none."""
+        with self._changed:
+            self._passed.add(number)
+            while self._turn in self._passed:
+                self._passed.discard(self._turn)
+                self._turn += 1
+            self._changed.notify_all()
+
+
+@dataclass(frozen=True, eq=False)
+class Turn:
+    """A scene's place among those that share their plans."""
+
+    plans: KeptPlans
+    number: int
+
+    def plan(self, asked: Hashable, found: Statistics, make: Callable[[], Plan]) -> Plan:
+        """See `KeptPlans.plan`."""
+        return self.plans.plan(self.number, asked, found, make)

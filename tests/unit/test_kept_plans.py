@@ -1,0 +1,104 @@
+"""Plans that serve the next frames of a film: when they do, and that the promise holds there."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from plan_cases import case
+from promise import still
+
+from nscc_runtime import capture, captures
+from nscc_runtime.effects import Selection
+from nscc_runtime.kept_plans import KeptPlans, Statistics
+from nscc_runtime.light import Light
+from nscc_runtime.planner.frames import made_ready
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.sensor import default_sensor
+
+PROGRAM = case("b edges", 8, rows=64, cols=64)
+WIDE = still(8, 64, 72, 3000.0).astype(np.float32)
+LIGHT = Light.of_clip(np.ascontiguousarray(WIDE[:, :, :64]))
+OPEN = made_ready(PROGRAM, default_sensor(PROGRAM.target)).open_part
+
+
+def statistics(light: Light, part: np.ndarray = OPEN) -> Statistics:
+    return Statistics.of(light, part)
+
+
+def frames(count: int) -> list[np.ndarray]:
+    """A film that pans over a picture, with a little flicker; each frame is a clip of slots."""
+    return [WIDE[:, :, k : k + 64] * (1.0 - 0.01 * k) for k in range(count)]
+
+
+@pytest.mark.parametrize("tolerance", ["0.1noise", "5e", "50e"])
+def test_the_promise_holds_on_frames_that_share_a_plan(tolerance: str) -> None:
+    found = captures(PROGRAM, frames(4), tolerance=tolerance, audit=True)
+    assert [each.plan.reused for each in found if each.plan] == [False, True, True, True]
+    assert all(each.audit is not None and each.audit.holds for each in found)
+    assert found[2].meta["plan"]["reused"]
+    assert "made for an earlier scene" in str(found[2].plan)
+
+
+@pytest.mark.parametrize("threads", [1, 4])
+def test_whose_plan_a_scene_takes_follows_from_the_order_alone(threads: int) -> None:
+    film = frames(2)
+    bright, dark, spot = film[0] * 1.2, film[0] * 0.3, film[0].copy()
+    spot[:, 3, 3] = 2 * film[0].max()
+    lights = [film[0], film[1], bright, bright, dark, spot, film[0][0]]
+    found = captures(PROGRAM, lights, tolerance="5e", threads=threads)
+    reused = [each.plan is not None and each.plan.reused for each in found]
+    assert reused == [False, True, False, True, False, False, False]
+    for light, each in zip(lights, found, strict=True):
+        if each.plan is not None and not each.plan.reused:
+            alone = capture(PROGRAM, light, tolerance="5e")
+            assert alone.exposure_e.tobytes() == each.exposure_e.tobytes()
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        lambda x: x * 1.05,  # brighter
+        lambda x: np.where(np.arange(64) % 2, x * 1.9, x * 0.1),  # as bright, with steeper steps
+        lambda x: x[::-1] * (np.arange(8) < 4)[:, None, None] * 2.0,  # as bright, earlier
+        lambda x: x * np.where(OPEN.mean() < OPEN, 1.3, 0.7),  # as bright, where pixels are open
+        lambda x: np.where(x == x.max(), np.inf, x),  # without end
+    ],
+)
+def test_light_that_grows_in_any_way_is_planned_anew(changed: object) -> None:
+    base = np.full((8, 64, 64), 300.0, np.float32)
+    base += np.random.default_rng(3).normal(0.0, 3.0, (64, 64)).astype(np.float32)
+    assert callable(changed)
+    light, other = Light.of_clip(base), Light.of_clip(np.asarray(changed(base), np.float32))
+    assert statistics(light).resembles(statistics(light))
+    assert not statistics(light).resembles(statistics(other))
+
+
+def test_what_saturates_may_not_grow_where_a_plan_leaves_saturation_out() -> None:
+    light = LIGHT.dense()
+    one, more = statistics(LIGHT), statistics(Light.of_clip(light * np.float32(1.01)))
+    assert one.resembles(more)
+    assert not one.resembles(more, saturating=False)
+    assert not one.covers(more, Plan.of_nothing())
+
+
+def test_dark_scenes_and_narrow_ones_have_statistics() -> None:
+    for shape in ((2, 1, 40), (2, 40, 1), (2, 1, 1), (2, 3, 5)):
+        part = np.ones(shape[1:], np.float32)
+        dark = statistics(Light.of_clip(np.zeros(shape, np.float32)), part)
+        assert dark.resembles(dark)
+        lit = statistics(Light.of_clip(np.ones(shape, np.float32)), part)
+        assert lit.resembles(lit)
+        assert not dark.resembles(lit)
+
+
+def test_a_plan_that_could_not_be_made_serves_nobody() -> None:
+    plans, plan = KeptPlans(), Plan.of_nothing()
+
+    def fails() -> Plan:
+        raise ValueError("no plan")
+
+    asked = Selection(frozenset(), frozenset())
+    with pytest.raises(ValueError, match="no plan"):
+        plans.plan(0, asked, statistics(LIGHT), fails)
+    assert plans.plan(1, asked, statistics(LIGHT), lambda: plan) is plan
+    assert plans.plan(2, asked, statistics(LIGHT), fails).reused
