@@ -64,8 +64,13 @@ def test_threads_follow_what_was_measured(monkeypatch: pytest.MonkeyPatch) -> No
 
 
 def test_the_command_shows_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    times = []
-    monkeypatch.setattr(measuring, "measured", lambda: times.append(1) or FOUND)
+    times: list[MachinePrices] = []
+
+    def measured() -> MachinePrices:
+        times.append(FOUND)
+        return FOUND
+
+    monkeypatch.setattr(measuring, "measured", measured)
     shown = [invoke(["effects", "--cost"], tmp_path).out for _ in range(2)]
     assert len(times) == 1
     assert "measured now" in shown[0]

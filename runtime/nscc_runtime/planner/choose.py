@@ -109,7 +109,7 @@ class Chooser(Promises):
             fitting = self._fitting(moves, dropped, limit) if moves else []
             if not fitting:
                 fitting = self._fitting(self._moves(dropped), dropped, limit)
-            found = next((n for n in fitting if self._bounded(dropped | n)), None)
+            found = next((n for n in fitting if self._sure(dropped | n, limit)), None)
             if found is None:
                 break
             dropped |= found
@@ -127,7 +127,8 @@ class Chooser(Promises):
     ) -> list[frozenset[str]]:
         """Of some moves those whose mean square error stays below the limit and that save time,
         what saves most for its error first."""
-        now, found = self._square(dropped), []
+        now = self._square(dropped)
+        found: list[tuple[float, list[str], frozenset[str]]] = []
         for names in moves:
             then = self._square(dropped | names)
             if then <= max(limit, now):
@@ -159,6 +160,12 @@ class Chooser(Promises):
     def _square(self, dropped: frozenset[str]) -> float:
         """The predicted mean square error of the worst bucket, in square electrons."""
         return self.square(dropped, self._path(dropped) != "sums")
+
+    def _sure(self, dropped: frozenset[str], limit: float) -> bool:
+        """Whether it fits with two standard errors of the sample, and keeps to its bounds."""
+        error = float(np.max(self.sampling_error(dropped, self._path(dropped) != "sums")))
+        most = max(limit / MARGIN**2, self._square(self.forced_off))
+        return self._square(dropped) + 2.0 * error <= most and self._bounded(dropped)
 
     def _bounded(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> bool:
         """Whether the worst pixels and the noise keep to what was asked, or to what is forced."""
@@ -231,13 +238,11 @@ class Chooser(Promises):
 
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
-        kept = everything().without(*dropped)
-        return self.program.work.words_ns(kept, SHIPPED, False)
+        return self.program.work.words_ns(everything().without(*dropped), SHIPPED, False)
 
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
-        kept = everything().without(*lacking)
-        return self.program.work.words_ns(kept, SHIPPED, True)
+        return self.program.work.words_ns(everything().without(*lacking), SHIPPED, True)
 
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
@@ -275,7 +280,7 @@ class Chooser(Promises):
         effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
         return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
 
-    def _trying_ns(self, dropped: frozenset[str]) -> float:
+    def _trying_ns(self) -> float:
         """Nanoseconds of running a sample of pixels near saturation through their words."""
         work, every = self.program.work, everything()
         alone = every.without(*every.names(Exchange))
@@ -284,17 +289,17 @@ class Chooser(Promises):
         found = float(tried) * TRIED * work.words_ns(quiet, SHIPPED, True)
         if self.sampled.noisy(self.tolerance_e):
             found += tried * TRIED * work.words_ns(alone, SHIPPED, True)
-        if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
-            found += self._lacking(self.state(dropped)).tried_ns
         return found
 
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms = len(self.program.lanes) * 1e-6
-        planning_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns(dropped) * 1e-6
+        least_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns() * 1e-6
+        # What pixels near saturation can do without is asked where something may be left out.
+        planning_ms = least_ms + self._lacking(self.state(dropped)).tried_ns * 1e-6
         total, near = self._frame_ns(dropped, self.forced_off | lacking)
         every, _ = self._frame_ns(frozenset(), frozenset())
-        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + planning_ms)
+        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + least_ms)
 
     def made(self, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str) -> Plan:
         """The plan that leaves these effects out; pixels near saturation have those of them that
