@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from plan_cases import case
 from promise import full_frames, outcome, scene
+from random_sensors import promises
 from reference_programs import sensor_of
 
 import nscc_runtime
@@ -134,3 +135,22 @@ def test_a_plan_of_before_opens_and_its_new_effects_are_simulated(tmp_path: Path
     again = read_plan(tmp_path / "p.json", "p", sensor)
     assert again.kept.on == plan.kept.on | {"black_sun"}
     assert [each.name for each in again.decisions] == [each.name for each in plan.decisions]
+
+
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
+def test_pixels_that_a_sun_fills_are_forecast_with_what_it_spills() -> None:
+    """Five suns, accumulated: what they spill fills registers of pixels that are dim themselves."""
+    (suns,) = promises(10220, plans=1, frames=2)
+    assert suns.found.broken == [], suns.said
+
+
+def test_noise_that_hangs_on_pixels_at_the_full_well_is_no_promise() -> None:
+    side, slots = 16, 4
+    container = case("b edges", slots, "500us", side, side)
+    sensor = sensor_of(container)
+    frames = np.full((slots, side, side), 0.999 * sensor.full_well_e / slots, np.float32)
+    kept = nscc_runtime.capture(container, Light.of_clip(frames), effects="all")
+    assert kept.plan.noise_ratio == pytest.approx(1.0, abs=0.01)
+    with pytest.warns(UserWarning, match="NS0749"):
+        less = nscc_runtime.capture(container, Light.of_clip(frames), effects="auto,-shot")
+    assert less.plan.noise_ratio is None

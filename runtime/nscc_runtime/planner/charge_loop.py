@@ -30,7 +30,8 @@ def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
 @compiled
 def _share(sums: Floats, row: int, first: int, stop: int) -> float:
     """The rates of a group in the slots `first` .. `stop` - 1, from their sums up to each slot."""
-    return float(sums[row + stop] - sums[row + first])
+    found: float = sums[row + stop] - sums[row + first]
+    return found
 
 
 @compiled

@@ -91,7 +91,7 @@ def _error(
 ) -> float:  # fmt: skip
     """The unit normal error of one draw of word e of a lane whose words begin with `first`."""
     buckets = sizes.buckets
-    found = float(drawn[(e - first) * sizes.draws + draw])
+    found: float = drawn[(e - first) * sizes.draws + draw]
     for bucket in range(buckets):
         at = (e * sizes.draws + draw) * buckets + bucket
         found += weights[at] * missing[kind * buckets + bucket]

@@ -26,6 +26,7 @@ from nscc_runtime.remembered import remembered
 
 _UNDRAWN = ("thinning", "neighbours", "noise")
 """Short cuts whose squares are variance that is not drawn."""
+_WORSE = 3.0
 _UNTOLD = 0.01
 """By so much the ratio of noise may depend on pixels near saturation."""
 
@@ -130,21 +131,24 @@ class Promises(Forecast):
     def noise_told(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
     ) -> float | None:
-        """`noise_ratio` where it is a promise, else None. What noise is left of pixels near
-        saturation nobody foretells, only that it is less: it is no promise where that decides."""
+        """`noise_ratio` where it is a promise, else None.
+
+        Saturation leaves less of the noise of pixels near it, of one effect's more than of
+        another's: it is no promise where none of it, or losing `_WORSE` times as much of it, would
+        make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         near = self.fields.sample.near
         if ratio is None or self.coarse or not near.any():
             return None if self.coarse else ratio
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
-        far_e2, kept_e2 = (
-            float(np.mean(self.fields.sample.mean(np.where(near, 0.0, each))))
-            for each in (full, mine)
+        far, far_kept, all_e2, kept = (
+            float(np.mean(self.fields.sample.mean(each)))
+            for each in (np.where(near, 0.0, full), np.where(near, 0.0, mine), full, mine)
         )
-        if not far_e2 > 0:
-            return ratio if np.array_equal(full, mine) else None
-        without = math.sqrt(max(kept_e2, 0.0) / far_e2)
-        return ratio if abs(without - ratio) <= _UNTOLD else None
+        lost = (all_e2 - far) - (kept - far_kept)
+        cases = [(kept - (_WORSE - 1.0) * lost, all_e2), *([(far_kept, far)] if far > 0 else [])]
+        off = max(abs(math.sqrt(max(rest, 0.0) / every) - ratio) for rest, every in cases)
+        return ratio if off <= _UNTOLD else None
 
     def _noise_e2_of(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]

@@ -21,6 +21,7 @@ from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
 Frames = NDArray[np.float32]
+Lanes = NDArray[np.int32]
 
 _LEAK_STEP = 0.1
 _MOST_LIGHT = np.float32(1e30)
@@ -228,24 +229,22 @@ class SampledScene:
         """The variance that sums leave out because counts are not spread over the slots, with
         closed slots counted or not; the same of what neighbours exchange.
         """
-        program, full = self.program, self.slots
-        means = program.mean_weights(program.full)
+        program, (used, lanes) = self.program, _used(self.lanes)
+        means, full = program.mean_weights(program.full), self.by_bucket(self.slots[:, used])
         shape = len(self.buckets), len(self.places)
         thinning = {closed: np.zeros(shape) for closed in (False, True)}
         neighbours = {closed: np.zeros(shape) for closed in (False, True)}
         scale = self.echo * self.response
+        seen = [each * program.slot_s[:, None] for each in full]
         for group in program.group_ids.tolist():
-            members = program.members(group)
-            time = program.slot_s @ members
-            parts = np.divide(members, time, out=np.zeros_like(members), where=time > 0)
-            weighed = [each * members for each in self.by_bucket(full)]
+            members = program.members(group, used)
+            weighed = [each * members for each in full]
             # Of all buckets at once: every sum reads the light again.
             weights = [members, *weighed, *(each**2 for each in weighed)]
+            sums = sums_by_slot(self.moving, self.frames, lanes, weights) * scale
             rates, *moments = (
-                light + (program.slot_s @ each)[self.lanes] * self.dark
-                for light, each in zip(
-                    self.sum(self.moving, weights, self.frames) * scale, weights, strict=True
-                )
+                light + (program.slot_s @ each)[lanes] * self.dark
+                for light, each in zip(sums, weights, strict=True)
             )
             for bucket in self.buckets:
                 one, two = moments[bucket], moments[len(self.buckets) + bucket]
@@ -254,24 +253,37 @@ class SampledScene:
                 thinning[True][bucket] += counted
                 thinning[False][bucket] += counted if group else two
             for beside in self.beside:
-                lit = self._exchanged(beside, members)
-                for bucket in self.buckets:
-                    seen = full[:, :, bucket] * program.slot_s[:, None]
-                    within = np.clip(self._overlap(seen, parts, beside), 0.0, 1.0)
+                lit, overlaps = self._exchanged(beside, group, [(each, lanes) for each in seen])
+                for bucket, overlap in enumerate(overlaps):
+                    within = np.clip(overlap, 0.0, 1.0)
                     counted = lit * within * (1.0 - within)
                     neighbours[True][bucket] += counted
                     neighbours[False][bucket] += counted if group else lit * within
         return thinning, neighbours
 
-    def _exchanged(self, beside: Beside, members: Values) -> Values:
-        """The variance of what neighbours' counts in some slots (N, lanes) send over."""
-        frames, lanes = beside.frames * beside.response, self.program.lanes[beside.place]
+    def _exchanged(
+        self, beside: Beside, group: int, seen: Sequence[tuple[Values, Lanes]]
+    ) -> tuple[Values, list[Values]]:
+        """The variance of what neighbours' counts in a group of slots send over; by weights of the
+        pixels (N, lanes) and their lanes, the mean weight over the time of these slots."""
+        program, (used, lanes) = self.program, _used(self.program.lanes[beside.place])
+        members = program.members(group, used)
+        frames = beside.frames * beside.response
         lit = sums_by_slot(self.moving, frames, lanes, [members])[0]
-        return np.asarray(self.exchanged**2 * self.echo * lit)
+        time = program.slot_s @ members
+        parts = np.divide(members, time, out=members, where=time > 0)
+        overlaps = [_overlap(each, own, parts, lanes) for each, own in seen]
+        return np.asarray(self.exchanged**2 * self.echo * lit), overlaps
 
-    def _overlap(self, seen: Values, parts: Values, beside: Beside) -> Values:
-        """The sum over slots of weights (N, lanes) of the pixels and of their neighbours."""
-        other = self.program.lanes[beside.place]
-        if seen.shape[1] ** 2 <= len(other) * len(seen):
-            return np.asarray((seen.T @ parts)[self.lanes, other])
-        return np.asarray(np.einsum("np,np->p", seen[:, self.lanes], parts[:, other]))
+
+def _used(lanes: Lanes) -> tuple[NDArray[np.int64], Lanes]:
+    """The lanes that occur, and where each is among them: a sample has few of many."""
+    used, local = np.unique(lanes, return_inverse=True)
+    return used.astype(np.int64), local.astype(np.int32)
+
+
+def _overlap(seen: Values, lanes: Lanes, parts: Values, others: Lanes) -> Values:
+    """The sum over slots of weights (N, lanes) of pixels and of their neighbours."""
+    if seen.shape[1] * parts.shape[1] <= len(lanes) * len(seen):
+        return np.asarray((seen.T @ parts)[lanes, others])
+    return np.asarray(np.einsum("np,np->p", seen[:, lanes], parts[:, others]))

@@ -86,9 +86,7 @@ def scene_sums(
     frames = np.require(light.ended, np.float32, ["C", "A"])
     share = scale.astype(np.float32) if len(smeared) else np.ones(1, np.float32)
     for first in range(0, len(weights), room):
-        table, kinds = _laid_out(
-            np.stack([on_frames(light, each) for each in weights[first : first + room]])
-        )
+        table, kinds = _laid_out(_tables(light, weights[first : first + room]))
         bound = sum_loop.scene_sums.bound(
             frames=frames,
             scale=np.require(scale.reshape(shape), np.float64, ["C", "A"]),
@@ -125,12 +123,27 @@ def sums_by_slot(
     their place; each of `weights` is (N, lanes of the program).
     """
     found = np.empty((len(weights), frames.shape[1]))
+    if len(weights):
+        lane_count = weights[0].shape[1]
+        used = np.flatnonzero(np.bincount(lanes, minlength=lane_count))
+        if 2 * len(used) < lane_count == len(np.bincount(lanes, minlength=lane_count)):
+            weights = [np.ascontiguousarray(each[:, used]) for each in weights]
+            lanes = np.searchsorted(used, lanes).astype(np.int32)
     room = max(1, _MOST_ENTRIES // max(1, len(frames) * (weights[0].shape[1] if weights else 1)))
     for first in range(0, len(weights), room):
         part = weights[first : first + room]
-        tables = np.stack([on_frames(light, each) for each in part])
-        found[first : first + room] = weighted_sums(frames, lanes, tables, threads)
+        found[first : first + room] = weighted_sums(frames, lanes, _tables(light, part), threads)
     return found
+
+
+def _tables(light: Light, weights: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+    """Weights (N, lanes) of slots as tables (len(weights), T, lanes) of a light's frames."""
+    if not light.in_order:
+        return np.stack([on_frames(light, each) for each in weights])
+    tables = np.empty((len(weights), *weights[0].shape))
+    for table, each in zip(tables, weights, strict=True):
+        np.multiply(light.weight[:, None], each, out=table)
+    return tables
 
 
 def _laid_out(tables: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
