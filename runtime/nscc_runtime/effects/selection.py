@@ -60,7 +60,9 @@ class Selection:
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
         """Those that have a part of that kind in sums over slots, with the part."""
-        return [each for each in _parts(registered(), kind) if each[0].name in self.on]
+        # mypy takes a class for nothing that can be hashed.
+        parts = _parts(registered(), kind)  # type: ignore[arg-type]
+        return [each for each in parts if each[0].name in self.on]
 
     @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from functools import partial
 from time import perf_counter, process_time
 
 import numpy as np
@@ -91,7 +92,7 @@ def _waking_s() -> float:
 def _threads(frame: Callable[[int], None]) -> int:
     """With how many threads a frame is done first."""
     most = processors()
-    one, all_of_them = (_least(lambda n=n: frame(n), _ROUNDS, perf_counter) for n in (1, most))
+    one, all_of_them = (_least(partial(frame, n), _ROUNDS, perf_counter) for n in (1, most))
     return most if all_of_them < _FASTER * one else 1
 
 
