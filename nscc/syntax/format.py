@@ -122,7 +122,8 @@ class _Writer:
         for comment in _COMMENT.finditer(gap):
             line_ends = _line_ends(gap[at : comment.start()])
             text = comment.group().rstrip()
-            if line_ends == 0 and self.lines:
+            # The end of a tile takes in the comment of its last row.
+            if line_ends == 0 and self.lines and not self.lines[-1].comment:
                 self.lines[-1].comment = text
             else:
                 self._part(line_ends)

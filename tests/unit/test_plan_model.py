@@ -199,7 +199,7 @@ def _damaged(at: tuple[Any, ...], change: Any) -> dict[str, Any]:
 LATER = [
     (name,) for name in (
         "noise_e", "predicted_p999_e", "predicted_max_e", "tolerance_max", "tolerance_max_e",
-        "noise_ratio", "saturating_lack", "cost",
+        "noise_ratio", "saturating_lack", "cost", "reused",
     )
 ]  # fmt: skip
 """What older files of plans do not have."""

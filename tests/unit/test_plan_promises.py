@@ -14,9 +14,13 @@ from reference_programs import sensor_of
 
 import nscc_runtime
 from nscc.words.container import Container
+from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.plan_file import plan_text, read_plan
+from nscc_runtime.planner.choose import Chooser
+from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.tolerance import DEFAULT
 from nscc_runtime.planner.worst import largest, worst_of
 from nscc_runtime.sensor import Sensor
 
@@ -24,8 +28,10 @@ SLOTS, SIDE = 8, 48
 FULL_E = 30000.0
 
 
-def made(name: str, **values: float) -> tuple[Container, Sensor]:
-    container = case(name, SLOTS, rows=SIDE, cols=SIDE)
+def made(
+    name: str, rows: int = SIDE, cols: int = SIDE, **values: float
+) -> tuple[Container, Sensor]:
+    container = case(name, SLOTS, rows=rows, cols=cols)
     return container, sensor_of(container, **values)
 
 
@@ -154,3 +160,13 @@ def test_noise_that_hangs_on_pixels_at_the_full_well_is_no_promise() -> None:
     with pytest.warns(UserWarning, match="NS0749"):
         less = nscc_runtime.capture(container, Light.of_clip(frames), effects="auto,-shot")
     assert less.plan.noise_ratio is None
+
+
+def test_pixels_that_are_all_in_the_sample_leave_no_doubt() -> None:
+    """What a lamp alone does wrong is then known, however much more that is than all the rest."""
+    program = Program.of(*made("b edges", rows=16, cols=24))
+    frames = np.full((SLOTS, 16, 24), 12.0, np.float32)
+    frames[:, 3, 5] = 2500.0
+    auto = selected("auto")
+    chooser = Chooser(program, Light.of_clip(frames), 0, 1, DEFAULT, None, auto)
+    assert (chooser.sampling_error(frozenset({"prnu"}), everywhere=False) == 0.0).all()

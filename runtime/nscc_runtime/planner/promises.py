@@ -83,7 +83,9 @@ class Promises(Forecast):
         """The standard error (buckets,) of predicted mean squares: a sample is not the scene."""
         mean, variance = self.errors(dropped, everywhere)
         sample, square = self.fields.sample, mean**2 + variance
-        away = (square - sample.mean(square)[:, None]) * sample.weight
+        # Chance has no part in a pixel that was sure to be drawn: it stands for itself alone.
+        chance = np.sqrt(1.0 - 1.0 / np.maximum(sample.weight, 1.0))
+        away = (square - sample.mean(square)[:, None]) * sample.weight * chance
         return np.asarray(np.sqrt((away**2).sum(axis=1)) / sample.weight.sum())
 
     @remembered
