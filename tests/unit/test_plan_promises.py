@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -19,9 +20,9 @@ from nscc_runtime.light import Light
 from nscc_runtime.plan_file import plan_text, read_plan
 from nscc_runtime.planner.choose import Chooser
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.sample import chances, sample_of
 from nscc_runtime.planner.tolerance import DEFAULT
-from nscc_runtime.planner.worst import largest, worst_of
+from nscc_runtime.planner.worst import largest, worst_measured, worst_of
 from nscc_runtime.sensor import Sensor
 
 SLOTS, SIDE = 8, 48
@@ -59,6 +60,32 @@ def test_worst_pixels_that_were_measured_weigh_what_they_stand_for() -> None:
     weight[:] = 1.0
     weight[0] = 1e6
     assert largest(sizes, weight).p999_e == 2.0
+
+
+@pytest.mark.parametrize(
+    "law", [np.random.Generator.exponential, np.random.Generator.standard_normal]
+)
+def test_worst_pixels_of_which_some_were_measured_are_told_from_the_largest(
+    law: Callable[..., np.ndarray],
+) -> None:
+    """By 288 of 2304 errors; seldom less than the largest of nine frames in ten."""
+    rng = np.random.default_rng(3)
+    said = [worst_measured(law(rng, size=(1, 288)), 1.0, 2304).max_e for _ in range(200)]
+    frames = [np.abs(law(rng, size=2304)).max() for _ in range(200)]
+    assert np.mean(said < np.quantile(frames, 0.9)) < 0.05
+    assert np.median(said) < 2 * np.max(frames)
+    assert worst_measured(np.array([[-3.0]]), 1 / 2304, 2304).max_e == 3.0
+
+
+def test_pixels_beside_a_sun_are_drawn_whatever_suns_there_are() -> None:
+    total_e = np.full((48, 48), 100.0)
+    total_e[10, 10], total_e[30, 30] = 1e10, 2e5
+    near = np.array(
+        [10 * 48 + 10, *(48 * y + x for y, x in ((9, 10), (11, 10), (10, 9), (10, 11)))]
+    )
+    drawn = chances(total_e, np.sort(near))
+    assert not drawn.reshape(-1)[near].any()
+    assert drawn[29, 30] > 100 * np.median(drawn)
 
 
 def test_a_limit_of_the_worst_pixel_keeps_what_would_break_it() -> None:

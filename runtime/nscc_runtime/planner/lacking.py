@@ -19,7 +19,7 @@ from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import drawn_by
-from nscc_runtime.planner.worst import Worst, worst_of
+from nscc_runtime.planner.worst import Worst, worst_measured
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
@@ -101,10 +101,8 @@ class Lacking:
         if not len(self.near):
             return Worst(0.0, 0.0)
         error = self._held(self.forced_off | lacking) - self._held(frozenset())
-        rest = len(self.program.lanes) - len(self.near)
-        weight = np.append(np.full(error.shape[1], len(self.near) / error.shape[1]), rest)
-        error = np.pad(error, ((0, 0), (0, 1)))
-        return worst_of(error, np.zeros_like(error), weight, len(self.program.lanes))
+        pixels = len(self.program.lanes)
+        return worst_measured(error, len(self.near) / pixels, pixels)
 
     def _most(self, lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)

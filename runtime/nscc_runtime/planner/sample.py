@@ -17,9 +17,8 @@ _MOST_PIXELS = 1024
 _FEWEST_PIXELS = 512
 _MOST_SAMPLES = 1 << 16
 """Frames x pixels, above the fewest pixels."""
-_FEWEST_NEAR, _MOST_NEAR = 256, 512
-_NEAR_PART = 16
-"""Of this many pixels near saturation one is taken, as running them through their words is dear."""
+_MOST_NEAR = 512
+"""Pixels near saturation: running them through their words is dear."""
 _GOLDEN = 0.6180339887498949
 
 
@@ -50,8 +49,7 @@ def sample_of(
     """
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
-    chance = chances(total_e).reshape(-1)
-    chance[near] = 0.0
+    chance = chances(total_e, near).reshape(-1)
     drawn = np.arange(pixels, dtype=np.int64)
     if wanted < pixels and chance.any():
         drawn = drawn_by(chance, wanted)
@@ -61,12 +59,12 @@ def sample_of(
     places, count = np.unique(drawn, return_counts=True)
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
-    far, most = len(places), min(max(len(near) // _NEAR_PART, _FEWEST_NEAR), _MOST_NEAR)
+    far = len(places)
     spilt = np.empty(0, np.int64) if spilt is None else spilt
     for stratum in (np.setdiff1d(near, spilt), spilt):
         some = stratum
-        if len(some) > most:
-            some = some[np.unique(drawn_by(np.ones(len(some)), most))]
+        if len(some) > _MOST_NEAR:
+            some = some[np.unique(drawn_by(np.ones(len(some)), _MOST_NEAR))]
         weight = np.append(weight, np.full(len(some), len(stratum) / max(1, len(some))))
         places = np.append(places, some)
     return Sample(places.astype(np.int64), weight, np.arange(len(places)) >= far)
@@ -80,12 +78,20 @@ def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
     return np.asarray(np.minimum(np.searchsorted(steps, points, side="right"), len(chance) - 1))
 
 
-def chances(total_e: NDArray[np.float64]) -> NDArray[np.float64]:
-    """How likely each pixel (rows, cols) is to be drawn, up to a factor."""
+def chances(
+    total_e: NDArray[np.float64], never: NDArray[np.int64] | None = None
+) -> NDArray[np.float64]:
+    """How likely each pixel (rows, cols) is to be drawn, up to a factor; those of the places
+    `never` are not, and the light of suns among them does not make the others all alike."""
     score = total_e.copy()
     for rows, values in ((score, total_e), (score.T, total_e.T)):
         step = np.abs(np.diff(values, axis=0))
         rows[1:] += step
         rows[:-1] += step
-    mean = score.mean()
-    return np.asarray(score + (mean if mean > 0 else 1.0))
+    drawn = np.ones(total_e.size, np.bool_)
+    if never is not None:
+        drawn[never] = False
+    flat = np.where(drawn, score.reshape(-1), 0.0)
+    mean = flat.sum() / max(np.count_nonzero(drawn), 1)
+    flat += np.where(drawn, mean if mean > 0 else 1.0, 0.0)
+    return np.asarray(flat.reshape(total_e.shape))

@@ -1,7 +1,8 @@
 """The worst pixels of a frame: the error that one pixel in a thousand passes, and the largest.
 
 The error of a pixel is normal, with a mean and a variance of its own; that of a frame is the
-mixture over a sample of its pixels.
+mixture over a sample of its pixels. Where errors were measured at some pixels, once each, their
+tail is told from the largest of them.
 """
 
 from __future__ import annotations
@@ -19,6 +20,8 @@ ONE_IN = 1000
 """One pixel in so many is beyond the error that is called that of 99.9 %."""
 _FRAMES = 100
 """The largest error is the one that a pixel of one frame in so many passes."""
+_TAIL = 10
+"""Of so many errors that were measured the largest shows how the rest go on."""
 _STEPS = 40
 _PRECISE = 1e-3
 
@@ -47,6 +50,30 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     p999_e = max(_passed_by(common, *each, part) for each in zip(mean, sigma, strict=True))
     max_e = max(_passed_by(rare, *each, part) for each in zip(mean, sigma, strict=True))
     return Worst(p999_e, max(max_e, p999_e * float(ndtri(rare / 2) / ndtri(common / 2))))
+
+
+def worst_measured(errors: Values, part: float, pixels: int) -> Worst:
+    """Of errors (buckets, pixels measured) that stand for a `part` of the `pixels` of a frame, the
+    others being right.
+
+    Beyond the largest they are taken to become rarer exponentially, as those do from which most
+    follows: what pixels lack that may saturate is much for a few, so a normal tail is too short.
+    """
+    sizes = np.abs(errors)
+    rare = min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(sizes)))
+    p999_e = max(_exceeded_by(1.0 / ONE_IN / part, each) for each in sizes)
+    max_e = max(_exceeded_by(rare / part, each) for each in sizes)
+    return Worst(p999_e, max(max_e, float(sizes.max())))
+
+
+def _exceeded_by(share: float, sizes: Values) -> float:
+    """The size that this share of the pixels exceeds, by what was measured at some."""
+    falling, count = np.sort(sizes)[::-1], len(sizes)
+    if share * count >= 1.0 or count < 2 * _TAIL:
+        return float(falling[min(int(share * count), count - 1)])
+    ranks = np.arange(1, count // _TAIL)
+    excess = np.cumsum(falling)[ranks - 1] / ranks - falling[ranks]
+    return float(np.max(falling[ranks] + excess * np.log((ranks + 1) / (count * share))))
 
 
 def largest(sizes: Values, weight: Values) -> Worst:
