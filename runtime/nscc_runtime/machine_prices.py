@@ -17,6 +17,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from nscc.cache.store import Store, cache_folder
+
 _SCHEMA = "nscc-prices-1"
 
 
@@ -40,12 +42,12 @@ class MachinePrices:
     threads: int
 
 
-def place() -> Path:
-    """The file of this machine's prices. Another processor has another one."""
+def place() -> Path | None:
+    """The file of this machine's prices, None where nothing is kept (`nscc.cache.store`). Another
+    processor has another one."""
+    folder = cache_folder()
     about = _SCHEMA, platform.machine(), platform.node(), _model(), os.cpu_count()
-    digest = hashlib.sha256(repr(about).encode()).hexdigest()[:16]
-    user = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
-    return Path(user) / "nscc" / f"prices-{digest}.json"
+    return folder and folder / "prices" / hashlib.sha256(repr(about).encode()).hexdigest()
 
 
 def _model() -> str:
@@ -59,9 +61,11 @@ def _model() -> str:
 
 def kept() -> MachinePrices | None:
     """What was measured here, None where nothing was or the file is no such list."""
+    path = place()
+    data = path and Store(path.parent).read(path.name)
     try:
-        return _read(json.loads(place().read_bytes()))
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
+        return _read(json.loads(data)) if data else None
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
         return None
 
 
@@ -80,17 +84,10 @@ def _read(values: Any) -> MachinePrices:
 def keep(found: MachinePrices) -> Path | None:
     """Write the list; where it went, None where there is no room for it."""
     path = place()
-    values = {"schema": _SCHEMA, **asdict(found)}
-    partial = path.with_suffix(f".{os.getpid()}")
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        partial.write_text(json.dumps(values, indent=2) + "\n")
-        partial.replace(path)
-    except OSError:
-        with contextlib.suppress(OSError):
-            partial.unlink()
-        return None
-    return path
+    if path is not None:
+        values = {"schema": _SCHEMA, **asdict(found)}
+        Store(path.parent).write(path.name, json.dumps(values, indent=2).encode())
+    return path if kept() == found else None
 
 
 @cache

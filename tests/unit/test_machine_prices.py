@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 from nscc_command import invoke
 
+from nscc.cache.store import Store
 from nscc_runtime import machine_prices, pool
 from nscc_runtime.machine_prices import MachinePrices, Price, best_threads, keep, kept, place
 from nscc_runtime.planner import measuring
@@ -18,16 +19,22 @@ FOUND = MachinePrices((Price("sums", "a pixel", "ns", 137.5, 100.0),
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path))
     best_threads.cache_clear()
     return tmp_path
 
 
 def test_prices_are_kept_and_read_again() -> None:
     assert kept() is None
-    assert keep(FOUND) == place()
+    path = keep(FOUND)
+    assert path == place() is not None
     assert kept() == FOUND
-    assert [each.name for each in place().parent.iterdir()] == [place().name]
+    assert [*path.parent.iterdir()] == [path]
+
+
+def test_who_keeps_nothing_has_none(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("NSCC_CACHE", "off")
+    assert place() is keep(FOUND) is kept() is None
 
 
 @pytest.mark.parametrize(
@@ -42,14 +49,19 @@ def test_prices_are_kept_and_read_again() -> None:
     ],
 )
 def test_a_file_that_is_no_list_is_measured_anew(change: object) -> None:
-    keep(FOUND)
+    path = keep(FOUND)
+    assert path is not None
     assert callable(change)
-    place().write_text(json.dumps(change(json.loads(place().read_text()))))
+    store = Store(path.parent)
+    values = json.loads(store.read(path.name) or b"")
+    store.write(path.name, json.dumps(change(values)).encode())
+    assert kept() is None
+    path.write_bytes(b"no entry of the cache")
     assert kept() is None
 
 
 def test_a_folder_without_room_is_no_error(folder: Path) -> None:
-    (folder / "nscc").write_text("a file")
+    (folder / "prices").write_text("a file")
     assert keep(FOUND) is None
 
 
