@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import argparse
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
@@ -62,14 +62,15 @@ class Row:
     worst_next: float
 
 
-def least_s(run: Callable[[], object], rounds: int) -> float:
-    """CPU seconds of the fastest round."""
-    found = []
+def least_s(runs: Sequence[Callable[[], object]], rounds: int) -> list[float]:
+    """CPU seconds of the fastest round of each, in turns: a machine has slower minutes."""
+    found: list[list[float]] = [[] for _ in runs]
     for _ in range(rounds):
-        begin = process_time()
-        run()
-        found.append(process_time() - begin)
-    return min(found)
+        for run, took_s in zip(runs, found, strict=True):
+            begin = process_time()
+            run()
+            took_s.append(process_time() - begin)
+    return [min(took_s) for took_s in found]
 
 
 def row(program: Program, light: Light, tolerance: Given, reference_s: float, rounds: int) -> Row:
@@ -80,8 +81,8 @@ def row(program: Program, light: Light, tolerance: Given, reference_s: float, ro
     def make() -> Plan:
         return plan_for(program, unknown(light), tolerance, selected("auto"))
 
-    def expose(plan: Plan) -> float:
-        return least_s(lambda: capture(container, unknown(light), plan=plan, threads=1), rounds)
+    def exposed(plan: Plan) -> Callable[[], object]:
+        return lambda: capture(container, unknown(light), plan=plan, threads=1)
 
     plan, every = make(), plan_for(program, unknown(light), allowed, selected("all"))
     known = Statistics.of(light, program.open_part)
@@ -92,10 +93,10 @@ def row(program: Program, light: Light, tolerance: Given, reference_s: float, ro
     def make_all() -> Plan:
         return plan_for(program, unknown(light), allowed, selected("all"))
 
-    planning_s, check_s = least_s(make, rounds), least_s(check, rounds)
-    frame_s, all_s = expose(plan), expose(every)
+    runs = make, check, make_all, exposed(plan), exposed(every)
+    planning_s, check_s, planning_all_s, frame_s, all_s = least_s(runs, rounds)
     first_s, next_s = planning_s + frame_s, check_s + frame_s
-    first_all_s = least_s(make_all, rounds) + all_s
+    first_all_s = planning_all_s + all_s
     return Row(
         tolerance, planning_s / first_s, check_s / next_s, first_s / first_all_s, next_s / all_s,
         first_s / min(first_all_s, reference_s), next_s / min(all_s, reference_s),
@@ -114,11 +115,11 @@ def case(name: str, scene: str, exposure: str | None, rounds: int) -> list[Row]:
     )  # fmt: skip
     program = made_ready(container, default_sensor(container.target))
     capture(container, unknown(light), effects="all", threads=1)
-    reference_s = least_s(
-        lambda: capture(
-            container, unknown(light), effects="all", fidelity="reference", threads=1
-        ), 1,
-    )  # fmt: skip
+
+    def by_reference() -> object:
+        return capture(container, unknown(light), effects="all", fidelity="reference", threads=1)
+
+    [reference_s] = least_s([by_reference], 1)
     print(f"{name}, {scene}: reference {reference_s:.3f} s")
     found = []
     for tolerance in TOLERANCES:
