@@ -57,8 +57,8 @@ def simulate_scene(
 
     The pieces are exposed on the same chip, with the same fixed patterns, one frame after the
     other: their noise has the seeds `request.seed`, and so on; a plan serves the next ones that it
-    covers. Plan and audit are those of the
-    piece that is furthest off; a tolerance that is a part of the scene is of that of all.
+    covers. Plan and audit are those of the piece that is furthest off; a tolerance that is a part
+    of the scene is of that of all.
     """
     listener = listener or Listener()
     where = scene[0].where
