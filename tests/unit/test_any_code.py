@@ -21,7 +21,7 @@ from nscc_training.any_code.network import exchanged  # noqa: E402
 from nscc_training.any_code.stages import led, mirrored, schedule, stage, started  # noqa: E402
 from nscc_training.any_code.stills import started_still  # noqa: E402
 from nscc_training.any_code.training import Part, Trainer  # noqa: E402
-from nscc_training.baselines.sci import gap_tv  # noqa: E402
+from nscc_training.baselines.tv import tv_denoise  # noqa: E402
 from nscc_training.sensor_model import SensorModel  # noqa: E402
 
 
@@ -77,13 +77,29 @@ def test_saturated_places_are_one_sided_and_noise_is_trusted_less() -> None:
     assert (noisier.trust(sigma) < measured.trust(sigma)).all()
 
 
-def test_the_start_is_gap_tv() -> None:
+def test_the_start_is_gap_tv_of_light_that_stood_still() -> None:
     clip, mask = scene(1, 8, 40)
-    frame = (clip * mask).sum(axis=0)
-    # The baseline spends its first iteration on coming back to nothing.
-    wanted = gap_tv(frame, mask, 21)
+    frame, energy = (clip * mask).sum(axis=0), np.maximum(mask.sum(axis=0), 1e-6)
+    wanted = np.broadcast_to(frame / energy, mask.shape)
+    target = frame.copy()
+    for _ in range(20):
+        seen = (mask * wanted).sum(axis=0)
+        target += frame - seen
+        wanted = tv_denoise((wanted + mask * ((target - seen) / energy)).astype(np.float32), 0.1, 5,
+                            0.3)  # fmt: skip
     measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
     np.testing.assert_allclose(started(measured, 20)[0][0], wanted, atol=2e-5)
+
+
+def test_slots_that_are_open_nowhere_are_not_darker() -> None:
+    """Bumps of eight slots in the first half of a long frame, and light that stands still."""
+    still = made_scenes.clip(np.random.default_rng(4), 1, 32)[0]
+    first = np.add.outer(8 * np.arange(32), 16 * np.arange(32)) % 25
+    slot = np.arange(48)[:, None, None]
+    mask = ((slot >= first) & (slot < first + 8)).astype(np.float32)
+    found = any_clip(8 * still, mask, 2)
+    means = found.mean(axis=(1, 2)) / still.mean()
+    np.testing.assert_allclose(means, 1, atol=0.03)
 
 
 def test_a_stage_without_noise_and_denoiser_gives_the_frame() -> None:

@@ -18,7 +18,7 @@ from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.any_code.measured import Measured
-from nscc_training.problems import said
+from nscc_training.problems import said, why_no_arrays
 
 _TOP = 255
 """The last code, where a frame does not say what is saturated."""
@@ -88,11 +88,15 @@ def read_coded_frames(path: Path, program: Path | None = None) -> tuple[CodedFra
             arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
         meta = json.loads(str(arrays["meta"]))
     except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise nocoded_frame(path, said(error)) from error
+        raise nocoded_frame(path, why_no_arrays(path, error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
         raise nocoded_frame(path, f"its schema is not {SCHEMA}")
     if program is not None:
         arrays |= _table_of(program, meta)
+        pixels, own = (arrays[name].shape[-2:] for name in ("decode_row", "frame"))
+        if pixels != own:
+            sizes = f"{own[0]} x {own[1]} pixels, and '{program}' has {pixels[0]} x {pixels[1]}"
+            raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed it")
     if "decode_row" not in arrays:
         raise nocoded_frame(path, "it does not hold its pixels' shutters",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
