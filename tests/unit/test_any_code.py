@@ -343,9 +343,22 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     np.savez(tmp_path / "row.npz", **{**whole, "decode_row": whole["decode_row"][:9]})
     np.savez(tmp_path / "high.npz", **{**whole, "decode_row": whole["decode_row"] + 99})
     (tmp_path / "not.npz").write_bytes(b"PK")
-    for name in ("row.npz", "high.npz", "not.npz", "none.npz", "a.npz"):
-        refused = invoke(["reconstruct", "any", name, "-o", "o.npz"], tmp_path)
-        assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
+    (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n")
+    reasons = {"row.npz": "do not fit together", "high.npz": "do not fit together",
+               "not.npz": "no .npz file", "photo.png": "no .npz file",
+               "none.npz": "no such file", "a.npz": "no array `meta`"}  # fmt: skip
+    for by in ("any", "clip"):
+        for name, reason in reasons.items():
+            refused = invoke(["reconstruct", by, name, "-o", "o.npz"], tmp_path)
+            assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
+            if by == "any":
+                assert reason in refused.err
+    chip = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    small = chip.replace("rows = 256", "rows = 64").replace('name = "scamp5"', 'name = "small"')
+    (tmp_path / "small.toml").write_text(small)
+    assert invoke(["build", "p.nsl", "--target", "small.toml", "-o", "s.icw"], tmp_path).status == 0
+    other = invoke([*kept, "--program", "s.icw"], tmp_path)
+    assert "it has 256 x 256 pixels, and 's.icw' has 64 x 256" in other.err
     assert invoke([*kept, "--force"], tmp_path).status == 2
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
 
