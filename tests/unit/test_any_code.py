@@ -14,6 +14,7 @@ torch = pytest.importorskip("torch")
 
 from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import any_clip, decoded_clip, decoded_still  # noqa: E402
+from nscc_training.any_code.frames import coded_frame  # noqa: E402
 from nscc_training.any_code.lessons import filmed, mask_drawn  # noqa: E402
 from nscc_training.any_code.measured import Measured  # noqa: E402
 from nscc_training.any_code.muon import orthogonal  # noqa: E402
@@ -361,6 +362,41 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     assert "it has 256 x 256 pixels, and 's.icw' has 64 x 256" in other.err
     assert invoke([*kept, "--force"], tmp_path).status == 2
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
+
+
+@pytest.mark.parametrize("laid", [1, 2])
+def test_what_pixels_read_without_light_is_taken_in_place_of_their_words_mean(laid: int) -> None:
+    generator = np.random.default_rng(laid)
+    light_e, dark = generator.uniform(50, 90, (1, 4 * laid, 6 * laid)), generator.random((1, 4, 6))
+    gain, lsb_e = 0.5, 2.0
+    read = gain * light_e / lsb_e + np.tile(dark, (1, laid, laid))
+    arrays = {
+        "frame": 7 + read, "saturated": np.zeros(read.shape, bool),
+        "decode_shutter": np.full((1, 1, 1), 3, np.uint8), "decode_slot_us": np.ones(2),
+        "decode_row": np.zeros(read.shape[1:], int), "decode_gain": np.full((1, 1), gain),
+        "decode_bias_e": np.full((1, 1), 33.0), "decode_variance_e2": np.ones((1, 1)),
+    }  # fmt: skip
+    meta = {"adc_offset": 7, "electrons_per_lsb": lsb_e}
+    found = coded_frame(arrays, meta, dark)
+    np.testing.assert_allclose(found.value_e, light_e, rtol=1e-5)
+    assert abs(coded_frame(arrays, meta).value_e - light_e).min() > 20
+
+
+def test_a_dark_frame_is_of_the_program(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS['stops']}\n")
+    for name, scene in (("f", "builtin:hdr"), ("d", "builtin:dark")):
+        line = ["run", "p.nsl", "--scene", scene, "--exposure", "30000", "-o", f"{name}.npz"]
+        assert invoke(line if name == "f" else line[:4] + line[6:], tmp_path).status == 0
+    line = ["reconstruct", "any", "f.npz", "-o", "o.npz", "--dark"]
+    assert invoke([*line, "d.npz"], tmp_path).status == 0
+    with np.load(tmp_path / "d.npz") as file:
+        whole = dict(file)
+    np.savez(tmp_path / "s.npz", **{**whole, "frame": whole["frame"][..., :99]})
+    refused = invoke([*line, "s.npz"], tmp_path)
+    assert (refused.status, refused.codes) == (2, ["NS0819"])
+    assert "without light it has 256 x 99 pixels, the frame 256 x 256" in refused.err
+    lost = invoke([*line, "none.npz"], tmp_path)
+    assert "there is no such file" in lost.err
 
 
 def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:
