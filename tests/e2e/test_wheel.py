@@ -61,6 +61,7 @@ def test_wheel_holds_grammar_targets_pages_and_types(elsewhere: Path) -> None:
     assert (site / "nscc_training/protocol_files/sci8.toml").is_file()
     for run in ("hdr", "clip"):
         assert (site / f"nscc_training/shipped_runs/{run}/decoder.safetensors").is_file()
+    assert (site / "nscc_training/searched_codes.npz").is_file()
     for name in OWN:
         assert (site / name / "py.typed").is_file()
 

@@ -265,8 +265,10 @@ def test_the_design_follows_the_motion() -> None:
     assert fast.expected[fast.name] > fast.expected[slow.name]
     assert design_motion("fast", frame=Frame(slots=16, level=0)).name == fast.name
     assert "start <= n < start + len" in fast.text
-    many = design_motion("fast", frame=Frame(slots=16, level=0), most_words=20)
+    many = design_motion("fast", frame=Frame(slots=16, level=0), most_words=40)
+    assert many.name == "searched"
     assert many.expected[many.name] > many.expected[fast.name]
+    assert "searched" not in design_motion("slow", frame=Frame(slots=12, level=0)).expected
     with pytest.raises(Rejected, match="NS0843"):
         design_motion("fast", frame=Frame(slots=16, level=0), most_words=0.5)
 

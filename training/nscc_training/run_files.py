@@ -21,6 +21,8 @@ PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 WEIGHTS = "decoder.safetensors"
 _SHIPPED = {"hdr": "under_still", "clip": "under_clip"}
 """Runs that come with nscc: what users call them, and their folder in training/results/runs."""
+_SEARCHED = "searched_2"
+"""Of the searches for clips the one whose gain validation found largest."""
 _DARK = ("builtin:dark", "builtin:flat")
 _ELECTRONS = (".npz", ".npy")
 """Scenes that say how many electrons they amount to."""
@@ -74,6 +76,13 @@ def shipped_evaluations() -> Path:
     installed = Path(__file__).with_name("shipped_evaluations")
     here = Path(__file__).resolve().parents[1] / "results" / "evaluations"
     return installed if installed.is_dir() else here
+
+
+def searched_codes() -> Path:
+    """The codes (16 slots, free bits of an 8 x 8 tile) of the best search for clips."""
+    installed = Path(__file__).with_name("searched_codes.npz")
+    here = Path(__file__).resolve().parents[1] / "results" / "runs" / _SEARCHED / "codes.npz"
+    return installed if installed.is_file() else here
 
 
 def run_path(given: Path) -> Path:

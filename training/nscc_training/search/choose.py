@@ -18,11 +18,13 @@ from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Compiled
 from nscc.source import Source
 from nscc.syntax.format import format_source
+from nscc_training.codes_files import load_codes
 from nscc_training.design.chip import Chip
 from nscc_training.design.make import Design, Frame
-from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.programs import Chip as Place
 from nscc_training.programs import program_of, words_per_slot
+from nscc_training.run_files import searched_codes
 from nscc_training.search.expected import Motion, told_db
 from nscc_training.search.scene_motion import speeds_of, texture_of
 
@@ -35,6 +37,8 @@ _TILE = (4, 4)
 _STARTS = ("quad", "two-phase", "staggered", "cyclic")
 _PARTS_OPEN = (2, 4, 8)
 """Bumps are open for a half, a quarter or an eighth of the frame."""
+_SEARCHED = ShutterSpec("e", 16, (8, 8))
+"""What was searched: free bits. Codes for frames of other lengths were not."""
 _BRIGHT = 0.35
 """Of a full well, light as films have it in the mean, where no scene is named."""
 _YARDSTICK = "quad, 1/4 of the frame"
@@ -52,8 +56,9 @@ def design_motion(
     kind: Kind, scenes: Sequence[NDArray[np.floating]] = (), frame: Frame | None = None,
     most_words: float = 4.0,
 ) -> MotionDesign:  # fmt: skip
-    """The program of bumps in a 4 x 4 tile that tells most of light that moves as `kind` says, or
-    as the `scenes` do: light (N or fewer parts, rows, cols), electrons in each.
+    """The program of bumps in a 4 x 4 tile, or for 16 slots of searched bits, that tells most of
+    light that moves as `kind` says, or as the `scenes` do: light (N or fewer parts, rows, cols),
+    electrons in each.
 
     Codes of more than `most_words` a slot are passed over. Raises Rejected: NS0843 where no code is
     left, or `scene` names none, and as the compiler.
@@ -63,16 +68,16 @@ def design_motion(
         raise rejected("NS0843", "there is no scene whose motion could be looked at",
                        helps=("name one with --scene, or --motion slow or fast",))  # fmt: skip
     motions = [_motion(kind, scene, frame.chip()) for scene in scenes or (None,)]
-    specs = _specs(frame.slots)
+    encoders = _encoders(frame.slots)
     expected = {
-        name: float(np.mean([told_db(_opened(spec, start), motion) for motion in motions]))
-        for name, (spec, start) in specs.items()
+        name: float(np.mean([told_db(encoder.hard().numpy(), motion) for motion in motions]))
+        for name, encoder in encoders.items()
     }
     passed: list[str] = []
     refused: Rejected | None = None
     for name in sorted(expected, key=lambda each: -expected[each]):
         try:
-            text, made = _compiled(*specs[name], frame, _remark(kind, name))
+            text, made = _compiled(encoders[name], frame, _remark(kind, name))
         except Rejected as error:
             refused = error
             passed.append(f"{name} (does not fit)")
@@ -106,32 +111,30 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: Chip) -> Motio
     return replace(found, speeds=speeds, length=length, contrast=contrast)
 
 
-def _specs(slots: int) -> dict[str, tuple[ShutterSpec, str]]:
-    """Classes and starts by what people call them."""
+def _encoders(slots: int) -> dict[str, Encoder]:
+    """Codes by what people call them."""
     found = {}
     for part in _PARTS_OPEN:
         length = -(-slots // part)
         for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
             spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
-            found[f"{start}, 1/{part} of the frame"] = (spec, start)
+            found[f"{start}, 1/{part} of the frame"] = make_encoder(spec, start)
+    if slots == _SEARCHED.slots:
+        found["searched"] = make_encoder(_SEARCHED)
+        found["searched"].load_codes(load_codes(searched_codes()))
     return found
 
 
-def _opened(spec: ShutterSpec, start: str) -> NDArray[np.floating]:
-    return np.asarray(make_encoder(spec, start).hard().numpy())
-
-
-def _compiled(spec: ShutterSpec, start: str, frame: Frame, remark: str) -> tuple[str, Compiled]:
+def _compiled(encoder: Encoder, frame: Frame, remark: str) -> tuple[str, Compiled]:
     chip = Place(frame.target, frame.slot_us)
-    text = program_of(make_encoder(spec, start), chip, remark).text
-    text = format_source(Source("design.nsl", text))
+    text = format_source(Source("design.nsl", program_of(encoder, chip, remark).text))
     return text, frame.compiled("motion.nsl", text)
 
 
 def _remark(kind: Kind, name: str) -> str:
     of = "as its scene has it" if kind == "scene" else kind
-    return f"Bumps for clips, {name}: of such codes most is expected of it where motion is {of}."
+    return f"Shutters for clips, {name}: of such codes most is expected of it where motion is {of}."
 
 
 def _lines(
