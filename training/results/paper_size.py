@@ -26,18 +26,16 @@ from nscc_training.evaluation.subjects import evaluate
 from nscc_training.loop.train import train
 
 HERE = Path(__file__).resolve().parent
-CHECKPOINT_EVERY = 250
-"""Steps, which are minutes, that are lost at most: a checkpoint has three times the weights, and
-beginning again takes half a minute."""
 GUESSING = ("unet2d", "unet3d")
 """They begin with a first guess, which the paper's do not: it spares most of the paper's steps."""
 FEWER = 4
 """Without bf16 the steps are divided by this."""
-_STILL = {"shutter": {"tile": [8, 8]}, "train": {"steps": 3000}}
+# What lies between two validations, some minutes, is lost at most; beginning again takes half a one.
+_STILL = {"shutter": {"tile": [8, 8]}, "train": {"steps": 3000, "validate_every": 250}}
 # An FC-net's 51 million weights take as long for four clips as for sixteen.
-_BLOCKS = {"shutter": {"class": "c"}, "train": {"steps": 1000, "batch": 16}}
+_BLOCKS = {"shutter": {"class": "c"}, "train": {"steps": 500, "batch": 16, "validate_every": 100}}
 _FREE_BITS = {"shutter": {"class": "e", "init": "random", "learn": False, "target": "scamp7"}}
-_DEEP = {"shutter": {"class": "c"}, "train": {"steps": 750}}
+_DEEP = {"shutter": {"class": "c"}, "train": {"steps": 400, "validate_every": 100}}
 RUNS: dict[str, tuple[str, str, tuple[dict[str, Any], ...]]] = {
     "paper_hdr_random": (
         "hdr.toml", "unet2d", (_STILL, {"shutter": {"init": "random", "learn": False}})
@@ -83,7 +81,6 @@ def values_of(name: str, data: Path, bf16: bool) -> dict[str, dict[str, Any]]:
     learning = values["train"]
     learning |= {"device": "auto", "dtype": "bf16" if bf16 else "f32", "rate": 3e-4}
     learning["steps"] //= 1 if bf16 else FEWER
-    learning["validate_every"] = CHECKPOINT_EVERY
     return values
 
 
@@ -115,7 +112,7 @@ def main() -> None:
             if not time_is_left(chosen.minutes, begin):
                 print(f"{name}: {done} of {settings.train.steps} steps are done")
                 return
-            done += CHECKPOINT_EVERY
+            done += settings.train.validate_every
             train(settings, run, stop_after=done, report=lambda text: print(text, flush=True))
         still = settings.data.protocol == "hdr-v1"
         scenes, protocol = ("hdr_test", "hdr-v1") if still else ("clips", "video-v1")
