@@ -30,7 +30,7 @@ GUESSING = ("unet2d", "unet3d")
 """They begin with a first guess, which the paper's do not: it spares most of the paper's steps."""
 FEWER = 4
 """Without bf16 the steps are divided by this."""
-# What lies between two validations, some minutes, is lost at most; beginning again takes half a one.
+# What lies between two validations, some minutes, is lost at most; beginning takes half a one.
 _STILL = {"shutter": {"tile": [8, 8]}, "train": {"steps": 3000, "validate_every": 250}}
 # An FC-net's 51 million weights take as long for four clips as for sixteen.
 _BLOCKS = {"shutter": {"class": "c"}, "train": {"steps": 500, "batch": 16, "validate_every": 100}}
