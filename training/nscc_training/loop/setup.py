@@ -108,6 +108,9 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
+    if chosen.most_words and chosen.relaxation != "search":
+        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
+                     "`search`, or weigh them by `words_weight`")  # fmt: skip
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
