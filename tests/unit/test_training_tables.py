@@ -170,6 +170,9 @@ def test_tables_without_arguments_are_of_what_is_shipped(tmp_path: Path) -> None
     row = shown["2D U-Net, d learned"]
     assert row["psnr_db"] == pytest.approx(sum(each["mean"] for each in learned) / 3)
     assert row["remark"] == "places moved: 0 of 64, 0 of 64, 0 of 64"
+    # Beside it lie results of the same decoder on other codes, of a window of each clip.
+    any_code = json.loads((shipped_evaluations() / "any.json").read_text())
+    assert shown["the decoder for any code, e random"]["psnr_db"] == any_code["mean"]
     by_file: dict[str, list[float]] = {}
     for item in learned[0]["items"]:
         by_file.setdefault(item["file"], []).append(item["psnr_db"])

@@ -40,6 +40,8 @@ from nscc_training.sensor_model import SensorModel, frame_of, laid
 
 SIDE = 112
 PROTOCOL = load_protocol("video-v1")
+METHOD = "any, first windows"
+"""Not `any`, whose rows in tables are of whole windows, and of all."""
 KEY = "decoder_sha256"
 Decode = Callable[[Tensor, Tensor, SensorModel], Tensor]
 MODULES = ("decode.py", "measured.py", "network.py", "stages.py")
@@ -122,7 +124,7 @@ def evaluated(encoder: Encoder, decode: Decode, data: Path, told: dict[str, Any]
         return found, perf_counter() - begin
 
     every = list(scored(firsts(clips), made, []))
-    return with_arrays(PROTOCOL, Subject("any", told), clips, every, [])[0]
+    return with_arrays(PROTOCOL, Subject(METHOD, told), clips, every, [])[0]
 
 
 def firsts(clips: list[Path]) -> Iterator[Window]:

@@ -36,9 +36,12 @@ nscc sweep successors.toml --out successors "$@"
 nscc sweep ways.toml --out ways "$@"
 nscc evaluate looks --data data/hdr_test --results all
 
-# Codes behind the decoder for any code: given, found by searches, and those that these began with.
+# Codes behind the decoder for any code: given, found by searches, and those that these began with;
+# the last one found once more, behind the decoder that judged it, and after it has learned the code.
+nscc train tuned.toml --out all/runs/tuned
 codes=(quad=c:quad two-phase=c:two-phase staggered=c:staggered cyclic=e:cyclic
-    random-c=c:random random-d=d:random)
+    random-c=c:random random-d=d:random found_words=all/runs/searched_words
+    judge=all/runs/searched_2@own tuned=all/runs/tuned@own)
 for seed in 0 1 2; do
     codes+=("start_$seed=all/runs/searched_$seed@start" "found_$seed=all/runs/searched_$seed")
 done
