@@ -14,12 +14,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Selection
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planner.fused import Fused
+from nscc_runtime.planner.pixels import Given, Running
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
@@ -53,18 +53,24 @@ class Planned(Prepared):
                 self.threads,
             )  # fmt: skip
         if self.plan.slot_loop == "all":
-            found, marked = self._words(self.places, self.kept, seed, frame)
-        else:
-            found, marked = self._summed.expose(seed, frame)
-        return self._exposure(found, marked, seed, frame)
-
-    def _exposure(self, found: Values, marked: Marked, seed: int, frame: int) -> Exposure:
-        """What sums have found, once pixels that may saturate have run through their words."""
-        shape = (len(found), *self.light.shape)
+            found, marked = self._running.expose(seed, frame)
+            return self._exposure(found, marked)
+        away = self._summed.away(seed, frame)
+        found, marked = self._summed.expose(seed, frame, away)
         if len(self.saturating):
-            found[:, self.saturating], marked[:, self.saturating] = self._words(
-                self.saturating, self.plan.kept_in_words, seed, frame
-            )
+            self._run(found, marked, away, seed, frame)
+        return self._exposure(found, marked)
+
+    def _run(self, found: Values, marked: Marked, away: Values, seed: int, frame: int) -> None:
+        """Have pixels that may saturate run through their words: the neighbours' charge is what
+        sums have counted."""
+        given = Given(self.counted, away)
+        found[:, self.saturating], marked[:, self.saturating] = self._running.expose(
+            seed, frame, given
+        )
+
+    def _exposure(self, found: Values, marked: Marked) -> Exposure:
+        shape = (len(found), *self.light.shape)
         valid = np.isfinite(found)
         return Exposure(found.reshape(shape), valid.reshape(shape), marked.reshape(shape))
 
@@ -83,7 +89,9 @@ class Planned(Prepared):
             numbers = range(first, min(first + step, count))
             exposed = on_torch.expose(seed, numbers)
             for number, found, marked in zip(numbers, *exposed, strict=True):
-                yield self._read_out(self._exposure(found, marked, seed, number), seed, number)
+                if len(self.saturating):
+                    self._run(found, marked, self._summed.away(seed, number), seed, number)
+                yield self._read_out(self._exposure(found, marked), seed, number)
 
     def frame(self, seed: int, frame: int) -> Frame:
         """Frame number `frame`, read out."""
@@ -109,19 +117,17 @@ class Planned(Prepared):
     def _reference(self) -> Reference:
         return Reference.of(self.program.container, self.program.sensor, self.kept)
 
-    def _words(
-        self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int
-    ) -> tuple[Values, Marked]:
+    @cached_property
+    def _running(self) -> Running:
+        """The pixels that run through their words: all of them, or those that may saturate."""
+        every = self.plan.slot_loop == "all"
+        chosen, kept = (
+            (self.places, self.kept) if every else (self.saturating, self.plan.kept_in_words)
+        )
         program = self.program
-        return program.words(kept).exposures(
-            self.light,
-            program.slot_s,
-            chosen,
-            kept,
-            seed=seed,
-            device_seed=self.device_seed,
-            frame=frame,
-            threads=self.threads,
+        words = program.words(kept)
+        return Running(
+            words, self.light, program.slot_s, chosen, kept, self.device_seed, self.threads
         )
 
 
