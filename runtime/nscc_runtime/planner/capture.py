@@ -8,7 +8,7 @@ may saturate run through all their words. What only the reference has, the refer
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -20,6 +20,7 @@ from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planner.fused import Fused
+from nscc_runtime.planner.lacking import by_spilt
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
@@ -61,12 +62,24 @@ class Planned(Prepared):
     def _exposure(self, found: Values, marked: Marked, seed: int, frame: int) -> Exposure:
         """What sums have found, once pixels that may saturate have run through their words."""
         shape = (len(found), *self.light.shape)
-        if len(self.saturating):
-            found[:, self.saturating], marked[:, self.saturating] = self._words(
-                self.saturating, self.plan.kept_in_words, seed, frame
-            )
+        for places, kept in self._by_words:
+            found[:, places], marked[:, places] = self._words(places, kept, seed, frame)
         valid = np.isfinite(found)
         return Exposure(found.reshape(shape), valid.reshape(shape), marked.reshape(shape))
+
+    @cached_property
+    def _by_words(self) -> list[tuple[NDArray[np.int64], Selection]]:
+        """The pixels that run through their words because they may saturate, by the effects that
+        they have there."""
+        most, plan = self.saturating, self.plan
+        found = []
+        lost = by_spilt(frozenset(plan.saturating_lack))
+        if len(most) and len(lost) < len(plan.saturating_lack):
+            beside, lacking = self.near.spilt, tuple(sorted(lost))
+            most = np.setdiff1d(most, beside, assume_unique=True)
+            found.append((beside, replace(plan, saturating_lack=lacking).kept_in_words))
+        found.append((most, plan.kept_in_words))
+        return [each for each in found if len(each[0])]
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Frames 0 .. `count` - 1, read out."""

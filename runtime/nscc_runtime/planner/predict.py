@@ -92,8 +92,7 @@ class Forecast(ABC):
         sample = sample_of(total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
-            self.program, self.light, sample, self.device_seed, lost, self.threads,
-            len(self.spilt) > 0,
+            self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
         )  # fmt: skip
 
     @cached_property
