@@ -139,7 +139,7 @@ class Loop(Generic[_P]):
     def is_compiled(self) -> bool:
         """Whether the machine code is there: if not, its first use takes some seconds."""
         file = object_file(self.module)
-        return machine_code.kept(file.name, file.folders) is not None
+        return file.is_linked or machine_code.kept(file.name, file.folders) is not None
 
     def load(self) -> None:
         """Have the machine code ready, compiled if need be."""
@@ -300,6 +300,11 @@ class ObjectFile:
     def linked(self) -> dict[str, Callable[..., None]]:
         """The loops of this process, by name."""
         return machine_code.load(self.code(), {e.name: len(e.parameters) for e in self.loops})
+
+    @property
+    def is_linked(self) -> bool:
+        """Whether this process has them."""
+        return "linked" in vars(self)
 
     @cached_property
     def name(self) -> str:

@@ -164,7 +164,7 @@ def test_no_pixel_that_saturates_is_missed(name: str, effects: str) -> None:
     assert lost.max() > 1000
     lost[scene.saturating] = 0.0
     if effects == "full_well":  # sums are clipped where one read brings all the charge
-        lost[np.isfinite(scene.limits).all(axis=0)] = 0.0
+        lost[np.isfinite(scene.chip.limits).all(axis=0)] = 0.0
     assert lost.max() < 1.0
 
 

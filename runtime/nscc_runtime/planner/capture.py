@@ -8,17 +8,20 @@ may saturate run through all their words. What only the reference has, the refer
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Counted
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planner.fused import Fused
+from nscc_runtime.planner.lacking import by_spilt
 from nscc_runtime.planner.pixels import Given, Running
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.prepared import Prepared
@@ -53,26 +56,42 @@ class Planned(Prepared):
                 self.threads,
             )  # fmt: skip
         if self.plan.slot_loop == "all":
-            found, marked = self._running.expose(seed, frame)
-            return self._exposure(found, marked)
+            ((_, every),) = self._running
+            return self._exposure(*every.expose(seed, frame))
         away = self._summed.away(seed, frame)
         found, marked = self._summed.expose(seed, frame, away)
-        if len(self.saturating):
-            self._run(found, marked, away, seed, frame)
+        self._run(found, marked, away, seed, frame)
         return self._exposure(found, marked)
 
     def _run(self, found: Values, marked: Marked, away: Values, seed: int, frame: int) -> None:
-        """Have pixels that may saturate run through their words: the neighbours' charge is what
-        sums have counted."""
+        """Have pixels that may saturate run through their words: their neighbours' counts are those
+        that sums have."""
         given = Given(self.counted, away)
-        found[:, self.saturating], marked[:, self.saturating] = self._running.expose(
-            seed, frame, given
-        )
+        for places, pixels in self._running:
+            # Without some of what counts, they are other counts.
+            alike = pixels.effects.names(Counted) == self.kept.names(Counted)
+            found[:, places], marked[:, places] = pixels.expose(
+                seed, frame, given if alike else None
+            )
 
     def _exposure(self, found: Values, marked: Marked) -> Exposure:
         shape = (len(found), *self.light.shape)
         valid = np.isfinite(found)
         return Exposure(found.reshape(shape), valid.reshape(shape), marked.reshape(shape))
+
+    @cached_property
+    def _by_words(self) -> list[tuple[NDArray[np.int64], Selection]]:
+        """The pixels that run through their words because they may saturate, by the effects that
+        they have there."""
+        most, plan = self.saturating, self.plan
+        found = []
+        lost = by_spilt(frozenset(plan.saturating_lack))
+        if len(most) and len(lost) < len(plan.saturating_lack):
+            beside, lacking = self.near.spilt, tuple(sorted(lost))
+            most = np.setdiff1d(most, beside, assume_unique=True)
+            found.append((beside, replace(plan, saturating_lack=lacking).kept_in_words))
+        found.append((most, plan.kept_in_words))
+        return [each for each in found if len(each[0])]
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Frames 0 .. `count` - 1, read out."""
@@ -118,17 +137,20 @@ class Planned(Prepared):
         return Reference.of(self.program.container, self.program.sensor, self.kept)
 
     @cached_property
-    def _running(self) -> Running:
+    def _running(self) -> list[tuple[NDArray[np.int64], Running]]:
         """The pixels that run through their words: all of them, or those that may saturate."""
-        every = self.plan.slot_loop == "all"
-        chosen, kept = (
-            (self.places, self.kept) if every else (self.saturating, self.plan.kept_in_words)
-        )
         program = self.program
-        words = program.words(kept)
-        return Running(
-            words, self.light, program.slot_s, chosen, kept, self.device_seed, self.threads
-        )
+        every = self.plan.slot_loop == "all"
+        return [
+            (
+                places,
+                Running(
+                    program.words(kept), self.light, program.slot_s, places, kept,
+                    self.device_seed, self.threads,
+                ),
+            )
+            for places, kept in ([(self.places, self.kept)] if every else self._by_words)
+        ]  # fmt: skip
 
 
 def prepared(

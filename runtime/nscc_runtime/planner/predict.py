@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -44,8 +44,6 @@ is about as much as all of the gates' switching does.
 _FORMULA_E = 0.015
 """RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
-_SPILT = 0.01
-"""Of a full well: what neighbours must give a pixel to count as bringing it near saturation."""
 _CLOSED_PART = 0.1
 WORDS = "words"
 """The state where pixels run through their words; without some of saturation it begins so."""
@@ -89,13 +87,12 @@ class Forecast(ABC):
     def sampled(self) -> SampledFields:
         """The fields on a sample, of which `fields` are those for the tolerance."""
         # A few pixels may have most of the dark charge, as lamps have most of the light.
-        dark_e = self._everything.current * self.program.slot_s.sum()
+        dark_e = self._everything.chip.current * self.program.slot_s.sum()
         total_e = (self._everything.total + dark_e).reshape(self.light.shape)
         sample = sample_of(total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
-            self.program, self.light, sample, self.device_seed, lost, self.threads,
-            len(self.spilt) > 0,
+            self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
         )  # fmt: skip
 
     @cached_property
@@ -125,9 +122,7 @@ class Forecast(ABC):
     @cached_property
     def spilt(self) -> NDArray[np.int64]:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        every, exchange = self._everything, everything().the(Exchange)
-        inflow_e = every.inflow_e(exchange)[self.near]
-        return self.near[inflow_e > _SPILT * every.full_e]
+        return self._everything.near.spilt
 
     @cached_property
     def _everything(self) -> Prepared:
@@ -209,7 +204,7 @@ class Forecast(ABC):
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
         lost = state.split(" without ")[1:]
-        return self._everything.saturating_with(everything().without(*lost))
+        return replace(self._everything.near, kept=everything().without(*lost)).places
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:

@@ -109,9 +109,11 @@ class Summed:
     def counts(self) -> list[tuple[int, int, Values]]:
         """What counts charge: the effect's stream, the source, the rates (groups, pixels)."""
         scene = self.scene
-        light, dark = scene.kept.having(CountedLight), scene.kept.having(CountedDark)
-        found = [(effect.stream, LIGHT, scene.light_rates) for effect, _ in light]
-        return found + [(effect.stream, WITHOUT_LIGHT, scene.dark_rates) for effect, _ in dark]
+        kept = scene.kept
+        found = [(e.stream, LIGHT, scene.light_rates) for e, _ in kept.having(CountedLight)]
+        for effect, _ in kept.having(CountedDark):
+            found.append((effect.stream, WITHOUT_LIGHT, scene.chip.dark_rates(scene.counted)))
+        return found
 
     @cached_property
     def _drawing(self) -> list[Bound]:
@@ -169,31 +171,22 @@ class Summed:
     def overlap(self) -> tuple[Weights, Weights]:
         """Where pixels exchange counts: weights of their own, and of their neighbours'."""
         program = self.scene.program
-        found = program.overlap(program.model(self.scene.kept), tuple(self.scene.counted))
+        found = program.overlap(program.model(self.scene.kept), self.scene.counted)
         return found.own, found.neighbours
-
-    @cached_property
-    def limits(self) -> Values:
-        """What the full well lets through."""
-        return np.ascontiguousarray(self.scene.limits)
-
-    @cached_property
-    def patterns(self) -> Values:
-        """The fixed errors of the words."""
-        return np.ascontiguousarray(self.scene.patterns)
 
     @cached_property
     def _adding(self) -> Bound:
         """The loop that adds up, with all that frames have in common."""
         own, neighbours = self.overlap if self.sizes["exchanges"] else (_NONE_32, _NONE_32)
+        chip = self.scene.chip
         return add_up.bound(
             lanes=self.scene.program.lanes,
-            expected=np.ascontiguousarray(self.scene.expected),
+            expected=self.scene.expected,
             weights=self.weights,
             own=own,
             neighbours=neighbours,
-            limits=self.limits if self.sizes["clipped"] else _NONE,
-            patterns=self.patterns if self.sizes["patterned"] else _NONE,
+            limits=chip.limits if self.sizes["clipped"] else _NONE,
+            patterns=chip.patterns if self.sizes["patterned"] else _NONE,
             sigma=self.noise[1],
         )
 
