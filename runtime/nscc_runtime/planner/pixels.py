@@ -112,7 +112,7 @@ class Given:
     """Counts that are drawn already: how far `away` (groups, pixels) from their means, in these
     groups of slots."""
 
-    groups: list[int]
+    groups: tuple[int, ...]
     away: NDArray[np.float64]
 
 
@@ -148,7 +148,7 @@ class Running:
         """
         shape = len(self.words.program.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)
-        names = [] if given is None else given.groups
+        names = () if given is None else given.groups
         of_group = [names.index(i) if i in names else -1 for i in self.words.group_ids.tolist()]
         common: dict[str, Any] = {
             "keys": _keys(seed, self.device_seed),

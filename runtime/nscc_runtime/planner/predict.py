@@ -92,8 +92,7 @@ class Forecast(ABC):
         sample = sample_of(total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
-            self.program, self.light, sample, self.device_seed, lost, self.threads,
-            len(self.spilt) > 0,
+            self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
         )  # fmt: skip
 
     @cached_property
@@ -331,7 +330,8 @@ class Forecast(ABC):
         return {
             "thinning": fields.thinning[self.closed] * where,
             "formula": np.full(where.shape, _FORMULA_E**2),
-            "neighbours": fields.neighbours[self.closed] * where,
+            # Pixels that run through their words have their neighbours' counts from sums, too.
+            "neighbours": fields.neighbours[self.closed] * np.maximum(where, self.runs(state)),
             "noise": fields.noise_cut * after,
             "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }
