@@ -236,14 +236,17 @@ class Chooser(Promises):
     def _reference_ns(self) -> float:
         return self.program.work.reference_ns(SHIPPED)
 
+    @remembered
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
         return self.program.work.words_ns(everything().without(*dropped), SHIPPED, False)
 
+    @remembered
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
         return self.program.work.words_ns(everything().without(*lacking), SHIPPED, True)
 
+    @remembered
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
         path = self._path(dropped)
@@ -251,8 +254,8 @@ class Chooser(Promises):
             return self._reference_ns
         if path == "words":
             return self._all_words_ns(dropped)
-        running = self.running(self.state(dropped))
-        return self._near_ns(self.forced_off) * len(running) / len(self.program.lanes)
+        running = len(self.running(self.state(dropped)))
+        return self._near_ns(self.forced_off) * running / len(self.program.lanes) if running else 0
 
     def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
