@@ -52,15 +52,21 @@ class Summed:
 
     scene: Prepared
 
-    def expose(self, seed: int, frame: int) -> tuple[Values, NDArray[np.uint8]]:
-        """Exposures (buckets, pixels) of frame number `frame`, and what cut them off."""
+    def away(self, seed: int, frame: int) -> Values:
+        """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
+        scene = self.scene
+        found = np.empty((len(scene.counted), len(scene.places)))
+        for number, (stream, source, _) in enumerate(self.counts):
+            keys = [count_key(seed, stream, source, frame, group) for group in scene.counted]
+            self._draw(self._drawing[number], np.array(keys, np.uint64), number > 0, found)
+        return found
+
+    def expose(self, seed: int, frame: int, away: Values) -> tuple[Values, NDArray[np.uint8]]:
+        """Exposures (buckets, pixels) of frame number `frame`, and what cut them off, with counts
+        so far `away` from their means."""
         scene = self.scene
         rows, pixels = scene.light.shape[0], len(scene.places)
         buckets = len(scene.program.container.buckets)
-        away = np.empty((len(scene.counted), pixels))
-        for number, (stream, source, _) in enumerate(self.counts):
-            keys = [count_key(seed, stream, source, frame, group) for group in scene.counted]
-            self._draw(self._drawing[number], np.array(keys, np.uint64), number > 0, away)
         found, marked = np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8)
         noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self.noise[0]]
         filled = {
