@@ -289,10 +289,8 @@ class Chooser(Promises):
         alone = every.without(*every.names(Exchange))
         quiet = alone.without(*every.names(Counted), *every.names(Errors))
         tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
-        found = float(tried) * TRIED * work.words_ns(quiet, SHIPPED, True)
-        if self.sampled.noisy(self.tolerance_e):
-            found += tried * TRIED * work.words_ns(alone, SHIPPED, True)
-        return found
+        tries = [quiet, alone] if self.sampled.noisy(self.tolerance_e) else [quiet]
+        return sum(float(tried) * TRIED * work.words_ns(each, SHIPPED, True) for each in tries)
 
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
