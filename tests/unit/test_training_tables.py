@@ -203,6 +203,18 @@ def test_results_under_effects_stand_in_no_table(tmp_path: Path) -> None:
     assert row["psnr_db"] > 30
 
 
+def test_decoders_of_two_sizes_do_not_share_a_row(tmp_path: Path) -> None:
+    """Their mean would be nobody's figure: small decoders come first, each with its own."""
+    for size, psnr_db in (("paper", 33.0), ("small", 31.0)):
+        found = json.loads((shipped_evaluations() / "u3_c_quad.json").read_text())
+        found["settings"]["size"] = size
+        for item in found["items"]:
+            item["psnr_db"] = psnr_db
+        (tmp_path / f"{size}.json").write_text(json.dumps(found))
+    rows = [row for row in tables(results=tmp_path) if row["row"] == "3D U-Net, c fixed"]
+    assert [(row["size"], row["psnr_db"]) for row in rows] == [("small", 31.0), ("paper", 33.0)]
+
+
 def test_baselines_on_other_codes(tmp_path: Path) -> None:
     """GAP-TV on the 2 x 2 pattern is not GAP-TV on random bits, and rows know which is which."""
     clip(tmp_path / "c.mat", 16, 256)

@@ -122,7 +122,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
     task = Task(
         "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code,
-        chosen.buckets,
+        chosen.buckets, {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
     )  # fmt: skip
     # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
     with torch.random.fork_rng(devices=[]):
