@@ -23,8 +23,9 @@ from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.error_loop import ERRORS
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
-from nscc_runtime.planner.pixel_loop import ERRORS, run_pixels
+from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
 from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
 from nscc_runtime.pool import in_parts
