@@ -3,7 +3,8 @@ earlier one, as long as their light is of the same kind and no stronger.
 
 What is left out of a frame errs in proportion to light, to its steps between neighbours, or steeper
 where pixels saturate; so a plan goes on being good while none of these has grown by more than the
-room that plans leave below their tolerance.
+room that plans leave below their tolerance. Where pixels look, it also hangs on how many of them
+stand near a level, and the plan is tried on the new scene.
 """
 
 from __future__ import annotations
@@ -131,15 +132,20 @@ class KeptPlans:
         self._changed = Condition()
 
     def plan(
-        self, number: int, asked: Hashable, found: Statistics, make: Callable[[], Plan]
+        self,
+        number: int,
+        asked: Hashable,
+        found: Statistics,
+        make: Callable[[], Plan],
+        serves: Callable[[Plan], bool] = lambda _plan: True,
     ) -> Plan:
         """The plan of scene `number`: that of the last one that was planned for what is `asked`, if
-        it covers this one, and what `make` gives otherwise."""
+        it covers this one and `serves` it, and what `make` gives otherwise."""
         with self._changed:
             self._changed.wait_for(lambda: self._turn >= number)
         try:
             earlier = self._earlier(asked, found)
-            if earlier is not None:
+            if earlier is not None and serves(earlier):
                 return earlier
             mine: Future[Plan] = Future()
             self._last[asked] = found, mine
@@ -180,6 +186,12 @@ class Turn:
     plans: KeptPlans
     number: int
 
-    def plan(self, asked: Hashable, found: Statistics, make: Callable[[], Plan]) -> Plan:
+    def plan(
+        self,
+        asked: Hashable,
+        found: Statistics,
+        make: Callable[[], Plan],
+        serves: Callable[[Plan], bool],
+    ) -> Plan:
         """See `KeptPlans.plan`."""
-        return self.plans.plan(self.number, asked, found, make)
+        return self.plans.plan(self.number, asked, found, make, serves)

@@ -148,6 +148,28 @@ def test_light_that_is_not_kept_is_laid_out_again(monkeypatch: pytest.MonkeyPatc
         assert np.any(frames[0] != frames[1])
 
 
+def test_pixels_beside_suns_keep_what_others_lack() -> None:
+    """A plan may leave neighbours' light out of pixels near saturation: not where it is a sun's."""
+    container = case("b latch", rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, register_max_e=9000.0, register_min_e=-9000.0)
+    light = moving_light((8, ROWS, COLS), 300.0)
+    light.frames[:, 4, 5] = 1e6  # a sun, one pixel
+    light.frames[:, 8:, 9:] = 2000.0
+    every = plan_of("all", **CLOSED)
+    decisions = tuple(
+        replace(each, decision="dropped", forced=False) if each.name == "crosstalk" else each
+        for each in every.decisions
+    )
+    left_out = replace(every, decisions=decisions, saturating_lack=("crosstalk",))
+    whole, less = (planned(container, light, sensor, plan) for plan in (every, left_out))
+    beside = less.near.spilt
+    assert {4 * COLS + 4, 4 * COLS + 6, 3 * COLS + 5, 5 * COLS + 5} <= set(beside.tolist())
+    found, full = (scene.expose(SEED, 1).exposure_e[0].reshape(-1) for scene in (less, whole))
+    rest = np.setdiff1d(less.saturating, beside)
+    assert (found[beside] == full[beside]).all()
+    assert (found[rest] != full[rest]).any()
+
+
 @pytest.mark.parametrize("effects", ["all", "all,-shot", "full_well", "register,prnu"])
 @pytest.mark.parametrize("name", CASES)
 def test_no_pixel_that_saturates_is_missed(name: str, effects: str) -> None:

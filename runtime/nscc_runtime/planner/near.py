@@ -6,6 +6,7 @@ What a pixel sees is told with all effects that are wanted: those that may satur
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -61,13 +62,13 @@ def _charges(
     fraction = 0.0 if exchange is None else exchange.fraction(program.sensor)
     rows, cols = light.shape
     found, inflow = np.empty(light.shape, np.uint8), np.empty(light.shape)
+    lit = light.sum_e * chip.scale.reshape(light.shape)
     may_saturate(
         asked=Asked(
             rows=rows, cols=cols, fraction=fraction, frame_s=float(program.slot_s.sum()),
             sigmas=_SIGMAS,
         ),
-        light=light.sum_e,
-        scale=chip.scale.reshape(light.shape),
+        lit=lit,
         current=chip.current.reshape(light.shape),
         lanes=program.lanes.reshape(light.shape),
         limit=_SLACK * limit(program, wanted),
@@ -81,14 +82,14 @@ def _charges(
     scale, lanes = chip.scale[places], program.lanes[places]
     seen = program.tables.seen().astype(np.float64)
     frames = light.frames.reshape(len(light.frames), -1)[:, places]
-    lit = sums_by_slot(light, frames, lanes, [seen], threads)[0] * scale
+    seen_e = sums_by_slot(light, frames, lanes, [seen], threads)[0] * scale
     dark = chip.current[places] * (program.slot_s @ seen)[lanes]
     given = inflow.reshape(-1)[places]
     own = 1.0 - 4 * fraction
     # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-    most = _reaching(np.maximum(lit, own * lit + given) + dark)
-    gained = given - 4 * fraction * light.sum_e.reshape(-1)[places] * scale
-    return Charges(places, most, _reaching(lit + dark), gained)
+    most = _reaching(np.maximum(seen_e, own * seen_e + given) + dark)
+    gained = given - 4 * fraction * lit.reshape(-1)[places]
+    return Charges(places, most, _reaching(seen_e + dark), gained)
 
 
 def _reaching(charge: Values) -> Values:
@@ -130,6 +131,9 @@ class Near:
         alone = self._reach(self.charges.own_e) & (self.charges.gained_e <= much)
         return self.charges.places[self._reach(self.charges.most_e) & ~alone]
 
+    @cached_property
+    def _limit(self) -> Values:
+        return limit(self.program, self.kept)[self.program.lanes[self.charges.places]]
+
     def _reach(self, charge: Values) -> NDArray[np.bool_]:
-        lanes = self.program.lanes[self.charges.places]
-        return np.asarray(charge >= limit(self.program, self.kept)[lanes])
+        return np.asarray(charge >= self._limit)

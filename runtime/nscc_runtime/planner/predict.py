@@ -153,12 +153,22 @@ class Forecast(ABC):
 
         `everywhere`: all pixels run through their words.
         """
-        return float(np.max(self.squares(dropped, everywhere)[0]))
+        inside, products, random = self._parts(dropped, everywhere)
+        return float(np.max(products @ inside @ inside + random))
 
     def squares(
         self, dropped: frozenset[str], everywhere: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
+        inside, products, random = self._parts(dropped, everywhere)
+        sizes = np.sqrt(np.maximum(np.diagonal(products, axis1=1, axis2=2), 0.0)) @ inside
+        return products @ inside @ inside + random, sizes**2 + random
+
+    def _parts(
+        self, dropped: frozenset[str], everywhere: bool
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Which fixed fields a plan lacks, the means (buckets, ., .) of their products, and what
+        is random (buckets,)."""
         state = self.state(dropped)
         names, products = self._products(state)
         chosen = self.inside(dropped)
@@ -167,9 +177,8 @@ class Forecast(ABC):
         random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
         random = random + self._rounding(dropped)
         if not everywhere:
-            random = random + self.cut_square(state, tuple(self._taken(dropped)))
-        sizes = np.sqrt(np.maximum(np.diagonal(products, axis1=1, axis2=2), 0.0)) @ inside
-        return products @ inside @ inside + random, sizes**2 + random
+            random = random + self.cut_square(state, self._taken(dropped))
+        return inside, products, random
 
     @remembered
     def cut_square(self, state: str, names: tuple[str, ...]) -> NDArray[np.float64]:
@@ -302,16 +311,19 @@ class Forecast(ABC):
             rates = f"{self.leak_nodes} rate{'s' * (self.leak_nodes > 1)}"
             yield _CUTS[name].format(rates=rates), means[name]
 
-    def _taken(self, dropped: frozenset[str]) -> Iterable[str]:
+    @remembered
+    def _taken(self, dropped: frozenset[str]) -> tuple[str, ...]:
         """The short cuts by the names of `_CUTS`."""
+        found: list[str] = []
         if not self._dropped(Counted, dropped):
-            yield from ("thinning", "formula")
+            found += ["thinning", "formula"]
             if self._stays(Exchange, dropped):
-                yield "neighbours"
+                found.append("neighbours")
         if not self._dropped(Errors, dropped):
-            yield "noise"
+            found.append("noise")
         if self._stays(Leak, dropped):
-            yield "leak"
+            found.append("leak")
+        return tuple(found)
 
     def cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The squares (buckets, pixels) that the short cuts of a plan leave."""
