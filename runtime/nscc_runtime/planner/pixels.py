@@ -86,6 +86,11 @@ class Pixels:
             ids.astype(np.uint64),
         )
 
+    @cached_property
+    def numbers(self) -> int:
+        """One more than the highest number of a word."""
+        return int(self.entries["number"].max(initial=0)) + 1
+
     def exposures(
         self,
         light: Light,
@@ -271,7 +276,7 @@ class Running:
             registers=len(container.target.analog_registers),
             draws=words.weights.shape[1],
             numbered=most_destinations(container.target),
-            words=int(words.entries["number"].max(initial=0)) + 1,
+            words=words.numbers,
             whole=whole,
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             given=given,
