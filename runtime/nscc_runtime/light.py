@@ -180,6 +180,8 @@ class Light:
     def ended(self) -> NDArray[np.float32]:
         """The frames, light without end as so much that no count tells it from more: a closed slot
         makes nothing of that, where it makes no number of infinity."""
+        if self.frame_weight.min() > 0 and self.sum_e.max(initial=0) < _MOST_E:
+            return self.frames
         if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
             return self.frames
         return np.minimum(self.frames, np.float32(1e30))

@@ -95,7 +95,7 @@ def container(
 def times_ms(
     runs: dict[str, Callable[[], object]], rounds: int, clock: Callable[[], float] = perf_counter
 ) -> dict[str, tuple[float, float]]:
-    """The best time of each and the median, taken in turn; `process_time`: of this process alone."""
+    """The best time of each and the median, taken in turn."""
     times: dict[str, list[float]] = {name: [] for name in runs}
     for run in runs.values():
         run()
@@ -232,7 +232,7 @@ def saturating(rounds: int) -> None:
 
 
 def many_slots(rounds: int) -> None:
-    """Captures with their planning in 4096 slots and in 256, of frames equally long and bright."""
+    """Frames under their plans in 4096 slots and in 256, equally long and bright."""
     runs: dict[str, Callable[[], object]] = {}
     work: dict[str, int] = {}
     for slots, side in ((256, 256), (4096, 128)):
@@ -242,7 +242,8 @@ def many_slots(rounds: int) -> None:
         array *= np.float32(20 * slot_us / 1000)
         light = light_of_array(array, slot_us=program.slot_us, rows=side, cols=side)
         name = f"{slots} slots of {side} x {side} pixels"
-        runs[name] = partial(_fresh, program, light, threads=1, tolerance=5.0)
+        plan = plan_of(program, light, "auto")
+        runs[name] = partial(_fresh, program, light, threads=1, plan=plan)
         work[name] = array.size
     found = times_ms(runs, min(5, rounds), process_time)
     few, many = ((name, found[name][0] * 1e6 / work[name]) for name in runs)

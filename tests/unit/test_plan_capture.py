@@ -107,12 +107,13 @@ def test_motion_is_the_moving_light() -> None:
 
 
 @pytest.mark.parametrize(
-    ("effects", "most_e"), [("all,-crosstalk", 1e-5), ("all", 4.0), ("all,-shot,-dark", 1e-5)]
+    ("effects", "most_e"),
+    [("all,-crosstalk,-dead_time", 1e-5), ("all", 4.0), ("all,-shot,-dark", 1e-5)],
 )
 @pytest.mark.parametrize("name", CASES)
 def test_saturating_pixels_run_through_their_words(name: str, effects: str, most_e: float) -> None:
-    """Some pixels at their limits: equal to the reference there, but for when neighbours' counts
-    come, which is taken from their light."""
+    """Some pixels at their limits: equal to the reference there, but for when counts of neighbours
+    come, and those of slots that words see a part of, which is taken from their light."""
     container = case(name, rows=ROWS, cols=COLS)
     sensor = sensor_of(container, register_max_e=9000.0, register_min_e=-9000.0)
     light = moving_light((8, ROWS, COLS), 300.0)

@@ -235,6 +235,25 @@ def charge(
 
 
 @compiled
+def charge_evenly(
+    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sites: Ints32,
+    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
+) -> float:  # fmt: skip
+    """As `charge`, the pixel's own counts spread as light is, too."""
+    own = _taken_evenly(
+        sizes, places[0], begin, stop, sites, rows, scales, sums, away, of_group
+    )  # fmt: skip
+    flow = 0.0
+    for beside in range(1, SITES if sizes.exchanges else 1):
+        if places[beside] >= 0:
+            flow -= own
+            flow += _taken_evenly(
+                sizes, places[beside], begin, stop, sites, rows, scales, sums, away, of_group
+            )
+    return own + numbers.exchanged * flow
+
+
+@compiled
 def least_charge(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
     rows: Ints, scales: Floats, sums: Floats,

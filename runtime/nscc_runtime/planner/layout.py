@@ -31,7 +31,8 @@ class Sizes:
     words: int
     """Numbers that words have."""
     given: int
-    """Whether neighbours' counts are given, and spread as their light is; else drawn and halved."""
+    """Whether counts are given: neighbours' ones, and a pixel's own in slots that words see a part
+    of, are spread as light is; else drawn and halved."""
     frame: int
     counts_light: int
     """Charge of light, and that without, comes in whole electrons; and so on."""

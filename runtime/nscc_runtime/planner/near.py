@@ -81,7 +81,7 @@ def _charges(
         return Charges(places, none, none, none)
     scale, lanes = chip.scale[places], program.lanes[places]
     seen = program.tables.seen().astype(np.float64)
-    frames = light.frames.reshape(len(light.frames), -1)[:, places]
+    frames = np.take(light.frames.reshape(len(light.frames), -1), places, axis=1)
     seen_e = sums_by_slot(light, frames, lanes, [seen], threads)[0] * scale
     dark = chip.current[places] * (program.slot_s @ seen)[lanes]
     given = inflow.reshape(-1)[places]

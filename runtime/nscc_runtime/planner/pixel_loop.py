@@ -10,98 +10,30 @@ instead of from slot to slot: charge between two words is found by halving count
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc_runtime.effects.registry import in_loop
 from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled, loop
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
-from nscc_runtime.planner.charge_loop import charge, least_charge, stream_key, streams_of
-from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.planner.charge_loop import (
+    charge,
+    charge_evenly,
+    least_charge,
+    stream_key,
+    streams_of,
+)
+from nscc_runtime.planner.error_loop import READS, RESETS, WORDS, Entries, error_of, missing_of
+from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 
-_READS, _RESETS, _WORDS = 0, 1, 2
-ERRORS = 3
-"""Kinds of small errors."""
 _ADDED, _SUBTRACTED, _LEVEL, _OLD = 1, 2, 4, 8
 """Of what a register holds: it has a full PIX in it, or that of a reset's level; or it is the part
 that is left of what it held when the frame began."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
-
-_UNKNOWN = np.uint64(0)
-
-Entries = Annotated[NDArray[Any], Entry]
-
-
-@compiled
-def _stream_of(
-    sizes: Sizes, base: np.uint64, at: int, number: np.uint64, found: Words
-) -> np.uint64:
-    """The key of draw `number` in this frame, kept in found[at] from when it is first asked for."""
-    if found[at] == _UNKNOWN:
-        found[at] = stream_key(base, sizes.frame, number)
-    return found[at]
-
-
-@compiled
-def _missing(
-    sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
-    entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats, found: Words,
-) -> None:  # fmt: skip
-    """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x."""
-    # Of each kind the streams of the buckets come first, then those of the words.
-    row = kind * (sizes.buckets + sizes.words * sizes.numbered)
-    buckets = sizes.buckets
-    for bucket in range(buckets):
-        stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), found)
-        missing[kind * buckets + bucket] = normal(uniform(stream, place))
-    for e in range(first, stop):
-        for draw in range(sizes.draws):
-            if not _draws(entries[e], kind, draw):
-                continue
-            number = _drawn_number(sizes, entries[e], kind, draw)
-            at = row + buckets + np.int64(number)
-            stream = _stream_of(sizes, of_part, at, number, found)
-            x = normal(uniform(stream, place))
-            drawn[(e - first) * sizes.draws + draw] = x
-            for bucket in range(buckets):
-                at = (e * sizes.draws + draw) * buckets + bucket
-                missing[kind * buckets + bucket] -= weights[at] * x
-
-
-@compiled
-def _draws(entry: Entry, kind: int, draw: int) -> bool:
-    """Whether a word has this draw of this kind of noise."""
-    if kind == _RESETS:
-        return draw == 0 and entry.resets == 1
-    if kind == _READS:
-        return draw == 0 and entry.reads_pix == 1
-    return draw > 0 and draw <= entry.destinations
-
-
-@compiled
-def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64:
-    """The number under which the reference draws it."""
-    number = entry.number
-    return np.uint64(number * sizes.numbered + draw - 1 if kind == _WORDS else number)
-
-
-@compiled
-def _error(
-    sizes: Sizes, e: int, first: int, weights: Floats, kind: int, draw: int, missing: Floats,
-    drawn: Floats,
-) -> float:  # fmt: skip
-    """The unit normal error of one draw of word e of a lane whose words begin with `first`."""
-    buckets = sizes.buckets
-    found: float = drawn[(e - first) * sizes.draws + draw]
-    for bucket in range(buckets):
-        at = (e * sizes.draws + draw) * buckets + bucket
-        found += weights[at] * missing[kind * buckets + bucket]
-    return found
 
 
 @compiled
@@ -130,7 +62,7 @@ def _execute(
         registers[pix] = 0.0
         full[pix] = 0
         if sizes.reset_errors:
-            z = _error(sizes, e, first, weights, _RESETS, 0, missing, drawn)
+            z = error_of(sizes, e, first, weights, RESETS, 0, missing, drawn)
             registers[pix + 1] = numbers.reset_error * z
         return
     total, gathered, lost_e = 0.0, 0, 0.0
@@ -145,7 +77,7 @@ def _execute(
         if source == pix:
             total += registers[pix + 1]
             if sizes.read_errors:
-                z = _error(sizes, e, first, weights, _READS, 0, missing, drawn)
+                z = error_of(sizes, e, first, weights, READS, 0, missing, drawn)
                 total += numbers.read_error * z
     result = total / -entry.divisor
     lost_e /= entry.divisor
@@ -153,7 +85,7 @@ def _execute(
         register = operands[entry.operands + entry.sources + i]
         value, here_e = result, lost_e
         if sizes.word_errors:
-            z = _error(sizes, e, first, weights, _WORDS, i + 1, missing, drawn)
+            z = error_of(sizes, e, first, weights, WORDS, i + 1, missing, drawn)
             error = pattern + numbers.word_error * z
             value = numbers.gain * value + signs[register] * error
         if sizes.bends:
@@ -206,21 +138,46 @@ def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats, fu
 
 
 @compiled
+def _of_slot(
+    sizes: Sizes, numbers: Numbers, places: Ints, n: int, sites: Ints32, rows: Ints,
+    scales: Floats, sums: Floats, away: Floats, of_group: Ints, streams: Words, heap: Floats,
+    stamps: Ints,
+) -> float:  # fmt: skip
+    """The charge of one slot, of which words see a part."""
+    if sizes.given:
+        return charge_evenly(
+            sizes, numbers, places, n, n + 1, sites, rows, scales, sums, away, of_group
+        )
+    return charge(
+        sizes, numbers, places, n, n + 1, sites, rows, scales, sums, away, of_group, streams,
+        heap, stamps,
+    )  # fmt: skip
+
+
+@compiled
 def _fallen(
-    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sites: Ints32,
-    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
+    sizes: Sizes, numbers: Numbers, places: Ints, at: int, stop: int, gone: float, of_slot: float,
+    sites: Ints32, rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
     streams: Words, heap: Floats, stamps: Ints, held: float,
 ) -> float:  # fmt: skip
-    """The charge of the slots `begin` .. `stop` - 1, or so much that PIX, which holds `held`, is
-    full with it for sure."""
+    """The charge of the slots `at` .. `stop` - 1 less a part `gone` of the first, whose charge is
+    `of_slot`; or so much that PIX, which holds `held`, is full with it for sure."""
+    begin = at if gone == 0.0 else at + 1
     if sizes.holds:
         least = least_charge(sizes, numbers, places[0], begin, stop, sites, rows, scales, sums)
         if held + least > numbers.well:
             return 2.0 * numbers.well
-    return charge(
-        sizes, numbers, places, begin, stop, sites, rows, scales, sums, away, of_group,
-        streams, heap, stamps,
+    if sizes.given:
+        # The whole run of slots is seldom a part of a group: nothing has to be halved.
+        begin = at
+    found = charge(
+        sizes, numbers, places, begin, stop, sites, rows, scales, sums, away, of_group, streams,
+        heap, stamps,
     )  # fmt: skip
+    if gone == 0.0:
+        return found
+    found += (0.0 if sizes.given else of_slot) - gone * of_slot
+    return found if found > 0.0 else 0.0
 
 
 @compiled
@@ -247,18 +204,15 @@ def _run(
         seen = e < stop and entries[e].seen == 1
         if at < boundary:
             if seen and not full[pix] & _ADDED:
-                whole = at if fallen == 0.0 else at + 1
+                if fallen > 0.0 and single != at:
+                    single, of_single = at, _of_slot(
+                        sizes, numbers, places, at, sites, rows, scales, sums, away, of_group,
+                        streams, heap, stamps,
+                    )  # fmt: skip
                 fallen_e = _fallen(
-                    sizes, numbers, places, whole, boundary, sites, rows, scales, sums,
-                    away, of_group, streams, heap, stamps, registers[pix],
+                    sizes, numbers, places, at, boundary, fallen, of_single, sites, rows, scales,
+                    sums, away, of_group, streams, heap, stamps, registers[pix],
                 )  # fmt: skip
-                if fallen > 0.0:
-                    if single != at:
-                        single, of_single = at, charge(
-                            sizes, numbers, places, at, at + 1, sites, rows, scales, sums,
-                            away, of_group, streams, heap, stamps,
-                        )  # fmt: skip
-                    fallen_e += (1.0 - fallen) * of_single
                 _fall(sizes, numbers, fallen_e, registers, full)
             if sizes.leaks:
                 kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
@@ -272,9 +226,9 @@ def _run(
             if seen and not full[pix] & _ADDED and now > fallen:
                 slot = at if at < slots else slots - 1
                 if single != slot:
-                    single, of_single = slot, charge(
-                        sizes, numbers, places, slot, slot + 1, sites, rows, scales, sums,
-                        away, of_group, streams, heap, stamps,
+                    single, of_single = slot, _of_slot(
+                        sizes, numbers, places, slot, sites, rows, scales, sums, away, of_group,
+                        streams, heap, stamps,
                     )  # fmt: skip
                 _fall(sizes, numbers, (now - fallen) * of_single, registers, full)
             fallen = now
@@ -362,20 +316,20 @@ def run_pixels(
         _surround(sizes, place, places)
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes.read_errors:
-            _missing(
+            missing_of(
                 sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
-                _READS, missing, drawn, found,
+                READS, missing, drawn, found,
             )  # fmt: skip
         if sizes.reset_errors:
-            _missing(
+            missing_of(
                 sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
-                _RESETS, missing, drawn, found,
+                RESETS, missing, drawn, found,
             )  # fmt: skip
         leak = 0.0
         if sizes.word_errors:
-            _missing(
+            missing_of(
                 sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
-                _WORDS, missing, drawn, found,
+                WORDS, missing, drawn, found,
             )  # fmt: skip
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))

@@ -23,8 +23,9 @@ from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.error_loop import ERRORS
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
-from nscc_runtime.planner.pixel_loop import ERRORS, run_pixels
+from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
 from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
 from nscc_runtime.pool import in_parts
@@ -84,6 +85,11 @@ class Pixels:
             groups.reshape(program.groups.of_slot.shape).astype(np.int32),
             ids.astype(np.uint64),
         )
+
+    @cached_property
+    def numbers(self) -> int:
+        """One more than the highest number of a word."""
+        return int(self.entries["number"].max(initial=0)) + 1
 
     def exposures(
         self,
@@ -270,7 +276,7 @@ class Running:
             registers=len(container.target.analog_registers),
             draws=words.weights.shape[1],
             numbered=most_destinations(container.target),
-            words=int(words.entries["number"].max(initial=0)) + 1,
+            words=words.numbers,
             whole=whole,
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             given=given,

@@ -339,11 +339,12 @@ class Forecast(ABC):
     def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
         fields, where = self.fields, self._where(state)
         after = np.ones(1) if state == "clip" else where
+        # Pixels that run through their words have counts from sums, too.
+        counted = np.maximum(where, self.runs(state))
         return {
-            "thinning": fields.thinning[self.closed] * where,
+            "thinning": fields.thinning[self.closed] * counted,
             "formula": np.full(where.shape, _FORMULA_E**2),
-            # Pixels that run through their words have their neighbours' counts from sums, too.
-            "neighbours": fields.neighbours[self.closed] * np.maximum(where, self.runs(state)),
+            "neighbours": fields.neighbours[self.closed] * counted,
             "noise": fields.noise_cut * after,
             "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }

@@ -56,7 +56,7 @@ class SampledScene:
         self.exchanged = self.all.the(Exchange).fraction(self.sensor)
         self.echo = 1.0 + self.all.the(Echo).fraction(self.sensor)
         flat = light.frames.reshape(len(light.frames), -1)
-        self.frames: Frames = np.minimum(flat[:, self.places], _MOST_LIGHT)
+        self.frames: Frames = np.minimum(np.take(flat, self.places, axis=1), _MOST_LIGHT)
         self.beside = self._beside() if self.exchanged > 0 else []
         self.slots = program.tables.weights(program.full).slots
 
@@ -89,7 +89,7 @@ class SampledScene:
             (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
         ):  # fmt: skip
             there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
-            frames = there * np.minimum(flat[:, place], _MOST_LIGHT)
+            frames = there * np.minimum(np.take(flat, place, axis=1), _MOST_LIGHT)
             found.append(Beside(there, place, frames, response[place].astype(np.float32)))
         return found
 
