@@ -88,15 +88,19 @@ class Forecast(ABC):
     @cached_property
     def sampled(self) -> SampledFields:
         """The fields on a sample, of which `fields` are those for the tolerance."""
-        # A few pixels may have most of the dark charge, as lamps have most of the light.
-        dark_e = self._everything.current * self.program.slot_s.sum()
-        total_e = (self._everything.total + dark_e).reshape(self.light.shape)
-        sample = sample_of(total_e, len(self.light.frames), self.near, self.spilt)
+        sample = sample_of(self.total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
             self.program, self.light, sample, self.device_seed, lost, self.threads,
             len(self.spilt) > 0,
         )  # fmt: skip
+
+    @cached_property
+    def total_e(self) -> NDArray[np.float64]:
+        """All the charge (rows, cols) of each pixel; a few may have most of the dark one, as lamps
+        have most of the light."""
+        dark_e = self._everything.current * self.program.slot_s.sum()
+        return np.asarray((self._everything.total + dark_e).reshape(self.light.shape))
 
     @cached_property
     def saturation(self) -> frozenset[str]:
