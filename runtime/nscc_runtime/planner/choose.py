@@ -139,9 +139,11 @@ class Chooser(Promises):
 
     @remembered
     def _lacking(self, state: str) -> Lacking:
+        near = self.running(state)
+        seen_e = self.total_e.reshape(-1)[near] + self.inflow_e[near]
         return Lacking(
-            self.program, self.light, self.running(state), self.total_e, self.fields,
-            self.runs(state), self.forced_off, self.device_seed, self.threads,
+            self.program, self.light, near, seen_e, self.fields, self.runs(state),
+            self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:

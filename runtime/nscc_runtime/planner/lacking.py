@@ -38,14 +38,14 @@ _SIGMAS = 2.0
 class Lacking:
     """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
 
-    `total_e` (rows, cols) is all the light of each pixel; `fields` are predictions on a sample of
-    the scene, `running`: which of it are such pixels. Threads change no bit.
+    `seen_e` is all their charge, what neighbours give them included; `fields` are predictions on a
+    sample of the scene, `running`: which of it are such pixels. Threads change no bit.
     """
 
     program: Program
     light: Light
     near: NDArray[np.int64]
-    total_e: Values
+    seen_e: Values
     fields: Fields
     running: NDArray[np.bool_]
     forced_off: frozenset[str]
@@ -108,10 +108,10 @@ class Lacking:
         # All others of the array lack nothing.
         sizes, weight = np.append(error.max(axis=0), 0.0), np.append(weight, pixels - weight.sum())
         found = largest(sizes, weight)
-        if not drawn:
-            return found
-        tail = worst_measured(error[:, suns:], rest / pixels, pixels)
-        return replace(found, max_e=max(found.max_e, tail.max_e))
+        tails = [worst_measured(error[:, :suns], suns / pixels, pixels)]
+        if drawn:
+            tails.append(worst_measured(error[:, suns:], rest / pixels, pixels))
+        return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
     def _most(self, lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
@@ -137,8 +137,8 @@ class Lacking:
 
     @cached_property
     def _suns(self) -> NDArray[np.int64]:
-        """The brightest of these pixels, all of which are measured."""
-        return brightest(self.total_e, self.near)
+        """The brightest of these pixels, which are all measured: suns, and those beside them."""
+        return self.near[brightest(self.seen_e)]
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:

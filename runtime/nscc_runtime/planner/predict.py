@@ -129,9 +129,12 @@ class Forecast(ABC):
     @cached_property
     def spilt(self) -> NDArray[np.int64]:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        every, exchange = self._everything, everything().the(Exchange)
-        inflow_e = every.inflow_e(exchange)[self.near]
-        return self.near[inflow_e > _SPILT * every.full_e]
+        return self.near[self.inflow_e[self.near] > _SPILT * self._everything.full_e]
+
+    @cached_property
+    def inflow_e(self) -> NDArray[np.float64]:
+        """What neighbours give each pixel (pixels,) of their light, in a whole frame."""
+        return self._everything.inflow_e(everything().the(Exchange))
 
     @cached_property
     def _everything(self) -> Prepared:

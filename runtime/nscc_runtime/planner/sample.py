@@ -20,7 +20,7 @@ _MOST_SAMPLES = 1 << 16
 """Frames x pixels, above the fewest pixels."""
 _MOST_NEAR = 512
 """Pixels near saturation: running them through their words is dear."""
-_BRIGHTEST = 16
+_BRIGHTEST = 20
 """Of them, how many are the brightest, which stand for themselves alone."""
 _GOLDEN = 0.6180339887498949
 
@@ -64,7 +64,7 @@ def sample_of(
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
     far = len(places)
-    suns = brightest(total_e, near)
+    suns = near[brightest(total_e.reshape(-1)[near])]
     beside = np.setdiff1d(np.empty(0, np.int64) if spilt is None else spilt, suns)
     for stratum in (suns, np.setdiff1d(near, np.append(suns, beside)), beside):
         some = stratum
@@ -75,15 +75,14 @@ def sample_of(
     return Sample(places.astype(np.int64), weight, np.arange(len(places)) >= far)
 
 
-def brightest(total_e: NDArray[np.float64], near: NDArray[np.int64]) -> NDArray[np.int64]:
-    """The places among `near` with most of the light (rows, cols): `_BRIGHTEST`, or all."""
-    if len(near) <= _BRIGHTEST:
-        return near
-    light = total_e.reshape(-1)[near]
+def brightest(light_e: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Where there is most light, in order: `_BRIGHTEST` of these pixels (pixels,), or all."""
+    if len(light_e) <= _BRIGHTEST:
+        return np.arange(len(light_e))
     # By their values, as places of equal ones are partitioned otherwise on another processor.
-    least = np.partition(light, -_BRIGHTEST)[-_BRIGHTEST]
-    above, equal = np.flatnonzero(light > least), np.flatnonzero(light == least)
-    return near[np.sort(np.append(above, equal[: _BRIGHTEST - len(above)]))]
+    least = np.partition(light_e, -_BRIGHTEST)[-_BRIGHTEST]
+    above, equal = np.flatnonzero(light_e > least), np.flatnonzero(light_e == least)
+    return np.sort(np.append(above, equal[: _BRIGHTEST - len(above)]))
 
 
 def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:

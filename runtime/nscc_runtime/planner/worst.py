@@ -81,7 +81,7 @@ def _exceeded_by(share: float, sizes: Values) -> float:
     falling, count = np.sort(sizes)[::-1], len(sizes)
     if share * count >= 1.0 or count < 2 * _TAIL:
         return float(falling[min(int(share * count), count - 1)])
-    ranks = np.arange(1, count // _TAIL)
+    ranks = np.arange(1, count // _TAIL) if count >= 4 * _TAIL else np.array([count // 4])
     excess = np.cumsum(falling)[ranks - 1] / ranks - falling[ranks]
     return float(np.max(falling[ranks] + excess * np.log((ranks + 1) / (count * share))))
 
