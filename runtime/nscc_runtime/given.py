@@ -23,7 +23,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes.fit import Layout
 from nscc_runtime.scenes.load import Laid, light_of_array
 from nscc_runtime.scenes.scene import Scene
-from nscc_runtime.sensor.file import load_sensor
+from nscc_runtime.sensor.file import default_sensor, load_sensor
 
 
 class HasWords(Protocol):
@@ -96,7 +96,7 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     if isinstance(sensor, Sensor):
         return sensor
     if sensor is None:
-        return load_sensor(target)
+        return default_sensor(target)
     if isinstance(sensor, str | os.PathLike):
         return load_sensor(target, Path(sensor))
     if isinstance(sensor, Mapping):

@@ -3,7 +3,8 @@ earlier one, as long as their light is of the same kind and no stronger.
 
 What is left out of a frame errs in proportion to light, to its steps between neighbours, or steeper
 where pixels saturate; so a plan goes on being good while none of these has grown by more than the
-room that plans leave below their tolerance.
+room that plans leave below their tolerance. Where pixels look, it also hangs on how many of them
+stand near a level, and the plan is tried on the new scene.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.light import Light
+from nscc_runtime.sizes_loop import EIGHTH, LARGEST, SQUARE, Pixels, sizes_of
 
 if TYPE_CHECKING:  # captures without effects start without the planner
     from nscc_runtime.planner.plan import Plan
@@ -33,6 +35,8 @@ _LESS, _LESS_OF_PART = 0.5, 0.95
 scene has become smaller."""
 _SHIFTED = 0.02
 """The part of the light that may fall in other slots."""
+_WITHOUT_END = 1e30
+"""Light that is taken to have no end."""
 _SOME = 8
 """Of each row and column every one of so many says when light falls."""
 
@@ -55,15 +59,11 @@ class Statistics:
     def of(cls, light: Light, open_part: NDArray[np.float32]) -> Statistics:
         """Of a scene, in one pass over its frames; `open_part` (rows, cols): how much of the frame
         each pixel is open."""
-        weight = light.on_frames(np.ones((light.slots, 1)))[:, 0]
+        weight, frames = light.frame_weight, light.frames
         with np.errstate(over="ignore", invalid="ignore"):
-            total = np.tensordot(weight.astype(np.float32), light.frames, 1)
-            steps = [np.diff(total, axis=axis).reshape(-1) for axis in (0, 1)]
-            step = _sizes(np.concatenate(steps))[1]
-            course = np.cumsum(weight * light.frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
+            course = np.cumsum(weight * frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
             course /= course[-1] if len(course) and course[-1] > 0 else 1.0
-            sizes = *_sizes(total), step, *_sizes(total * open_part)
-        return cls(light, np.array(sizes, np.float64), course)
+        return cls(light, _sizes(light.sum_e, open_part), course)
 
     def resembles(
         self, other: Statistics, *, saturating: bool = True, least: float = _LESS
@@ -71,7 +71,7 @@ class Statistics:
         """Whether the other scene's light is of this kind and no stronger: no more saturates unless
         pixels that may are simulated (`saturating`), and of its mean `least` is left.
         """
-        if not (np.isfinite(self.sizes).all() and np.isfinite(other.sizes).all()):
+        if not (self.sizes.max() < _WITHOUT_END and other.sizes.max() < _WITHOUT_END):
             return False
         more = np.full(len(self.sizes), _MORE)
         if not saturating:
@@ -91,18 +91,17 @@ class Statistics:
         return self.resembles(other, saturating=not dropped, least=least)
 
 
-def _sizes(values: NDArray[np.float32]) -> tuple[float, float, float, float]:
-    """Mean, root of the mean square, root of the mean eighth power, and largest, of their sizes."""
-    size = np.abs(values)
-    largest = float(size.max(initial=0.0))
-    if not 0 < largest < np.inf:
-        return largest, largest, largest, largest
-    size /= np.float32(largest)
-    # Not below what has an eighth power: numbers next to nothing are slow.
-    square = np.maximum(size * size, np.float32(1e-9))
-    roots = float(size.mean()), float(square.mean()) ** 0.5, float((square**4).mean()) ** 0.125, 1.0
-    mean, root, eighth, one = (each * largest for each in roots)
-    return mean, root, eighth, one
+def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
+    """See `Statistics.sizes`."""
+    found, (rows, cols) = np.empty(9), total.shape
+    sizes_of(pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part, found=found)
+    steps = max(rows * (cols - 1) + cols * (rows - 1), 1)
+    all_light, open_light = found[:4], found[5:]
+    for each in (all_light, open_light):
+        each[SQUARE], each[EIGHTH] = each[SQUARE] ** 0.5, each[EIGHTH] ** 0.125
+        each[:LARGEST] *= each[LARGEST]
+    found[4] = (found[4] / steps) ** 0.5 * found[LARGEST]
+    return found
 
 
 def _alike(one: Light, other: Light) -> bool:
@@ -133,15 +132,20 @@ class KeptPlans:
         self._changed = Condition()
 
     def plan(
-        self, number: int, asked: Hashable, found: Statistics, make: Callable[[], Plan]
+        self,
+        number: int,
+        asked: Hashable,
+        found: Statistics,
+        make: Callable[[], Plan],
+        serves: Callable[[Plan], bool] = lambda _plan: True,
     ) -> Plan:
         """The plan of scene `number`: that of the last one that was planned for what is `asked`, if
-        it covers this one, and what `make` gives otherwise."""
+        it covers this one and `serves` it, and what `make` gives otherwise."""
         with self._changed:
             self._changed.wait_for(lambda: self._turn >= number)
         try:
             earlier = self._earlier(asked, found)
-            if earlier is not None:
+            if earlier is not None and serves(earlier):
                 return earlier
             mine: Future[Plan] = Future()
             self._last[asked] = found, mine
@@ -182,6 +186,12 @@ class Turn:
     plans: KeptPlans
     number: int
 
-    def plan(self, asked: Hashable, found: Statistics, make: Callable[[], Plan]) -> Plan:
+    def plan(
+        self,
+        asked: Hashable,
+        found: Statistics,
+        make: Callable[[], Plan],
+        serves: Callable[[Plan], bool],
+    ) -> Plan:
         """See `KeptPlans.plan`."""
-        return self.plans.plan(self.number, asked, found, make)
+        return self.plans.plan(self.number, asked, found, make, serves)

@@ -13,6 +13,9 @@ from numpy.typing import NDArray
 
 from nscc_runtime.remembered import remembered
 
+_MOST_E = 1e36
+"""Sums of float32 may have no end."""
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Light:
@@ -144,6 +147,26 @@ class Light:
             total += slot if len(alike) == 1 else slot.astype(np.float64) * len(alike)
         total.flags.writeable = False
         return total
+
+    @cached_property
+    def frame_weight(self) -> NDArray[np.float64]:
+        """How often (T,) each frame falls in all slots together."""
+        return np.bincount(self.frame_index, self.weight, len(self.frames))
+
+    @cached_property
+    def sum_e(self) -> NDArray[np.float64]:
+        """The all-open sum of all slots (rows, cols), to float32 and at most 1e36; not to be
+        written to. Adds up frames, not slots: `total_e` is exact, and slower.
+        """
+        weight = self.frame_weight
+        with np.errstate(over="ignore"):
+            if (weight == weight[0]).all():
+                total = self.frames.sum(axis=0) * weight[0]
+            else:
+                total = np.zeros(self.shape)
+                for each, frame in zip(weight, self.frames, strict=True):
+                    total += each * frame
+        return np.asarray(np.minimum(total, _MOST_E), np.float64)
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Hashable
 from functools import wraps
-from typing import Concatenate, ParamSpec, TypeVar, cast
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
 S = TypeVar("S")
 P = ParamSpec("P")
@@ -30,3 +30,21 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
         return result
 
     return found
+
+
+class Recent:
+    """The `most` results that were asked for last."""
+
+    def __init__(self, most: int) -> None:
+        self._most = most
+        self._found: dict[Hashable, Any] = {}
+
+    def of(self, key: Hashable, make: Callable[[], R]) -> R:
+        """What `make` gives, or gave for this key. Threads may make it more than once."""
+        found = self._found.pop(key, None)
+        if found is None:
+            found = make()
+        self._found[key] = found
+        for oldest in [*self._found][: -self._most]:
+            self._found.pop(oldest, None)
+        return cast(R, found)

@@ -306,12 +306,14 @@ def _made(
     from nscc_runtime.planner.frames import made_ready
 
     asked = request.tolerance, request.effects, request.tolerance_max
-    # Where pixels look, a plan hangs on how many of them stand near a level.
-    if request.turn is None or container.machine is not None:
+    if request.turn is None:
         return planning.plan(*asked)
-    found = Statistics.of(light, made_ready(container, sensor).open_part)
+    open_part = np.ones(light.shape, np.float32)
+    if container.machine is None:
+        open_part = made_ready(container, sensor).open_part
+    found = Statistics.of(light, open_part)
     one = container, sensor, request.device_seed, asked
-    return request.turn.plan(one, found, lambda: planning.plan(*asked))
+    return request.turn.plan(one, found, lambda: planning.plan(*asked), planning.serves)
 
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:

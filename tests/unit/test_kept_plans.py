@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from plan_cases import case
@@ -89,6 +91,40 @@ def test_dark_scenes_and_narrow_ones_have_statistics() -> None:
         lit = statistics(Light.of_clip(np.ones(shape, np.float32)), part)
         assert lit.resembles(lit)
         assert not dark.resembles(lit)
+
+
+@pytest.mark.parametrize("weights", [[2.0] * 5, [0.5, 1.0, 0.0, 3.0, 2.0]])
+def test_light_is_added_up_once_for_all_who_ask(weights: list[float]) -> None:
+    frames = np.random.default_rng(2).uniform(0, 9, (3, 4, 6)).astype(np.float32)
+    starts, index = np.arange(6), np.array([0, 2, 1, 1, 0], np.int32)
+    light = Light(frames, starts, index, np.array(weights), "clip")
+    np.testing.assert_allclose(light.sum_e, light.dense().astype(np.float64).sum(axis=0), 1e-6)
+    assert light.sum_e is light.sum_e
+    frames[0, 1, 1] = np.inf
+    assert replace(light).sum_e[1, 1] == 1e36
+
+
+def test_the_sizes_of_light_are_means_of_its_powers() -> None:
+    light = Light.of_clip(np.random.default_rng(1).uniform(1, 9, (2, 5, 7)).astype(np.float32))
+    part = np.random.default_rng(2).uniform(0, 1, (5, 7)).astype(np.float32)
+    total = light.dense().astype(np.float64).sum(axis=0)
+    steps = np.concatenate([np.diff(total, axis=axis).reshape(-1) for axis in (0, 1)])
+
+    def sizes(values: np.ndarray) -> list[float]:
+        powers = [(values**power).mean() ** (1 / power) for power in (1, 2, 8)]
+        return [*powers, values.max()]
+
+    expected = [*sizes(total), np.sqrt((steps**2).mean()), *sizes(total * part)]
+    np.testing.assert_allclose(statistics(light, part).sizes, expected, 1e-6)
+
+
+def test_a_plan_that_does_not_serve_a_scene_is_made_anew() -> None:
+    plans, plan = KeptPlans(), Plan.of_nothing()
+    asked, made = Selection(frozenset(), frozenset()), replace(plan, tolerance_e=3.0)
+    assert plans.plan(0, asked, statistics(LIGHT), lambda: plan, lambda _: False) is plan
+    assert plans.plan(1, asked, statistics(LIGHT), lambda: made, lambda _: False) is made
+    last = plans.plan(2, asked, statistics(LIGHT), lambda: plan, lambda each: each.tolerance_e == 3)
+    assert last == replace(made, reused=True)
 
 
 def test_a_plan_that_could_not_be_made_serves_nobody() -> None:

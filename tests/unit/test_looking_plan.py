@@ -16,9 +16,10 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target
 from nscc.words.container import Container
+from nscc_runtime import captures
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
-from nscc_runtime.looking.choose import predicted_for
+from nscc_runtime.looking.choose import predicted_for, serves
 from nscc_runtime.looking.frames import ways_of
 from nscc_runtime.looking.sample import Sample
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
@@ -137,3 +138,32 @@ def test_a_sample_stands_for_the_scene(program: Container) -> None:
     nothing = sample.without(frozenset())
     assert not nothing.square.any()
     assert nothing.other_states == 0.0
+
+
+def test_films_of_programs_that_look_share_a_plan(program: Container) -> None:
+    first = light(0.2)
+    mirrored = np.ascontiguousarray(first.frames[0][:, ::-1] * np.float32(0.99))
+    film = [first, Light.of_still(mirrored, first.weight)]
+    found = captures(program, film, tolerance="50e", audit=True)
+    assert [each.plan.reused for each in found if each.plan] == [False, True]
+    assert all(each.audit is not None and each.audit.holds for each in found)
+
+
+def test_a_plan_serves_a_scene_only_where_few_pixels_end_in_other_states(
+    program: Container,
+) -> None:
+    """A wall as bright as a level: what effects change there tips pixels over."""
+    plan, _ = run(program, light(0.5), "all,-shot,-prnu", tolerance=1e4)
+    weight = light(1.0).weight
+    ways = ways_of(program, default_sensor(program.target))
+
+    def wall(full_wells: float) -> Sample:
+        still = np.full((SIDE, SIDE), full_wells * 30000.0 / weight.sum(), np.float32)
+        return Sample.of(ways, Light.of_still(still, weight))
+
+    on_a_level = next(
+        each for each in np.geomspace(0.5, 4.0, 60)
+        if wall(each).without(frozenset({"shot", "prnu"})).other_states > MOST_OTHER_STATES
+    )  # fmt: skip
+    assert serves(wall(0.05), plan)
+    assert not serves(wall(on_a_level), plan)

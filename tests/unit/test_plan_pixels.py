@@ -119,6 +119,16 @@ def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-7)
 
 
+def test_stills_whose_slots_are_alike_or_not() -> None:
+    container = case("d edges", rows=6, cols=9)
+    frame = moving_light((8, 6, 9), 500.0).frames[0]
+    for weight in (np.full(8, 0.7), np.linspace(0.1, 2.0, 8)):
+        light = Light.of_still(frame, weight)
+        for effects in ("all", "shot", "full_well,lag,prnu"):
+            found, full = compared(container, light, sensor_near(container), effects, np.arange(54))
+            np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-7)
+
+
 def test_slots_so_short_that_words_fill_them() -> None:
     from reference_programs import program
 

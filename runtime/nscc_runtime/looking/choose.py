@@ -25,6 +25,8 @@ from nscc_runtime.planner.tolerance import Tolerance
 _LEFT_OUT = 0.5
 """Effects are left out while this part of the most other states is predicted: a sample shows few
 of them."""
+_KEPT = 0.7
+"""The same of plans that serve another scene."""
 _REFERENCE_NS = 1000.0
 """What a pixel costs more in the reference."""
 LOOKS = "pixels look at the light: each runs through the words that act in it"
@@ -50,6 +52,22 @@ def predicted_for(
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
     return replace(made, decisions=decisions)
+
+
+def serves(sample: Sample, plan: Plan) -> bool:
+    """Whether a plan keeps its promise on another scene with light of the same kind, by what its
+    effects in all change there: no effect is tried alone."""
+    dropped = frozenset(
+        e.name for e in plan.decisions if e.decision == "dropped" and e.kind != "after"
+    )
+    if not dropped:
+        return True
+    found, most = sample.without(dropped), plan.tolerance_max_e
+    return (
+        found.error_e <= MARGIN * plan.tolerance_e
+        and found.other_states <= _KEPT * MOST_OTHER_STATES
+        and (most is None or found.worst.max_e <= MARGIN * most)
+    )
 
 
 @dataclass(frozen=True, eq=False)

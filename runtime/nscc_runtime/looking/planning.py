@@ -12,7 +12,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.looking.audit import audit
-from nscc_runtime.looking.choose import plan_for, predicted_for
+from nscc_runtime.looking.choose import plan_for, predicted_for, serves
 from nscc_runtime.looking.frames import frames, ways_of
 from nscc_runtime.looking.sample import Sample
 from nscc_runtime.looking.way_loop import run_ways
@@ -83,6 +83,10 @@ class PlanningByWays:
         """What tolerances mean on this scene."""
         allowed = tolerance_of(tolerance, self.sensor, self)
         return allowed, None if most is None else tolerance_of(most, self.sensor, self)
+
+    def serves(self, plan: Plan) -> bool:
+        """See `Planning`: tried on a sample of this scene."""
+        return serves(self._sample, plan)
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """Frames 0 .. `count` - 1 under a plan."""

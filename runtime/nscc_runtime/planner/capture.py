@@ -8,18 +8,21 @@ may saturate run through all their words. What only the reference has, the refer
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Counted
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.planner.fused import Fused
+from nscc_runtime.planner.lacking import by_spilt
+from nscc_runtime.planner.pixels import Given, Running
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
@@ -53,20 +56,44 @@ class Planned(Prepared):
                 self.threads,
             )  # fmt: skip
         if self.plan.slot_loop == "all":
-            found, marked = self._words(self.places, self.kept, seed, frame)
-        else:
-            found, marked = self._summed.expose(seed, frame)
-        return self._exposure(found, marked, seed, frame)
+            ((_, every),) = self._running
+            return self._exposure(*every.expose(seed, frame))
+        if not self._running:
+            return self._exposure(*self._summed.expose(seed, frame))
+        away = self._summed.away(seed, frame)
+        found, marked = self._summed.expose(seed, frame, away)
+        self._run(found, marked, away, seed, frame)
+        return self._exposure(found, marked)
 
-    def _exposure(self, found: Values, marked: Marked, seed: int, frame: int) -> Exposure:
-        """What sums have found, once pixels that may saturate have run through their words."""
-        shape = (len(found), *self.light.shape)
-        if len(self.saturating):
-            found[:, self.saturating], marked[:, self.saturating] = self._words(
-                self.saturating, self.plan.kept_in_words, seed, frame
+    def _run(self, found: Values, marked: Marked, away: Values, seed: int, frame: int) -> None:
+        """Have pixels that may saturate run through their words: their neighbours' counts are those
+        that sums have."""
+        given = Given(self.counted, away)
+        for places, pixels in self._running:
+            # Without some of what counts, they are other counts.
+            alike = pixels.effects.names(Counted) == self.kept.names(Counted)
+            found[:, places], marked[:, places] = pixels.expose(
+                seed, frame, given if alike else None
             )
+
+    def _exposure(self, found: Values, marked: Marked) -> Exposure:
+        shape = (len(found), *self.light.shape)
         valid = np.isfinite(found)
         return Exposure(found.reshape(shape), valid.reshape(shape), marked.reshape(shape))
+
+    @cached_property
+    def _by_words(self) -> list[tuple[NDArray[np.int64], Selection]]:
+        """The pixels that run through their words because they may saturate, by the effects that
+        they have there."""
+        most, plan = self.saturating, self.plan
+        found = []
+        lost = by_spilt(frozenset(plan.saturating_lack))
+        if len(most) and len(lost) < len(plan.saturating_lack):
+            beside, lacking = self.near.spilt, tuple(sorted(lost))
+            most = np.setdiff1d(most, beside, assume_unique=True)
+            found.append((beside, replace(plan, saturating_lack=lacking).kept_in_words))
+        found.append((most, plan.kept_in_words))
+        return [each for each in found if len(each[0])]
 
     def frames(self, seed: int, count: int) -> Iterator[Frame]:
         """Frames 0 .. `count` - 1, read out."""
@@ -83,7 +110,9 @@ class Planned(Prepared):
             numbers = range(first, min(first + step, count))
             exposed = on_torch.expose(seed, numbers)
             for number, found, marked in zip(numbers, *exposed, strict=True):
-                yield self._read_out(self._exposure(found, marked, seed, number), seed, number)
+                if len(self.saturating):
+                    self._run(found, marked, self._summed.away(seed, number), seed, number)
+                yield self._read_out(self._exposure(found, marked), seed, number)
 
     def frame(self, seed: int, frame: int) -> Frame:
         """Frame number `frame`, read out."""
@@ -109,20 +138,21 @@ class Planned(Prepared):
     def _reference(self) -> Reference:
         return Reference.of(self.program.container, self.program.sensor, self.kept)
 
-    def _words(
-        self, chosen: NDArray[np.int64], kept: Selection, seed: int, frame: int
-    ) -> tuple[Values, Marked]:
+    @cached_property
+    def _running(self) -> list[tuple[NDArray[np.int64], Running]]:
+        """The pixels that run through their words: all of them, or those that may saturate."""
         program = self.program
-        return program.words(kept).exposures(
-            self.light,
-            program.slot_s,
-            chosen,
-            kept,
-            seed=seed,
-            device_seed=self.device_seed,
-            frame=frame,
-            threads=self.threads,
-        )
+        every = self.plan.slot_loop == "all"
+        return [
+            (
+                places,
+                Running(
+                    program.words(kept), self.light, program.slot_s, places, kept,
+                    self.device_seed, self.threads,
+                ),
+            )
+            for places, kept in ([(self.places, self.kept)] if every else self._by_words)
+        ]  # fmt: skip
 
 
 def prepared(

@@ -1,16 +1,18 @@
 """What falls on a pixel in a run of slots: rates, counts spread by halving, neighbours' charge.
 
-Part of the loop over single pixels (`nscc_runtime.planner.pixel_loop`).
+Part of the loop over single pixels (`nscc_runtime.planner.pixel_loop`). The rate of a site, a pixel
+or one beside it, in a run of slots is its `scales` times a difference of `sums` over the slots,
+whose rows, one a group, begin at its `rows`: two of each, of light and of dark charge.
 """
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
-from nscc_runtime.effects.spread import log_normal_in_loop
-from nscc_runtime.loop import Floats, Floats32, Ints, Ints32, Words, compiled
+from nscc_runtime.loop import Floats, Ints, Ints32, Words, compiled
 from nscc_runtime.noise.counter import bits
-from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
 from nscc_runtime.planner.layout import Keys, Numbers, Sizes
@@ -19,6 +21,8 @@ SITES = 5
 """A pixel and its four neighbours."""
 LIT, DARK = range(2)
 """Sources of charge."""
+SURE = 9.0
+"""Standard deviations below which a count does not come."""
 
 
 @compiled
@@ -95,16 +99,16 @@ def _counted(
 @compiled
 def _between(
     sizes: Sizes, numbers: Numbers, source: int, counted: bool, place: int, begin: int, stop: int,
-    sums: Floats, streams: Words, heap: Floats, stamps: Ints, kept: int,
+    scale: float, sums: Floats, rows: int, streams: Words, heap: Floats, stamps: Ints, kept: int,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 of one source (`LIT`, `DARK`) at a site, whose
-    sums and heaps are number `kept`. A group's count is drawn when it is first asked for.
+    heaps are number `kept`. A group's count is drawn when it is first asked for.
     """
     total = 0.0
     slots, whole, count = sizes.slots, sizes.whole, sizes.groups
     for group in range(count):
-        row = (kept * count + group) * (slots + 1)
-        inside, every = _share(sums, row, begin, stop), sums[row + slots]
+        row = rows + group * (slots + 1)
+        inside, every = scale * _share(sums, row, begin, stop), scale * sums[row + slots]
         if inside <= 0.0:
             continue
         if not counted:
@@ -118,7 +122,8 @@ def _between(
             stamps[top + 1] = place
         # Where nothing was counted there is nothing to spread: so it is with most dark charge. Nor
         # is there where no slot of the group is left out.
-        if heap[top + 1] <= 0.0 or (sums[row + begin] <= 0.0 and sums[row + stop] >= every):
+        whole_group = sums[row + begin] <= 0.0 and sums[row + stop] >= sums[row + slots]
+        if heap[top + 1] <= 0.0 or whole_group:
             total += heap[top + 1]
             continue
         stream = streams[(2 * source + 1) * count + group]
@@ -141,9 +146,9 @@ def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> No
 
 
 @compiled
-def kept_at(sizes: Sizes, place: int) -> int:
-    """Where the charge of a site is kept: next to those of its neighbours, never in their place."""
-    if not sizes.exchanges:
+def _heaps_at(sizes: Sizes, place: int) -> int:
+    """Where a site's counts are kept: next to those of its neighbours, never in their place."""
+    if not sizes.exchanges or sizes.given:
         return 0
     row, col = place // sizes.cols, place % sizes.cols
     found: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
@@ -151,72 +156,97 @@ def kept_at(sizes: Sizes, place: int) -> int:
 
 
 @compiled
+def _of_site(
+    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
+    rows: Ints, scales: Floats, sums: Floats, streams: Words, heap: Floats,
+    stamps: Ints,
+) -> float:  # fmt: skip
+    """The charge of the slots `begin` .. `stop` - 1 at a site."""
+    lit, kept = 2 * sites[place] + LIT, 2 * _heaps_at(sizes, place)
+    dark = lit - LIT + DARK
+    total = _between(
+        sizes, numbers, LIT, sizes.counts_light == 1, place, begin, stop, scales[lit], sums,
+        rows[lit], streams, heap, stamps, kept + LIT,
+    )  # fmt: skip
+    if sizes.counts_dark:
+        total += _between(
+            sizes, numbers, DARK, True, place, begin, stop, scales[dark], sums, rows[dark],
+            streams, heap, stamps, kept + DARK,
+        )  # fmt: skip
+    return total
+
+
+@compiled
+def _taken_evenly(
+    sizes: Sizes, place: int, begin: int, stop: int, sites: Ints32, rows: Ints, scales: Floats,
+    sums: Floats, away: Floats, of_group: Ints,
+) -> float:  # fmt: skip
+    """The charge of the slots `begin` .. `stop` - 1 at a site whose counts are so far `away` from
+    their means, spread as its light is."""
+    slots, site = sizes.slots, sites[place]
+    lit, dark = rows[2 * site + LIT], rows[2 * site + DARK]
+    pixels, total = sizes.rows * sizes.cols, 0.0
+    for group in range(sizes.groups):
+        inside, every = _share(sums, lit, begin, stop), sums[lit + slots]
+        total += scales[2 * site + LIT] * inside
+        if sizes.counts_dark:
+            in_time = _share(sums, dark, begin, stop)
+            total += scales[2 * site + DARK] * in_time
+            if every <= 0.0:
+                inside, every = in_time, sums[dark + slots]
+        if of_group[group] >= 0 and inside > 0.0:
+            total += away[of_group[group] * pixels + place] * (inside / every)
+        lit += slots + 1
+        dark += slots + 1
+    return total
+
+
+@compiled
 def charge(
-    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sums: Floats,
+    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sites: Ints32,
+    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
     streams: Words, heap: Floats, stamps: Ints,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
     if begin >= stop:
         return 0.0
-    own, flow = 0.0, 0.0
-    for site in range(SITES if sizes.exchanges else 1):
-        place = places[site]
+    own = _of_site(
+        sizes, numbers, places[0], begin, stop, sites, rows, scales, sums, streams, heap,
+        stamps,
+    )  # fmt: skip
+    if not sizes.exchanges:
+        return own
+    flow = 0.0
+    for beside in range(1, SITES):
+        place = places[beside]
         if place < 0:
             continue
-        kept = 2 * kept_at(sizes, place)
-        total = _between(
-            sizes, numbers, LIT, sizes.counts_light == 1, place, begin, stop, sums, streams, heap,
-            stamps, kept + LIT,
-        )  # fmt: skip
-        if sizes.counts_dark:
-            total += _between(
-                sizes, numbers, DARK, True, place, begin, stop, sums, streams, heap, stamps,
-                kept + DARK,
-            )  # fmt: skip
-        if site == 0:
-            own = total
+        if sizes.given:
+            total = _taken_evenly(
+                sizes, place, begin, stop, sites, rows, scales, sums, away, of_group
+            )
         else:
-            flow += total - own
-    return own + numbers.exchanged * flow if sizes.exchanges else own
+            total = _of_site(
+                sizes, numbers, place, begin, stop, sites, rows, scales, sums, streams,
+                heap, stamps,
+            )  # fmt: skip
+        flow += total - own
+    return own + numbers.exchanged * flow
 
 
 @compiled
-def _summed(
-    sizes: Sizes, groups: Ints32, lane: int, kept: int, n: int, rate: float, sums: Floats
-) -> None:
-    """Add the rate of slot n to the sums of its group, which go on without it in the others."""
-    slots, mine = sizes.slots, groups[lane * sizes.slots + n]
-    for group in range(sizes.groups):
-        at = (kept * sizes.groups + group) * (slots + 1) + n
-        before = sums[at] if n > 0 else 0.0
-        sums[at] = before
-        sums[at + 1] = before + rate if group == mine else before
-
-
-@compiled
-def lit(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, frames: Floats32, row_start: Ints,
-    frame_index: Ints32, weight: Floats, slot_s: Floats, groups: Ints32, lanes: Ints32,
-    sums: Floats,
-) -> None:  # fmt: skip
-    """The rates of a site, added up slot by slot for each group, where they are kept."""
-    pixels, lane = sizes.rows * sizes.cols, lanes[place]
-    response = 1.0
-    if sizes.uneven:
-        response += numbers.uneven * normal(uniform(keys.uneven, place))
-        response = response if response > 0.0 else 0.0
-    kept = 2 * kept_at(sizes, place)
-    for n in range(sizes.slots):
-        total = 0.0
-        for k in range(row_start[n], row_start[n + 1]):
-            total += float(frames[frame_index[k] * pixels + place]) * weight[k]
-        rate = float(np.float32(total))
-        rate = (rate + numbers.echo * rate) * response
-        rate = rate if rate > 0.0 else 0.0
-        rate = rate if rate < numbers.rate_cap else numbers.rate_cap
-        _summed(sizes, groups, lane, kept + LIT, n, rate, sums)
-    if sizes.counts_dark:
-        z = normal(uniform(keys.dark, place))
-        current = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)
-        for n in range(sizes.slots):
-            _summed(sizes, groups, lane, kept + DARK, n, slot_s[n] * current, sums)
+def least_charge(
+    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
+    rows: Ints, scales: Floats, sums: Floats,
+) -> float:  # fmt: skip
+    """What falls on a pixel in these slots for sure: less with a chance below 1e-17, by Chernoff's
+    bound of counts, exp(-SURE**2 / 2)."""
+    slots, site = sizes.slots, sites[place]
+    row, mean = rows[2 * site + LIT], 0.0
+    for _ in range(sizes.groups):
+        mean += _share(sums, row, begin, stop)
+        row += slots + 1
+    mean *= scales[2 * site + LIT]
+    least = mean - SURE * math.sqrt(mean)
+    kept = 1.0 - (SITES - 1) * numbers.exchanged if sizes.exchanges else 1.0
+    return kept * least if least > 0.0 else 0.0

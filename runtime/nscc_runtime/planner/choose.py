@@ -139,11 +139,9 @@ class Chooser(Promises):
 
     @remembered
     def _lacking(self, state: str) -> Lacking:
-        near = self.running(state)
-        seen_e = self.total_e.reshape(-1)[near] + self.inflow_e[near]
         return Lacking(
-            self.program, self.light, near, seen_e, self.fields, self.runs(state),
-            self.forced_off, self.device_seed, self.threads,
+            self.program, self.light, self.running(state), self.most_e(state), self.spilt,
+            self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
@@ -238,14 +236,17 @@ class Chooser(Promises):
     def _reference_ns(self) -> float:
         return self.program.work.reference_ns(SHIPPED)
 
+    @remembered
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
         return self.program.work.words_ns(everything().without(*dropped), SHIPPED, False)
 
+    @remembered
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
         return self.program.work.words_ns(everything().without(*lacking), SHIPPED, True)
 
+    @remembered
     def _path_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that the way of simulating what is left costs."""
         path = self._path(dropped)
@@ -253,8 +254,8 @@ class Chooser(Promises):
             return self._reference_ns
         if path == "words":
             return self._all_words_ns(dropped)
-        running = self.running(self.state(dropped))
-        return self._near_ns(self.forced_off) * len(running) / len(self.program.lanes)
+        running = len(self.running(self.state(dropped)))
+        return self._near_ns(self.forced_off) * running / len(self.program.lanes) if running else 0
 
     def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
@@ -288,10 +289,8 @@ class Chooser(Promises):
         alone = every.without(*every.names(Exchange))
         quiet = alone.without(*every.names(Counted), *every.names(Errors))
         tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
-        found = float(tried) * TRIED * work.words_ns(quiet, SHIPPED, True)
-        if self.sampled.noisy(self.tolerance_e):
-            found += tried * TRIED * work.words_ns(alone, SHIPPED, True)
-        return found
+        tries = [quiet, alone] if self.sampled.noisy(self.tolerance_e) else [quiet]
+        return sum(float(tried) * TRIED * work.words_ns(each, SHIPPED, True) for each in tries)
 
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""

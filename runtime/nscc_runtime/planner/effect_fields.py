@@ -72,23 +72,24 @@ class Fields:
     noise_cut: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
-    spilt: bool = False
-    """Whether neighbours' light brings some pixels near saturation."""
+    spilt: NDArray[np.bool_]
+    """Which pixels of the sample neighbours' light brings near saturation."""
 
 
 @dataclass(frozen=True, eq=False)
 class SampledFields:
     """The fields of a scene on a sample, each effect against all others. `forced_off` are effects
-    that pixels near saturation lack as well. Threads change no bit.
+    that pixels near saturation lack as well; `spilt` the places of those of them that neighbours'
+    light brings there. Threads change no bit.
     """
 
     program: Program
     light: Light
     sample: Sample
+    spilt: NDArray[np.int64]
     device_seed: int
     forced_off: frozenset[str] = frozenset()
     threads: int = 1
-    spilt: bool = False
 
     @cached_property
     def rough(self) -> Fields:
@@ -119,7 +120,7 @@ class SampledFields:
 
     @cached_property
     def _near(self) -> _Near:
-        return _Near(self._scene, self.forced_off, self.threads, self.spilt)
+        return _Near(self._scene, self._far.spilt, self.forced_off, self.threads)
 
     @cached_property
     def _found(self) -> Mapping[str, Field]:
@@ -146,7 +147,7 @@ class SampledFields:
             noise_cut,
             np.zeros(expected.shape, np.bool_),
             {},
-            self.spilt,
+            np.isin(self.sample.places, self.spilt),
         )
 
 
@@ -174,9 +175,9 @@ class _Near:
     """The pixels of a sample that may saturate, run through their words."""
 
     scene: SampledScene
+    spilt: NDArray[np.bool_]
     forced_off: frozenset[str]
     threads: int
-    spilt: bool
 
     @cached_property
     def _every(self) -> Selection:
@@ -194,11 +195,15 @@ class _Near:
         last, and both; neighbours' charge where it brings some of them there, as it is dear.
         """
         well, register = self._saturation
-        exchanges = () if self.spilt else self._every.names(Exchange)
-        return {
-            names: self._held(kept.without(*names, *exchanges))
-            for names in ((), (well,), (register,), (well, register))
-        }
+        near = self.scene.sample.near
+        exchanges, spilt = self._every.names(Exchange), self.spilt[near]
+        found = {}
+        for names in ((), (well,), (register,), (well, register)):
+            held = found[names] = np.empty((len(self.scene.buckets), len(spilt)))
+            some = kept.without(*names)
+            held[:, spilt] = self._held(some, near & self.spilt)
+            held[:, ~spilt] = self._held(some.without(*exchanges), near & ~self.spilt)
+        return found
 
     @cached_property
     def with_noise(self) -> Held:
@@ -258,7 +263,8 @@ class _Near:
         """The fields with what these pixels lack because it is forced off."""
         without = self._every.without(*self.forced_off)
         lost = np.zeros_like(fields.expected)
-        lost[:, self.scene.sample.near] = self._held(self._every) - self._held(without)
+        near = self.scene.sample.near
+        lost[:, near] = self._held(self._every, near) - self._held(without, near)
         return replace(fields, fixed={**fields.fixed, FORCED: lost})
 
     def _rarely_lost(self, expected: Values) -> Values:
@@ -281,13 +287,14 @@ class _Near:
         mean = (density * lost**2).sum(axis=0) / density.sum()
         return np.asarray(np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count)))
 
-    def _held(self, kept: Selection) -> Values:
-        """What the words make of pixels that may saturate: noise alone may take them there."""
+    def _held(self, kept: Selection, some: NDArray[np.bool_]) -> Values:
+        """What the words make of some of the sample's pixels that may saturate: noise alone may
+        take them there."""
         program = self.scene.program
         exposures, _ = program.pixels.exposures(
             self.scene.scene,
             program.slot_s,
-            self.scene.places[self.scene.sample.near],
+            self.scene.places[some],
             kept,
             device_seed=self.scene.device.device_seed,
             threads=self.threads,

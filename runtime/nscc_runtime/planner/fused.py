@@ -79,11 +79,11 @@ class Fused:
         clipped = kept.part(Well) is not None and kept.part(Soft) is None
         if clipped:
             single = program.tables.single(program.model(kept))
-            limit_e = np.where(np.isnan(single), np.inf, single * scene.full_e)
+            limit_e = np.where(np.isnan(single), np.inf, single * scene.chip.full_e)
         counters, converters = kept.having(CountedLight), kept.having(Converter)
         codes, mark = kept.part(Codes), kept.marking("well")
         given = {
-            "factor": scene.factor,
+            "factor": scene.chip.factor,
             "rate_cap": RATE_CAP,
             "electrons_per_code": codes.electrons(sensor) if codes else 1.0,
             "offset": codes.offset(sensor) if codes else 0.0,
@@ -92,7 +92,7 @@ class Fused:
             "count": len(frames),
             "lane_count": shape[1],
             "sources": len(sources),
-            "uneven": scene.response is not None,
+            "uneven": scene.chip.response is not None,
             "counted": len(counters),
             "clipped": clipped,
             "well_bit": mark.bit if mark else 0,
@@ -103,7 +103,7 @@ class Fused:
             fused.bound(
                 frames=frames,
                 lanes=program.lanes,
-                response=np.ones(1) if scene.response is None else scene.response,
+                response=np.ones(1) if scene.chip.response is None else scene.chip.response,
                 limit=np.ascontiguousarray(limit_e[:, bucket]),
                 sigma=np.ascontiguousarray(sigma_e[:, :, bucket]),
                 **_layout(program, source, 1 << bucket),

@@ -38,14 +38,17 @@ _SIGMAS = 2.0
 class Lacking:
     """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
 
-    `seen_e` is all their charge, what neighbours give them included; `fields` are predictions on a
-    sample of the scene, `running`: which of it are such pixels. Threads change no bit.
+    `seen_e` is the most charge that they see, what neighbours give them included. Those at `spilt`,
+    which neighbours' light brings there, never lack that by choice: without it they are nothing.
+    `fields` are predictions on a sample of the scene, `running`: which of it are such pixels.
+    Threads change no bit.
     """
 
     program: Program
     light: Light
     near: NDArray[np.int64]
     seen_e: Values
+    spilt: NDArray[np.int64]
     fields: Fields
     running: NDArray[np.bool_]
     forced_off: frozenset[str]
@@ -59,9 +62,6 @@ class Lacking:
         """
         if len(self.near) < 2 * _FEWEST:
             return frozenset()
-        if self.fields.spilt:
-            # A few pixels beside suns, which no measurement may meet, are nothing without it.
-            dropped = dropped - everything().names(Exchange)
         found: list[str] = []
         while True:
             left = [
@@ -160,10 +160,15 @@ class Lacking:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
         program = self.program
-        found, _ = program.pixels.exposures(
-            self.light, program.slot_s, self._places, self._every.without(*lacking),
-            device_seed=self.device_seed, threads=self.threads,
-        )  # fmt: skip
+        found = np.empty((len(self.fields.expected), len(self._places)))
+        beside = np.isin(self._places, self.spilt)
+        for some, lost in (
+            (~beside, lacking), (beside, by_spilt(lacking) | lacking & self.forced_off)
+        ):  # fmt: skip
+            found[:, some], _ = program.pixels.exposures(
+                self.light, program.slot_s, self._places[some], self._every.without(*lost),
+                device_seed=self.device_seed, threads=self.threads,
+            )  # fmt: skip
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:
@@ -177,6 +182,11 @@ class Lacking:
         return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
 
 
+def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
+    """What pixels lack as well that neighbours' light brings near saturation."""
+    return lacking - everything().names(Exchange)
+
+
 def guessed(
     fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
 ) -> tuple[Values, Values]:
@@ -187,10 +197,12 @@ def guessed(
         return fixed, variance
     cut = np.abs(fields.fixed.get(BOTH, fixed)) > _CUT_E  # absent where nothing saturates
     for name in sorted(lacking):
-        behind = fields.after.get(name)
+        behind, runs = fields.after.get(name), running
+        if name not in by_spilt(lacking):
+            runs = running & ~fields.spilt
         if name in fields.fixed:
-            fixed += np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+            fixed += runs * np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
         if name in fields.variance:
             here = fields.variance[name]
-            variance += np.where(cut, 0.0, here) if behind is None else here
-    return fixed * running, variance * running
+            variance += runs * (np.where(cut, 0.0, here) if behind is None else here)
+    return fixed, variance

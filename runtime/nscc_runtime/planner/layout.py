@@ -27,7 +27,11 @@ class Sizes:
     whole: int
     """The least power of two that is not below the number of slots."""
     kept_cols: int
-    """Columns of the three rows of sites whose charge is kept."""
+    """Columns of the three rows of sites whose counts are kept."""
+    words: int
+    """Numbers that words have."""
+    given: int
+    """Whether neighbours' counts are given, and spread as their light is; else drawn and halved."""
     frame: int
     counts_light: int
     """Charge of light, and that without, comes in whole electrons; and so on."""

@@ -17,49 +17,55 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects.registry import in_loop
 from nscc_runtime.effects.spread import log_normal_in_loop
-from nscc_runtime.loop import (
-    Bytes,
-    Floats,
-    Floats32,
-    Ints,
-    Ints32,
-    Words,
-    Written,
-    compiled,
-    loop,
-)
+from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled, loop
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
-from nscc_runtime.planner.charge_loop import SITES, charge, kept_at, lit, stream_key, streams_of
+from nscc_runtime.planner.charge_loop import charge, least_charge, stream_key, streams_of
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 
 _READS, _RESETS, _WORDS = 0, 1, 2
 ERRORS = 3
 """Kinds of small errors."""
-_ADDED, _SUBTRACTED, _LEVEL = 1, 2, 4
-"""Of what a register holds: it has a full PIX in it, or that of a reset's level."""
+_ADDED, _SUBTRACTED, _LEVEL, _OLD = 1, 2, 4, 8
+"""Of what a register holds: it has a full PIX in it, or that of a reset's level; or it is the part
+that is left of what it held when the frame began."""
 _bent = in_loop("bends")
 """What a register holds of a value, by the effect that bends it."""
+
+_UNKNOWN = np.uint64(0)
 
 Entries = Annotated[NDArray[Any], Entry]
 
 
 @compiled
+def _stream_of(
+    sizes: Sizes, base: np.uint64, at: int, number: np.uint64, found: Words
+) -> np.uint64:
+    """The key of draw `number` in this frame, kept in found[at] from when it is first asked for."""
+    if found[at] == _UNKNOWN:
+        found[at] = stream_key(base, sizes.frame, number)
+    return found[at]
+
+
+@compiled
 def _missing(
     sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
-    entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats,
+    entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats, found: Words,
 ) -> None:  # fmt: skip
     """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x."""
+    # Of each kind the streams of the buckets come first, then those of the words.
+    row = kind * (sizes.buckets + sizes.words * sizes.numbered)
     buckets = sizes.buckets
     for bucket in range(buckets):
-        stream = stream_key(of_sum, sizes.frame, np.uint64(bucket))
+        stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), found)
         missing[kind * buckets + bucket] = normal(uniform(stream, place))
     for e in range(first, stop):
         for draw in range(sizes.draws):
             if not _draws(entries[e], kind, draw):
                 continue
             number = _drawn_number(sizes, entries[e], kind, draw)
-            stream = stream_key(of_part, sizes.frame, number)
+            at = row + buckets + np.int64(number)
+            stream = _stream_of(sizes, of_part, at, number, found)
             x = normal(uniform(stream, place))
             drawn[(e - first) * sizes.draws + draw] = x
             for bucket in range(buckets):
@@ -99,9 +105,21 @@ def _error(
 
 
 @compiled
+def _held(
+    numbers: Numbers, keys: Keys, place: int, register: int, registers: Floats, full: Ints
+) -> float:  # fmt: skip
+    """What a register holds."""
+    if full[register] & _OLD:
+        stream = stream_key(keys.start, 0, np.uint64(register + 1))
+        registers[register] *= uniform(stream, place) / 2.0 * numbers.register_start
+        full[register] = 0
+    return registers[register]
+
+
+@compiled
 def _execute(
-    sizes: Sizes, numbers: Numbers, e: int, first: int, entries: Entries, operands: Ints,
-    weights: Floats, signs: Floats, missing: Floats, drawn: Floats, pattern: float,
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, first: int, entries: Entries,
+    operands: Ints, weights: Floats, signs: Floats, missing: Floats, drawn: Floats, pattern: float,
     registers: Floats, full: Ints, lost: Floats, fresh: bool,
 ) -> None:  # fmt: skip
     """Run one word. PIX is register `registers`, its reset level the next one, then IN. `fresh`:
@@ -119,7 +137,7 @@ def _execute(
     for i in range(entry.sources):
         source = operands[entry.operands + i]
         if not (source == pix and unseen):
-            total += registers[source]
+            total += _held(numbers, keys, place, source, registers, full)
             gathered |= full[source]
             if source == pix and fresh and full[source]:
                 gathered |= _LEVEL
@@ -168,17 +186,13 @@ def _begin(
 ) -> None:  # fmt: skip
     """What registers hold when a frame begins."""
     pix = sizes.registers
-    for register in range(pix + 3):
-        full[register] = 0
-        lost[register] = 0.0
-    for register in range(pix + 1):
-        # PIX comes first in the stream of what registers hold at the start.
-        stream = np.uint64(0 if register == pix else register + 1)
-        held = uniform(stream_key(keys.start, 0, stream), place) / 2.0
-        most = numbers.pix_start if register == pix else numbers.register_start
-        registers[register] = held * most
-    registers[pix + 1] = 0.0
-    registers[pix + 2] = 0.0
+    for register in range(pix):
+        # Most are written before they are read: what they held is drawn when somebody asks.
+        registers[register], full[register], lost[register] = 1.0, _OLD, 0.0
+    for register in range(pix, pix + 3):
+        registers[register], full[register], lost[register] = 0.0, 0, 0.0
+    held = uniform(stream_key(keys.start, 0, np.uint64(0)), place) / 2.0
+    registers[pix] = held * numbers.pix_start
 
 
 @compiled
@@ -192,32 +206,59 @@ def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats, fu
 
 
 @compiled
+def _fallen(
+    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sites: Ints32,
+    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
+    streams: Words, heap: Floats, stamps: Ints, held: float,
+) -> float:  # fmt: skip
+    """The charge of the slots `begin` .. `stop` - 1, or so much that PIX, which holds `held`, is
+    full with it for sure."""
+    if sizes.holds:
+        least = least_charge(sizes, numbers, places[0], begin, stop, sites, rows, scales, sums)
+        if held + least > numbers.well:
+            return 2.0 * numbers.well
+    return charge(
+        sizes, numbers, places, begin, stop, sites, rows, scales, sums, away, of_group,
+        streams, heap, stamps,
+    )  # fmt: skip
+
+
+@compiled
 def _run(
     sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
     start_s: Floats, entries: Entries, operands: Ints, weights: Floats, signs: Floats,
-    sums: Floats, streams: Words, heap: Floats, stamps: Ints, missing: Floats, drawn: Floats,
+    sites: Ints32, rows: Ints, scales: Floats, sums: Floats, away: Floats,
+    of_group: Ints, streams: Words, heap: Floats, stamps: Ints, missing: Floats, drawn: Floats,
     registers: Floats, full: Ints, lost: Floats, places: Ints,
 ) -> None:  # fmt: skip
     """Run a pixel through its words, the charge of the slots falling meanwhile."""
-    slots, pattern = sizes.slots, 0.0
+    slots, pix, pattern = sizes.slots, sizes.registers, 0.0
     if sizes.word_errors:
         z = normal(uniform(keys.pattern, place))
         pattern = numbers.bias + numbers.pattern * z
     at, fallen, fresh = 0, 0.0, False
+    single, of_single = -1, 0.0
     for e in range(first, stop + 1):
         boundary = slots if e == stop else entries[e].boundary
         if e < stop and not entries[e].acts:
             continue
-        # Of charge that nothing reads before PIX is reset, or the frame ends, nothing is asked.
+        # Of charge that nothing reads before PIX is reset, or the frame ends, nothing is asked; nor
+        # of what falls on a PIX that is full.
         seen = e < stop and entries[e].seen == 1
         if at < boundary:
-            if seen:
-                fallen_e = charge(
-                    sizes, numbers, places, at + 1, boundary, sums, streams, heap, stamps
-                )
-                fallen_e += (1.0 - fallen) * charge(
-                    sizes, numbers, places, at, at + 1, sums, streams, heap, stamps
-                )
+            if seen and not full[pix] & _ADDED:
+                whole = at if fallen == 0.0 else at + 1
+                fallen_e = _fallen(
+                    sizes, numbers, places, whole, boundary, sites, rows, scales, sums,
+                    away, of_group, streams, heap, stamps, registers[pix],
+                )  # fmt: skip
+                if fallen > 0.0:
+                    if single != at:
+                        single, of_single = at, charge(
+                            sizes, numbers, places, at, at + 1, sites, rows, scales, sums,
+                            away, of_group, streams, heap, stamps,
+                        )  # fmt: skip
+                    fallen_e += (1.0 - fallen) * of_single
                 _fall(sizes, numbers, fallen_e, registers, full)
             if sizes.leaks:
                 kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
@@ -228,30 +269,32 @@ def _run(
             break
         if sizes.slow_words:
             now = entries[e].end
-            if seen:
+            if seen and not full[pix] & _ADDED and now > fallen:
                 slot = at if at < slots else slots - 1
-                fallen_e = (now - fallen) * charge(
-                    sizes, numbers, places, slot, slot + 1, sums, streams, heap, stamps
-                )
-                _fall(sizes, numbers, fallen_e, registers, full)
+                if single != slot:
+                    single, of_single = slot, charge(
+                        sizes, numbers, places, slot, slot + 1, sites, rows, scales, sums,
+                        away, of_group, streams, heap, stamps,
+                    )  # fmt: skip
+                _fall(sizes, numbers, (now - fallen) * of_single, registers, full)
             fallen = now
         _execute(
-            sizes, numbers, e, first, entries, operands, weights, signs, missing, drawn, pattern,
-            registers, full, lost, fresh,
+            sizes, numbers, keys, place, e, first, entries, operands, weights, signs, missing,
+            drawn, pattern, registers, full, lost, fresh,
         )  # fmt: skip
         fresh = fresh or entries[e].resets == 1
 
 
 @compiled
 def _read_out(
-    sizes: Sizes, numbers: Numbers, i: int, leak: float, readout_register: Ints,
-    readout_gain: Floats, readout_wait_s: Floats, registers: Floats, full: Ints, lost: Floats,
-    out: Floats, marked: Bytes,
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, i: int, leak: float,
+    readout_register: Ints, readout_gain: Floats, readout_wait_s: Floats, registers: Floats,
+    full: Ints, lost: Floats, out: Floats, marked: Bytes,
 ) -> None:  # fmt: skip
     """The exposures of pixel chosen[i]: what its registers hold when their turn has come."""
     for bucket in range(sizes.buckets):
         register = readout_register[bucket]
-        value = registers[register] * readout_gain[bucket]
+        value = _held(numbers, keys, place, register, registers, full) * readout_gain[bucket]
         negative = readout_gain[bucket] < 0.0
         bits = sizes.registers_bit if lost[register] > numbers.least_lost else 0
         if full[register] & _ADDED:
@@ -273,13 +316,13 @@ def run_pixels(
     keys: Keys,
     chosen: Annotated[Ints, "pixels"],
     lanes: Annotated[Ints32, "rows cols"],
-    frames: Annotated[Floats32, "frames rows cols"],
-    row_start: Annotated[Ints, "slots+1"],
-    frame_index: Annotated[Ints32, "shares"],
-    weight: Annotated[Floats, "shares"],
-    slot_s: Annotated[Floats, "slots"],
+    sites: Annotated[Ints32, "rows cols"],
+    rows: Ints,
+    scales: Floats,
+    sums: Floats,
+    away: Floats,
+    of_group: Annotated[Ints, "groups"],
     start_s: Annotated[Floats, "slots+1"],
-    groups: Annotated[Ints32, "lanes slots"],
     group_ids: Annotated[Words, "groups"],
     entry_start: Annotated[Ints, "lanes+1"],
     entries: Annotated[Entries, "entries"],
@@ -289,11 +332,10 @@ def run_pixels(
     readout_register: Annotated[Ints, "buckets"],
     readout_gain: Annotated[Floats, "buckets"],
     readout_wait_s: Annotated[Floats, "buckets"],
-    sums: Written[Floats],
     streams: Written[Words],
+    found: Written[Words],
     heap: Written[Floats],
     stamps: Written[Ints],
-    tags: Written[Ints],
     missing: Written[Floats],
     drawn: Written[Floats],
     registers: Written[Annotated[Floats, "registers+3"]],
@@ -306,41 +348,34 @@ def run_pixels(
     """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons, and marked[b, i] what
     cut it off.
 
-    `lanes`: the lane of each pixel. `groups`: the index of the group of each slot; `group_ids`:
-    what keys call them. The words of lane l are entry_start[l] .. entry_start[l + 1] of `entries`;
-    `weights`: of their draws in the buckets. From `sums` to `places`: scratch, `stamps` and `tags`
-    once filled with -1. Places in rising order find most of their neighbours' charge already there.
+    `lanes`: the lane of each pixel. `sites`: the number of each place in `rows` and `scales`, see
+    `nscc_runtime.planner.charge_loop`. `group_ids`: what keys call the groups of slots;
+    `away` (counted groups, pixels), if neighbours' counts are given: how far they are from their
+    means, `of_group` says in which row, -1 in none. The words of lane l are entry_start[l] ..
+    entry_start[l + 1] of `entries`; `weights`: of their draws in the buckets. From `streams` to
+    `places`: scratch, `found` once filled with 0, `stamps` with -1. Places in rising order find
+    most of their neighbours' counts already there.
     """
     streams_of(sizes, keys, group_ids, streams)
     for i in range(sizes.pixels):
         place, lane = chosen[i], lanes[chosen[i]]
         _surround(sizes, place, places)
-        for site in range(SITES if sizes.exchanges else 1):
-            if places[site] < 0:
-                continue
-            site_at = kept_at(sizes, places[site])
-            if tags[site_at] != places[site]:
-                lit(
-                    sizes, numbers, keys, places[site], frames, row_start, frame_index, weight,
-                    slot_s, groups, lanes, sums,
-                )  # fmt: skip
-                tags[site_at] = places[site]
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes.read_errors:
             _missing(
                 sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
-                _READS, missing, drawn,
+                _READS, missing, drawn, found,
             )  # fmt: skip
         if sizes.reset_errors:
             _missing(
                 sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
-                _RESETS, missing, drawn,
+                _RESETS, missing, drawn, found,
             )  # fmt: skip
         leak = 0.0
         if sizes.word_errors:
             _missing(
                 sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
-                _WORDS, missing, drawn,
+                _WORDS, missing, drawn, found,
             )  # fmt: skip
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
@@ -348,9 +383,10 @@ def run_pixels(
         _begin(sizes, numbers, keys, place, registers, full, lost)
         _run(
             sizes, numbers, keys, place, leak, first, stop, start_s, entries, operands, weights,
-            signs, sums, streams, heap, stamps, missing, drawn, registers, full, lost, places,
+            signs, sites, rows, scales, sums, away, of_group, streams, heap, stamps,
+            missing, drawn, registers, full, lost, places,
         )  # fmt: skip
         _read_out(
-            sizes, numbers, i, leak, readout_register, readout_gain, readout_wait_s, registers,
-            full, lost, out, marked,
+            sizes, numbers, keys, place, i, leak, readout_register, readout_gain, readout_wait_s,
+            registers, full, lost, out, marked,
         )  # fmt: skip

@@ -7,6 +7,7 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -15,21 +16,26 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.effects.in_loops import device_keys, figures, switches
-from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Moving
+from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Exchange, Moving
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
+from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import ERRORS, run_pixels
+from nscc_runtime.planner.site_loop import Laying
+from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
 
 _ENTRY = np.dtype(Entry)
 _MOST_KEPT = 1 << 23
-"""Bytes a thread may keep of neighbours' charge."""
+"""Bytes a thread may keep of neighbours' counts."""
+_MOST_LIGHT = 1 << 26
+"""Bytes of light, slot by slot, that are kept from frame to frame."""
 _FEWEST = 64
 """Pixels that are worth a thread."""
 
@@ -97,34 +103,146 @@ class Pixels:
         The frame before was the same scene. Threads and the order of places change no bit.
         ValueError for effects that the loop cannot have.
         """
-        slow = [e.name for e in effects.effects if isinstance(e.words, CannotHave)]
+        running = Running(self, light, slot_s, chosen, effects, device_seed, threads)
+        return running.expose(seed, frame)
+
+
+@dataclass(frozen=True, eq=False)
+class Given:
+    """Counts that are drawn already: how far `away` (groups, pixels) from their means, in these
+    groups of slots."""
+
+    groups: tuple[int, ...]
+    away: NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Running:
+    """Pixels of a scene on one chip that run through their words: what frames have in common.
+
+    `chosen` are their places, row * cols + col. Of their light at most `_MOST_LIGHT` bytes are
+    kept: where it takes more, every frame lays it out again, part by part. Threads and the order of
+    places change no bit. ValueError for effects that the loop cannot have.
+    """
+
+    words: Pixels
+    light: Light
+    slot_s: NDArray[np.float64]
+    chosen: NDArray[np.int64]
+    effects: Selection
+    device_seed: int
+    threads: int
+
+    def __post_init__(self) -> None:
+        slow = [e.name for e in self.effects.effects if isinstance(e.words, CannotHave)]
         if slow:
             raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
-        program = self.program
-        source = (effects.part(Moving) and light.motion) or light
-        container = program.container
+
+    def expose(
+        self, seed: int, frame: int, given: Given | None = None
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """Electrons (buckets, pixels) of frame number `frame`, and what cut them off.
+
+        With counts `given`, those of neighbours are these, spread over the slots as their light is;
+        else they are drawn, and halved from node to node, as the reference does.
+        """
+        shape = len(self.words.program.container.buckets), len(self.chosen)
+        out, marked = np.empty(shape), np.empty(shape, np.uint8)
+        names = () if given is None else given.groups
+        of_group = [names.index(i) if i in names else -1 for i in self.words.group_ids.tolist()]
+        common: dict[str, Any] = {
+            "keys": _keys(seed, self.device_seed),
+            "of_group": np.array(of_group, np.int64),
+            "away": np.zeros(1) if given is None else given.away,
+        }
+        for part in self._parts:
+            sites = self._sites(part)
+
+            def fill(begin: int, end: int, first: int = part.start, sites: Sites = sites) -> None:
+                begin, end = first + begin, first + end
+                sizes = self._sizes(end - begin, frame, given is not None)
+                found = np.empty((shape[0], end - begin))
+                bits = np.empty(found.shape, np.uint8)
+                self._loop(
+                    sizes=sizes, chosen=self._chosen[begin:end], sites=sites.number,
+                    rows=sites.rows, scales=sites.scales, sums=sites.sums, out=found, marked=bits,
+                    **common, **self._scratch(sizes),
+                )  # fmt: skip
+                out[:, begin:end], marked[:, begin:end] = found, bits
+
+            in_parts(fill, part.stop - part.start, self.threads, _FEWEST)
+        return out, marked
+
+    @cached_property
+    def _chosen(self) -> NDArray[np.int64]:
+        return np.require(self.chosen, np.int64, ["C", "A"])
+
+    @cached_property
+    def _lanes(self) -> NDArray[np.int32]:
+        return np.require(self.words.program.groups.lane, np.int32, ["C"])
+
+    @cached_property
+    def _source(self) -> Light:
+        return (self.effects.part(Moving) and self.light.motion) or self.light
+
+    @cached_property
+    def _places(self) -> NDArray[np.int64]:
+        """The places whose charge matters."""
+        return self._needed(slice(None))
+
+    def _needed(self, part: slice) -> NDArray[np.int64]:
+        if self.effects.part(Exchange) is None:
+            return np.unique(self._chosen[part])
+        return with_neighbours(self._chosen[part], self.light.shape)
+
+    @cached_property
+    def _parts(self) -> list[slice]:
+        """The pixels whose light is laid out together."""
+        slots, groups = self.words.program.container.slots, len(self.words.group_ids)
+        tables = sites = len(self._places)
+        if is_even(self._source):
+            tables = min(sites, len(self.words.entry_start))
+        bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
+        each = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
+        return [slice(first, min(first + each, count)) for first in range(0, count, each)]
+
+    def _sites(self, part: slice) -> Sites:
+        """Their light, laid out."""
+        return self._kept if len(self._parts) == 1 else self._laid_out(self._needed(part))
+
+    @cached_property
+    def _kept(self) -> Sites:
+        return self._laid_out(self._places)
+
+    def _laid_out(self, places: NDArray[np.int64]) -> Sites:
+        return sites_of(
+            self._source, places, self._lanes, self.words.groups, len(self.words.group_ids),
+            np.require(self.slot_s, np.float64, ["C", "A"]), self._numbers,
+            _keys(0, self.device_seed), switches(Laying, self.effects), self.threads,
+        )  # fmt: skip
+
+    @cached_property
+    def _numbers(self) -> Numbers:
+        return _numbers(self.words.program.sensor, self.effects)
+
+    @cached_property
+    def _loop(self) -> Bound:
+        """The loop, with all that frames have in common but the light."""
+        words, container = self.words, self.words.program.container
         names = (*container.target.analog_registers, "PIX")
         signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
         readouts = {readout.bucket: readout for readout in container.readouts}
         order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
         waited_s = container.target.readout_us * 1e-6
-        chosen = np.require(chosen, np.int64, ["C", "A"])
-        bound = run_pixels.bound(
-            numbers=_numbers(program.sensor, effects),
-            keys=_keys(seed, device_seed),
-            lanes=np.require(program.groups.lane, np.int32, ["C"]),
-            frames=np.require(source.frames, np.float32, ["C", "A"]),
-            row_start=np.require(source.row_start, np.int64, ["C", "A"]),
-            frame_index=np.require(source.frame_index, np.int32, ["C", "A"]),
-            weight=np.require(source.weight, np.float64, ["C", "A"]),
-            slot_s=np.require(slot_s, np.float64, ["C", "A"]),
-            start_s=np.concatenate(([0.0], np.cumsum(slot_s))),
-            groups=self.groups,
-            group_ids=self.group_ids,
-            entry_start=self.entry_start,
-            entries=self.entries,
-            operands=self.operands,
-            weights=self.weights,
+        return run_pixels.bound(
+            numbers=self._numbers,
+            lanes=self._lanes,
+            start_s=np.concatenate(([0.0], np.cumsum(self.slot_s))),
+            group_ids=words.group_ids,
+            entry_start=words.entry_start,
+            entries=words.entries,
+            operands=words.operands,
+            weights=words.weights,
             signs=signs,
             readout_register=np.array(
                 [names.index(readouts[b].register) for b in container.buckets], np.int64
@@ -133,28 +251,14 @@ class Pixels:
             readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
         )
 
-        out = np.empty((len(container.buckets), len(chosen)))
-        marked = np.empty(out.shape, np.uint8)
-
-        def fill(begin: int, end: int) -> None:
-            sizes = self._sizes(end - begin, light, frame, effects)
-            part = np.empty((len(container.buckets), end - begin))
-            bits = np.empty(part.shape, np.uint8)
-            bound(
-                sizes=sizes, chosen=chosen[begin:end], out=part, marked=bits, **self._scratch(sizes)
-            )
-            out[:, begin:end], marked[:, begin:end] = part, bits
-
-        in_parts(fill, len(chosen), threads, _FEWEST)
-        return out, marked
-
-    def _sizes(self, count: int, light: Light, frame: int, effects: Selection) -> Sizes:
-        container = self.program.container
-        rows, cols = light.shape
-        groups = len(self.group_ids)
+    def _sizes(self, count: int, frame: int, given: bool) -> Sizes:
+        words, effects = self.words, self.effects
+        container = words.program.container
+        rows, cols = self.light.shape
+        groups = len(words.group_ids)
         whole = 1 << (container.slots - 1).bit_length()
-        # What a site's charge takes: sums of rates, counts and their stamps, of light and dark.
-        each = 16 * groups * (container.slots + 1 + 2 * 2 * whole)
+        # Counts of a site and their stamps, of light and dark.
+        each = 16 * groups * 2 * 2 * whole
         marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         return Sizes(
             pixels=count,
@@ -164,26 +268,28 @@ class Pixels:
             buckets=len(container.buckets),
             groups=groups,
             registers=len(container.target.analog_registers),
-            draws=self.weights.shape[1],
+            draws=words.weights.shape[1],
             numbered=most_destinations(container.target),
+            words=int(words.entries["number"].max(initial=0)) + 1,
             whole=whole,
             kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
+            given=given,
             frame=frame,
             **switches(Sizes, effects),
             **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
         )
 
     def _scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
-        slots, groups, room = sizes.slots, sizes.groups, 2 * sizes.whole * sizes.groups
-        sites = 3 * sizes.kept_cols if sizes.exchanges else 1
+        groups, room = sizes.groups, 2 * sizes.whole * sizes.groups
+        sites = 3 * sizes.kept_cols if sizes.exchanges and not sizes.given else 1
+        keys = ERRORS * (sizes.buckets + sizes.words * sizes.numbered)
         return {
-            "sums": np.empty(2 * sites * groups * (slots + 1)),
             "streams": np.empty(4 * groups, np.uint64),
+            "found": np.zeros(keys, np.uint64),
             "heap": np.empty(2 * sites * room),
             "stamps": np.full(2 * sites * room, -1, np.int64),
-            "tags": np.full(sites, -1, np.int64),
             "missing": np.empty(ERRORS * sizes.buckets),
-            "drawn": np.empty(int(np.diff(self.entry_start).max(initial=0)) * sizes.draws),
+            "drawn": np.empty(int(np.diff(self.words.entry_start).max(initial=0)) * sizes.draws),
             "registers": np.empty(sizes.registers + 3),
             "full": np.empty(sizes.registers + 3, np.int64),
             "lost": np.empty(sizes.registers + 3),

@@ -57,6 +57,11 @@ class Planning(Protocol):
         part of the scene is one of this scene."""
         ...
 
+    def serves(self, plan: Plan) -> bool:
+        """Whether a plan for a scene with light of the same kind, and no weaker, keeps its promise
+        on this one: cheaper than a new plan."""
+        ...
+
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """Frames 0 .. `count` - 1 under a plan."""
         ...
@@ -119,6 +124,10 @@ class PlanningBySums:
         """See `Planning`."""
         threads = threads_of(self.threads)
         return predicted_for(self._program, self.light, plan, self.device_seed, threads)
+
+    def serves(self, plan: Plan) -> bool:
+        """See `Planning`: errors by sums grow with light."""
+        return True
 
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
         """See `Planning`."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -44,8 +44,6 @@ is about as much as all of the gates' switching does.
 _FORMULA_E = 0.015
 """RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
-_SPILT = 0.01
-"""Of a full well: what neighbours must give a pixel to count as bringing it near saturation."""
 _CLOSED_PART = 0.1
 WORDS = "words"
 """The state where pixels run through their words; without some of saturation it begins so."""
@@ -91,15 +89,14 @@ class Forecast(ABC):
         sample = sample_of(self.total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
-            self.program, self.light, sample, self.device_seed, lost, self.threads,
-            len(self.spilt) > 0,
+            self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
         )  # fmt: skip
 
     @cached_property
     def total_e(self) -> NDArray[np.float64]:
         """All the charge (rows, cols) of each pixel; a few may have most of the dark one, as lamps
         have most of the light."""
-        dark_e = self._everything.current * self.program.slot_s.sum()
+        dark_e = self._everything.chip.current * self.program.slot_s.sum()
         return np.asarray((self._everything.total + dark_e).reshape(self.light.shape))
 
     @cached_property
@@ -129,12 +126,7 @@ class Forecast(ABC):
     @cached_property
     def spilt(self) -> NDArray[np.int64]:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        return self.near[self.inflow_e[self.near] > _SPILT * self._everything.full_e]
-
-    @cached_property
-    def inflow_e(self) -> NDArray[np.float64]:
-        """What neighbours give each pixel (pixels,) of their light, in a whole frame."""
-        return self._everything.inflow_e(everything().the(Exchange))
+        return self._everything.near.spilt
 
     @cached_property
     def _everything(self) -> Prepared:
@@ -165,12 +157,22 @@ class Forecast(ABC):
 
         `everywhere`: all pixels run through their words.
         """
-        return float(np.max(self.squares(dropped, everywhere)[0]))
+        inside, products, random = self._parts(dropped, everywhere)
+        return float(np.max(products @ inside @ inside + random))
 
     def squares(
         self, dropped: frozenset[str], everywhere: bool
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
+        inside, products, random = self._parts(dropped, everywhere)
+        sizes = np.sqrt(np.maximum(np.diagonal(products, axis1=1, axis2=2), 0.0)) @ inside
+        return products @ inside @ inside + random, sizes**2 + random
+
+    def _parts(
+        self, dropped: frozenset[str], everywhere: bool
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
+        """Which fixed fields a plan lacks, the means (buckets, ., .) of their products, and what
+        is random (buckets,)."""
         state = self.state(dropped)
         names, products = self._products(state)
         chosen = self.inside(dropped)
@@ -179,9 +181,8 @@ class Forecast(ABC):
         random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
         random = random + self._rounding(dropped)
         if not everywhere:
-            random = random + self.cut_square(state, tuple(self._taken(dropped)))
-        sizes = np.sqrt(np.maximum(np.diagonal(products, axis1=1, axis2=2), 0.0)) @ inside
-        return products @ inside @ inside + random, sizes**2 + random
+            random = random + self.cut_square(state, self._taken(dropped))
+        return inside, products, random
 
     @remembered
     def cut_square(self, state: str, names: tuple[str, ...]) -> NDArray[np.float64]:
@@ -216,7 +217,12 @@ class Forecast(ABC):
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
         lost = state.split(" without ")[1:]
-        return self._everything.saturating_with(everything().without(*lost))
+        return replace(self._everything.near, kept=everything().without(*lost)).places
+
+    def most_e(self, state: str) -> NDArray[np.float64]:
+        """The most charge that they see, what neighbours give them included."""
+        charges = self._everything.near.charges
+        return charges.most_e[np.searchsorted(charges.places, self.running(state))]
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
@@ -314,16 +320,19 @@ class Forecast(ABC):
             rates = f"{self.leak_nodes} rate{'s' * (self.leak_nodes > 1)}"
             yield _CUTS[name].format(rates=rates), means[name]
 
-    def _taken(self, dropped: frozenset[str]) -> Iterable[str]:
+    @remembered
+    def _taken(self, dropped: frozenset[str]) -> tuple[str, ...]:
         """The short cuts by the names of `_CUTS`."""
+        found: list[str] = []
         if not self._dropped(Counted, dropped):
-            yield from ("thinning", "formula")
+            found += ["thinning", "formula"]
             if self._stays(Exchange, dropped):
-                yield "neighbours"
+                found.append("neighbours")
         if not self._dropped(Errors, dropped):
-            yield "noise"
+            found.append("noise")
         if self._stays(Leak, dropped):
-            yield "leak"
+            found.append("leak")
+        return tuple(found)
 
     def cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
         """The squares (buckets, pixels) that the short cuts of a plan leave."""
@@ -342,7 +351,8 @@ class Forecast(ABC):
         return {
             "thinning": fields.thinning[self.closed] * where,
             "formula": np.full(where.shape, _FORMULA_E**2),
-            "neighbours": fields.neighbours[self.closed] * where,
+            # Pixels that run through their words have their neighbours' counts from sums, too.
+            "neighbours": fields.neighbours[self.closed] * np.maximum(where, self.runs(state)),
             "noise": fields.noise_cut * after,
             "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }

@@ -22,9 +22,12 @@ from nscc_runtime.planner.prices import Work
 from nscc_runtime.planner.reach import Reach, reach_of
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference.capture import Reference
-from nscc_runtime.remembered import remembered
+from nscc_runtime.remembered import Recent, remembered
 
 Values = NDArray[np.float64]
+
+_RECENT = 4
+"""Of what is kept for a chip: for planning, for frames, and for two plans in turns."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,6 +136,11 @@ class Program:
                 sensor=self.sensor, device_seed=device_seed, places=places
             )
         return self._devices[device_seed]
+
+    @cached_property
+    def recent(self) -> Recent:
+        """What was last worked out for some choice of effects."""
+        return Recent(_RECENT)
 
     @cached_property
     def _devices(self) -> dict[int, Device]:

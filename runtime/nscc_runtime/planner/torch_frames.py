@@ -51,11 +51,11 @@ class OnTorch:
         found = self._expected + self._deviations(seed, frames)
         marked = torch.zeros(found.shape, dtype=torch.uint8, device=self.device)
         if sizes["clipped"]:
-            limits = self._tensor(summed.limits)
+            limits = self._tensor(summed.scene.chip.limits)
             marked[found > limits * sizes["full"]] = sizes["well_bit"]
             found = torch.minimum(found, limits)
         if sizes["patterned"]:
-            found = found + self._tensor(summed.patterns)
+            found = found + self._tensor(summed.scene.chip.patterns)
         draws, sigmas = summed.noise
         for (stream, draw), sigma in zip(draws, sigmas, strict=True):
             keys = [key(seed, stream, SUM, frame, draw) for frame in frames]

@@ -65,6 +65,8 @@ class Layout:
     def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
         """Values (.., rows, cols) of all arrays, row by row, put together and cut."""
         down, across = self.arrays
+        if len(pieces) == 1:
+            return self.cut(pieces[0])
         rows = [pieces[r * across : (r + 1) * across] for r in range(down)]
         return self.cut(np.concatenate([np.concatenate(row, axis=-1) for row in rows], axis=-2))
 
