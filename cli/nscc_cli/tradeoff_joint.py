@@ -46,8 +46,7 @@ def command(program: Path, **options: Any) -> int:
     fastest of the best. All errors are percent of the mean signal, all times are seconds, so that
     the diagram has one axis of each. A RUN, or hdr and clip, stands for its own program, exposure,
     sensor and decoder. With -o, --csv or --png every row is kept as it is measured: killed and
-    started again, it goes on. Ends with
-    status 1 where nothing could be measured.
+    started again, it goes on. Ends with status 1 where nothing could be measured.
     """
     from nscc_training.tradeoff.bench import Asked
     from nscc_training.tradeoff.joint import joint_text, measure

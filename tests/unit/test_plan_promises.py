@@ -88,6 +88,33 @@ def test_pixels_beside_a_sun_are_drawn_whatever_suns_there_are() -> None:
     assert drawn[29, 30] > 100 * np.median(drawn)
 
 
+def test_worst_pixels_are_told_though_the_sample_lacks_them() -> None:
+    """A fixed pattern on light that differs from pixel to pixel: the worst has much of both."""
+    rng, said, frames = np.random.default_rng(5), [], []
+    for _ in range(100):
+        pattern = np.exp(0.8 * rng.standard_normal(2304)) * rng.standard_normal(2304)
+        drawn = rng.choice(2304, 640, replace=False)
+        said.append(worst_of(pattern[None, drawn], np.ones((1, 640)), np.ones(640), 2304).max_e)
+        frames.append(np.abs(pattern).max())
+    assert np.mean(np.array(said) < 0.8 * np.array(frames)) < 0.1
+    assert np.median(said) < 2 * np.median(frames)
+
+
+def test_the_brightest_pixels_near_saturation_stand_for_themselves() -> None:
+    rng = np.random.default_rng(6)
+    total_e = np.full((64, 64), FULL_E)
+    suns = rng.choice(64 * 64, 5, replace=False)
+    total_e.reshape(-1)[suns] = 1e9
+    near, spilt = np.arange(64 * 64), np.arange(100)
+    found = sample_of(total_e, 1, near, spilt)
+    assert len(np.unique(found.places)) == len(found.places)
+    assert found.weight.sum() == pytest.approx(64 * 64)
+    assert (found.weight[np.isin(found.places, suns)] == 1.0).sum() == 5
+    few = sample_of(total_e, 1, near[:7])
+    assert set(near[:7]) <= set(few.places)
+    assert few.weight.sum() == pytest.approx(64 * 64)
+
+
 def test_a_limit_of_the_worst_pixel_keeps_what_would_break_it() -> None:
     container, sensor = made("codebook")
     light = scene("hdr", SLOTS, SIDE, SIDE)
@@ -101,7 +128,8 @@ def test_a_limit_of_the_worst_pixel_keeps_what_would_break_it() -> None:
     assert len(bound.plan.kept.on) > len(free.plan.kept.on)
     assert any("the worst pixel would be" in each.reason for each in bound.plan.decisions)
     for each in (free, bound):
-        assert each.p999_e == pytest.approx(each.plan.predicted_p999_e, rel=0.2)
+        # Two pixels of a frame are beyond it, by a half of those that may be.
+        assert each.p999_e == pytest.approx(each.plan.predicted_p999_e, rel=0.3)
         assert not each.broken
 
 
@@ -175,6 +203,14 @@ def test_pixels_that_a_sun_fills_are_forecast_with_what_it_spills() -> None:
     """Five suns, accumulated: what they spill fills registers of pixels that are dim themselves."""
     (suns,) = promises(10220, plans=1, frames=2)
     assert suns.found.broken == [], suns.said
+
+
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
+@pytest.mark.parametrize("seed", [50038, 50161])
+def test_suns_and_lamps_that_no_other_pixel_is_like_break_nothing(seed: int) -> None:
+    """Five suns whose resets are eaten; lamps that carry half of the frame's noise."""
+    for each in promises(seed, plans=3, frames=3):
+        assert each.found.broken == [], each.said
 
 
 def test_noise_that_hangs_on_pixels_at_the_full_well_is_no_promise() -> None:

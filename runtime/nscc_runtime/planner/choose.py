@@ -140,8 +140,8 @@ class Chooser(Promises):
     @remembered
     def _lacking(self, state: str) -> Lacking:
         return Lacking(
-            self.program, self.light, self.running(state), self.spilt, self.fields,
-            self.runs(state), self.forced_off, self.device_seed, self.threads,
+            self.program, self.light, self.running(state), self.most_e(state), self.spilt,
+            self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:

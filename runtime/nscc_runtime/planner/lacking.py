@@ -6,7 +6,7 @@ is left out does together is measured: some of these pixels run with it and with
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -18,8 +18,8 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import drawn_by
-from nscc_runtime.planner.worst import Worst, worst_measured
+from nscc_runtime.planner.sample import brightest, drawn_by
+from nscc_runtime.planner.worst import Worst, largest, worst_measured
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
@@ -38,14 +38,16 @@ _SIGMAS = 2.0
 class Lacking:
     """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
 
-    Those at `spilt`, which neighbours' light brings there, never lack that by choice: without it
-    they are nothing, and too few for a measurement to meet. `fields` are predictions on a sample of
-    the scene, `running`: which of it are such pixels. Threads change no bit.
+    `seen_e` is the most charge that they see, what neighbours give them included. Those at `spilt`,
+    which neighbours' light brings there, never lack that by choice: without it they are nothing.
+    `fields` are predictions on a sample of the scene, `running`: which of it are such pixels.
+    Threads change no bit.
     """
 
     program: Program
     light: Light
     near: NDArray[np.int64]
+    seen_e: Values
     spilt: NDArray[np.int64]
     fields: Fields
     running: NDArray[np.bool_]
@@ -99,9 +101,17 @@ class Lacking:
         """What these pixels lack, forced or not, at the worst of them."""
         if not len(self.near):
             return Worst(0.0, 0.0)
-        error = self._held(self.forced_off | lacking) - self._held(frozenset())
-        pixels = len(self.program.lanes)
-        return worst_measured(error, len(self.near) / pixels, pixels)
+        error = np.abs(self._held(self.forced_off | lacking) - self._held(frozenset()))
+        suns, pixels = len(self._suns), len(self.program.lanes)
+        rest, drawn = len(self.near) - suns, error.shape[1] - suns
+        weight = np.append(np.ones(suns), np.full(drawn, rest / max(drawn, 1)))
+        # All others of the array lack nothing.
+        sizes, weight = np.append(error.max(axis=0), 0.0), np.append(weight, pixels - weight.sum())
+        found = largest(sizes, weight)
+        tails = [worst_measured(error[:, :suns], suns / pixels, pixels)]
+        if drawn:
+            tails.append(worst_measured(error[:, suns:], rest / pixels, pixels))
+        return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
     def _most(self, lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
@@ -116,15 +126,29 @@ class Lacking:
         full = self._held(frozenset())
         before = (full - self._held(self.forced_off)) ** 2 if self.forced_off else 0.0
         added = (full - self._held(self.forced_off | lacking)) ** 2 - before
-        part = len(self.near) / len(self.program.lanes)
-        error = added.std(axis=1) / np.sqrt(added.shape[1])
-        return np.maximum(added.mean(axis=1), 0.0) * part, error * part
+        suns = len(self._suns)
+        square, drawn = added[:, :suns].sum(axis=1), added[:, suns:]
+        error = np.zeros_like(square)
+        if drawn.size:
+            square = square + drawn.mean(axis=1) * (len(self.near) - suns)
+            error = drawn.std(axis=1) / np.sqrt(drawn.shape[1]) * (len(self.near) - suns)
+        pixels = len(self.program.lanes)
+        return np.maximum(square, 0.0) / pixels, error / pixels
+
+    @cached_property
+    def _suns(self) -> NDArray[np.int64]:
+        """The brightest of these pixels, which are all measured: suns, and those beside them."""
+        return self.near[brightest(self.seen_e)]
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
-        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST)
+        """The pixels that are measured: the brightest, and some of the rest."""
+        rest = np.setdiff1d(self.near, self._suns)
+        if not len(rest):
+            return self._suns
+        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._suns)
         # In step with no tile of codes.
-        return self.near[np.unique(drawn_by(np.ones(len(self.near)), wanted))]
+        return np.append(self._suns, rest[np.unique(drawn_by(np.ones(len(rest)), wanted))])
 
     @cached_property
     def _every(self) -> Selection:

@@ -161,7 +161,10 @@ class Plan:
             cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
             other = (f"{each.other_states:.2%}" if each.other_states else "",) if looks else ()
             rows.append((each.name, rms, bias, choice, each.reason, cost, *other))
-        rows += self._costs()
+        rows += [
+            (name, "", "", "", what, f"{cost_ms:.2f}", *(("",) if looks else ()))
+            for name, what, cost_ms in self.costs
+        ]
         lines = [
             columns(rows, left=(0, 3, 4)),
             f"predicted error {self.predicted_e:.3g} e (at most {self.bound_e:.3g}), "
@@ -188,18 +191,15 @@ class Plan:
             lines.append("made for an earlier scene, whose light was of this kind and no weaker")
         return "\n".join(lines)
 
-    def _costs(self) -> list[tuple[str, ...]]:
-        """The rows of what takes time and is no effect's own."""
+    @property
+    def costs(self) -> list[tuple[str, str, float]]:
+        """What takes time and is no effect's own: its name, what it is, and milliseconds."""
         if self.cost is None:
             return []
         kept_ms = sum(each.cost_ms_model for each in self.decisions if each.decision == "kept")
         lack = ", ".join(self.saturating_lack)
         saturating = "their words one by one" + (f", without {lack}" if lack else "")
-        looks = ("",) if self.other_states is not None else ()
-        return [
-            (name, "", "", "", what, f"{cost_ms:.2f}", *looks)
-            for name, what, cost_ms in self.cost.rows(kept_ms, saturating)
-        ]
+        return self.cost.rows(kept_ms, saturating)
 
     def _repr_html_(self) -> str:
         said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"

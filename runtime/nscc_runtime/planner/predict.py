@@ -86,14 +86,18 @@ class Forecast(ABC):
     @cached_property
     def sampled(self) -> SampledFields:
         """The fields on a sample, of which `fields` are those for the tolerance."""
-        # A few pixels may have most of the dark charge, as lamps have most of the light.
-        dark_e = self._everything.chip.current * self.program.slot_s.sum()
-        total_e = (self._everything.total + dark_e).reshape(self.light.shape)
-        sample = sample_of(total_e, len(self.light.frames), self.near, self.spilt)
+        sample = sample_of(self.total_e, len(self.light.frames), self.near, self.spilt)
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
             self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
         )  # fmt: skip
+
+    @cached_property
+    def total_e(self) -> NDArray[np.float64]:
+        """All the charge (rows, cols) of each pixel; a few may have most of the dark one, as lamps
+        have most of the light."""
+        dark_e = self._everything.chip.current * self.program.slot_s.sum()
+        return np.asarray((self._everything.total + dark_e).reshape(self.light.shape))
 
     @cached_property
     def saturation(self) -> frozenset[str]:
@@ -214,6 +218,11 @@ class Forecast(ABC):
             return np.empty(0, np.int64)
         lost = state.split(" without ")[1:]
         return replace(self._everything.near, kept=everything().without(*lost)).places
+
+    def most_e(self, state: str) -> NDArray[np.float64]:
+        """The most charge that they see, what neighbours give them included."""
+        charges = self._everything.near.charges
+        return charges.most_e[np.searchsorted(charges.places, self.running(state))]
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:

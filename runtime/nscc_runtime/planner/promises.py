@@ -136,23 +136,29 @@ class Promises(Forecast):
         """`noise_ratio` where it is a promise, else None.
 
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
-        another's: it is no promise where saturation is left out, nor where none of that noise, or
-        losing `_WORSE` times as much of it, would make another."""
+        another's: it is no promise where saturation is left out, nor where none of that noise, all
+        of it, or losing `_WORSE` times as much of it, would make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
-        near = self.fields.sample.near
+        mean, near = self.fields.sample.mean, self.fields.sample.near
         if ratio is None or self.coarse or not near.any():
             return None if self.coarse else ratio
         if dropped & self.saturation:
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
-        far, far_kept, all_e2, kept = (
-            float(np.mean(self.fields.sample.mean(each)))
-            for each in (np.where(near, 0.0, full), np.where(near, 0.0, mine), full, mine)
-        )
+        uncut = sum(self.fields.noise.values(), np.zeros(full.shape))
+        far, far_kept, all_e2, kept, more = (
+            float(np.mean(mean(each)))
+            for each in (
+                np.where(near, 0.0, full), np.where(near, 0.0, mine), full, mine,
+                np.where(near, uncut - full, 0.0),
+            )
+        )  # fmt: skip
         lost = (all_e2 - far) - (kept - far_kept)
         if lost > 0 and not far > 0:
             return None
-        cases = [(kept - (_WORSE - 1.0) * lost, all_e2), *([(far_kept, far)] if far > 0 else [])]
+        cases = [(kept - (_WORSE - 1.0) * lost, all_e2), (kept + more, all_e2 + more)]
+        if far > 0:
+            cases.append((far_kept, far))
         off = max(abs(math.sqrt(max(rest, 0.0) / every) - ratio) for rest, every in cases)
         return ratio if off <= _UNTOLD else None
 

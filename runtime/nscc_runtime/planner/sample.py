@@ -2,7 +2,8 @@
 
 Errors grow with light and with its differences between neighbours, and a few lamps may carry most
 of them: pixels are drawn in proportion to both, half of the sample, and evenly, the other half.
-Pixels that may saturate are a stratum of their own. What a pixel stands for makes up for how likely
+Pixels that may saturate are a stratum of their own, and the brightest of them another: a few suns
+may lose what no other pixel does. What a pixel stands for makes up for how likely
 it was to be drawn, so that means over the sample are those of the array.
 """
 
@@ -19,6 +20,8 @@ _MOST_SAMPLES = 1 << 16
 """Frames x pixels, above the fewest pixels."""
 _MOST_NEAR = 512
 """Pixels near saturation: running them through their words is dear."""
+_BRIGHTEST = 20
+"""Of them, how many are the brightest, which stand for themselves alone."""
 _GOLDEN = 0.6180339887498949
 
 
@@ -45,7 +48,8 @@ def sample_of(
 
     `total_e` (rows, cols): all the light of each pixel. `near`: the places of pixels that may
     saturate, in order; `spilt`, in order: those among them that neighbours' light brings there. A
-    few of these may lose more than all others, so they are a stratum beside the rest of `near`.
+    few of these may lose more than all others, so they are a stratum beside the rest of `near`, and
+    so are the brightest of `near`.
     """
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
@@ -60,14 +64,25 @@ def sample_of(
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
     far = len(places)
-    spilt = np.empty(0, np.int64) if spilt is None else spilt
-    for stratum in (np.setdiff1d(near, spilt), spilt):
+    suns = near[brightest(total_e.reshape(-1)[near])]
+    beside = np.setdiff1d(np.empty(0, np.int64) if spilt is None else spilt, suns)
+    for stratum in (suns, np.setdiff1d(near, np.append(suns, beside)), beside):
         some = stratum
-        if len(some) > _MOST_NEAR:
-            some = some[np.unique(drawn_by(np.ones(len(some)), _MOST_NEAR))]
+        if len(some) > _MOST_NEAR - _BRIGHTEST:
+            some = some[np.unique(drawn_by(np.ones(len(some)), _MOST_NEAR - _BRIGHTEST))]
         weight = np.append(weight, np.full(len(some), len(stratum) / max(1, len(some))))
         places = np.append(places, some)
     return Sample(places.astype(np.int64), weight, np.arange(len(places)) >= far)
+
+
+def brightest(light_e: NDArray[np.float64]) -> NDArray[np.intp]:
+    """Where there is most light, in order: `_BRIGHTEST` of these pixels (pixels,), or all."""
+    if len(light_e) <= _BRIGHTEST:
+        return np.arange(len(light_e))
+    # By their values, as places of equal ones are partitioned otherwise on another processor.
+    least = np.partition(light_e, -_BRIGHTEST)[-_BRIGHTEST]
+    above, equal = np.flatnonzero(light_e > least), np.flatnonzero(light_e == least)
+    return np.sort(np.append(above, equal[: _BRIGHTEST - len(above)]))
 
 
 def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:

@@ -96,7 +96,7 @@ def tolerance_of(given: Given, sensor: Sensor, scene: Follows) -> Tolerance:
     if not isinstance(given, str):
         text = f"{float(given)!r}".removesuffix(".0") + "e"
         return _within(Tolerance(text, float(given)), str(given))
-    match = _TOLERANCE.fullmatch(given)
+    match = _TOLERANCE.fullmatch(given.lower())
     if match is None:
         raise _malformed(f"'{given[:40]}'")
     value, unit = float(match[1]), match[2]

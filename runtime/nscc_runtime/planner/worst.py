@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtr, ndtri
+from scipy.special import ndtr
 
 Values = NDArray[np.float64]
 
@@ -20,6 +20,9 @@ ONE_IN = 1000
 """One pixel in so many is beyond the error that is called that of 99.9 %."""
 _FRAMES = 100
 """The largest error is the one that a pixel of one frame in so many passes."""
+_COMMONER = 10
+"""Beside the error that one pixel in a thousand passes, that of so many more shows how errors go on
+beyond it."""
 _TAIL = 10
 """Of so many errors that were measured the largest shows how the rest go on."""
 _STEPS = 40
@@ -39,17 +42,24 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     """Of errors with these means and variances (buckets, pixels of a sample).
 
     `weight` (pixels of the sample,): how many of the `pixels` of a frame each stands for. Of a
-    frame's largest error a sample shows little: it is taken to be at least as far beyond that of
-    99.9 % as with normal errors.
+    frame's largest error a sample shows little, as it lacks most of the pixels that are bright and
+    have much of a fixed pattern: beyond that of 99.9 % errors are taken to become rarer at least as
+    slowly as exponentially, at the pace of the errors before it.
     """
     if not (mean.any() or variance.any()):
         return Worst(0.0, 0.0)
     part = weight / weight.sum()
     sigma = np.sqrt(np.maximum(variance, 1e-12))
     common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
-    p999_e = max(_passed_by(common, *each, part) for each in zip(mean, sigma, strict=True))
-    max_e = max(_passed_by(rare, *each, part) for each in zip(mean, sigma, strict=True))
-    return Worst(p999_e, max(max_e, p999_e * float(ndtri(rare / 2) / ndtri(common / 2))))
+    found = [Worst(0.0, 0.0)]
+    for each in zip(mean, sigma, strict=True):
+        p999_e = _passed_by(common, *each, part)
+        pace_e = (p999_e - _passed_by(_COMMONER * common, *each, part)) / math.log(_COMMONER)
+        max_e = p999_e + pace_e * math.log(common / rare)
+        if _passing(max_e, *each) @ part > rare:
+            max_e = _passed_by(rare, *each, part)
+        found.append(Worst(p999_e, max_e))
+    return Worst(max(each.p999_e for each in found), max(each.max_e for each in found))
 
 
 def worst_measured(errors: Values, part: float, pixels: int) -> Worst:
@@ -71,7 +81,7 @@ def _exceeded_by(share: float, sizes: Values) -> float:
     falling, count = np.sort(sizes)[::-1], len(sizes)
     if share * count >= 1.0 or count < 2 * _TAIL:
         return float(falling[min(int(share * count), count - 1)])
-    ranks = np.arange(1, count // _TAIL)
+    ranks = np.arange(1, count // _TAIL) if count >= 4 * _TAIL else np.array([count // 4])
     excess = np.cumsum(falling)[ranks - 1] / ranks - falling[ranks]
     return float(np.max(falling[ranks] + excess * np.log((ranks + 1) / (count * share))))
 
@@ -85,6 +95,12 @@ def largest(sizes: Values, weight: Values) -> Worst:
     return Worst(float(sizes[order[at]]), float(sizes[order[-1]]))
 
 
+def _passing(limit: float, mean: Values, sigma: Values) -> Values:
+    """How likely the error of each pixel is to pass a limit."""
+    size = np.abs(mean)
+    return np.asarray(ndtr((size - limit) / sigma) + ndtr((-size - limit) / sigma))
+
+
 def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float:
     """The size of error that this share of the frame passes."""
     size = np.abs(mean)
@@ -94,8 +110,7 @@ def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float
 
     def beyond(middle: float) -> float:
         """By how much more pixels pass it than should, as a logarithm."""
-        passing = ndtr((size - middle) / sigma) + ndtr((-size - middle) / sigma)
-        return math.log(max(float(part @ passing), 1e-300) / share)
+        return math.log(max(float(part @ _passing(middle, mean, sigma)), 1e-300) / share)
 
     # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
     at_low, at_high = beyond(low), beyond(high)

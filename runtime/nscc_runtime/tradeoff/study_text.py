@@ -75,10 +75,12 @@ def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:
 
 def _budget_text(plan: Plan) -> str:
     rows = [_BUDGET_HEAD, *(_decision(each) for each in plan.decisions)]
+    rows += [(name, "", "", "", "", _ms(cost_ms), what) for name, what, cost_ms in plan.costs]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     cuts = [f"short cut: {each.name}, {each.error_e:.2g} e" for each in plan.approximations]
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
-    return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words])
+    saved = [] if plan.cost is None else [plan.cost.said]
+    return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words, *saved])
 
 
 def _decision(each: Decision) -> tuple[str, ...]:

@@ -275,7 +275,7 @@ def times_ms(repeats: int, run: Callable[[], object], clock: Callable[[], float]
 
 def scaled_text(target: str, factor: float) -> str:
     """A tolerance so many times another, in its unit: 3 % for 1 %."""
-    match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target)
+    match = re.fullmatch(r"\s*(.*?\d\.?)\s*(e|lsb|%|noise)\s*", target.lower())
     assert match is not None  # it was read as a tolerance
     return f"{float(match[1]) * factor:g}{match[2]}"
 

@@ -94,7 +94,7 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
         truth = np.asarray(light.total_e())[None]
         yield _Way("merged", "neighbours", partial(_merged, bench, taken), truth)
         still = coded.still()
-        yield _Way("any", f"{STILL_STAGES} stages", lambda: decoded_still(still).numpy(), truth)
+        yield _Way("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
         yield from _of_run(bench, taken, truth)
         return
     middle = _middle(frame.frame.shape, container.slots)
@@ -110,7 +110,7 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
             yield _Way("gap-tv", f"{count} iterations", run, clip)
     for count in ANY_STAGES:
         run = partial(_by_any, measured, count, slots)
-        yield _Way("any", f"{count} stages", run, clip)
+        yield _Way("any", _stages(count), run, clip)
     yield from _of_run(bench, taken, np.asarray(light.dense()))
 
 
@@ -122,6 +122,10 @@ def _merged(bench: Bench, taken: Simulated) -> Values:
     frame_s = sum(container.slot_us) * 1e-6
     light = np.nanmean([np.where(known, found, np.nan) for found, known in told], axis=0)
     return np.asarray(light)[None] * frame_s
+
+
+def _stages(count: int) -> str:
+    return f"{count} stage{'s' * (count > 1)}"
 
 
 def _by_any(measured: Any, stages: int, slots: Values) -> Values:
