@@ -34,6 +34,9 @@ CODES = {
         for seed in SEEDS
         for name, told in (("start", "random"), ("found", "**searched from these**"))
     },
+    "found_words": "searched within four words, free bits, seed 0",
+    "judge": "the code of seed 2 behind eight stages",
+    "tuned": "the same, behind these after they have learned it",
 }
 """The rows of `codes`, as `codes.py` names them, and what they are."""
 PAPER = {
@@ -113,6 +116,11 @@ def moved(name: str) -> str:
     return ", ".join(f"{codes['moved']}" for codes in found) + f" of {found[0]['places']}"
 
 
+def words_of(name: str) -> str:
+    """Words a slot of the codes of a row of `codes`."""
+    return f"{result(f'codes-{name}')['settings']['words_per_slot']:.1f}"
+
+
 def validated(name: str) -> str:
     """A run's PSNR on its validation patches: with the start's codes, and with those learned."""
     found = run_of(name)
@@ -122,6 +130,12 @@ def validated(name: str) -> str:
 def steps(name: str) -> str:
     """For how many steps a run was trained."""
     return str(result(name)["settings"]["steps"])
+
+
+def steps_of(name: str) -> str:
+    """For how many steps a run without a result of its own was trained."""
+    with open(HERE / "runs" / name / "metrics.csv", encoding="utf-8") as lines:
+        return list(csv.DictReader(lines))[-1]["step"]
 
 
 def validation(name: str, step: str) -> str:
@@ -211,8 +225,8 @@ def evaluated(name: str) -> bool:
 FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
-        mean, source, gain, gain_by_source, stop, words, moved, validated, steps, validation,
-        cost, windows, without, noise, looks, codes, paper_size,
+        mean, source, gain, gain_by_source, stop, words, words_of, moved, validated, steps,
+        steps_of, validation, cost, windows, without, noise, looks, codes, paper_size,
     )
 }  # fmt: skip
 
