@@ -50,8 +50,8 @@ def command(
     """
     if run != "any" and (kind or program):
         raise click.UsageError("--as and --program are for `nscc reconstruct any`: a run has both")
-    if run == "any" and frame is not None and (force or dark):
-        raise click.UsageError("--force and --dark are for runs: `any` takes every frame as it is")
+    if run == "any" and frame is not None and force:
+        raise click.UsageError("--force is for runs: `any` takes every frame as it is")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
     what = "a reconstruction"
@@ -67,7 +67,7 @@ def command(
     elif run == "any":
         from nscc_training.any_code.reconstruct import reconstruct_any
 
-        content = reconstruct_any(frame, program, kind).content
+        content = reconstruct_any(frame, program, kind, dark).content
     else:
         from nscc_training.reconstruct import reconstruct
 

@@ -14,6 +14,7 @@ torch = pytest.importorskip("torch")
 
 from nscc_training import made_scenes  # noqa: E402
 from nscc_training.any_code.decode import any_clip, decoded_clip, decoded_still  # noqa: E402
+from nscc_training.any_code.frames import coded_frame  # noqa: E402
 from nscc_training.any_code.lessons import filmed, mask_drawn  # noqa: E402
 from nscc_training.any_code.measured import Measured  # noqa: E402
 from nscc_training.any_code.muon import orthogonal  # noqa: E402
@@ -21,7 +22,7 @@ from nscc_training.any_code.network import exchanged  # noqa: E402
 from nscc_training.any_code.stages import led, mirrored, schedule, stage, started  # noqa: E402
 from nscc_training.any_code.stills import started_still  # noqa: E402
 from nscc_training.any_code.training import Part, Trainer  # noqa: E402
-from nscc_training.baselines.sci import gap_tv  # noqa: E402
+from nscc_training.baselines.tv import tv_denoise  # noqa: E402
 from nscc_training.sensor_model import SensorModel  # noqa: E402
 
 
@@ -77,13 +78,29 @@ def test_saturated_places_are_one_sided_and_noise_is_trusted_less() -> None:
     assert (noisier.trust(sigma) < measured.trust(sigma)).all()
 
 
-def test_the_start_is_gap_tv() -> None:
+def test_the_start_is_gap_tv_of_light_that_stood_still() -> None:
     clip, mask = scene(1, 8, 40)
-    frame = (clip * mask).sum(axis=0)
-    # The baseline spends its first iteration on coming back to nothing.
-    wanted = gap_tv(frame, mask, 21)
+    frame, energy = (clip * mask).sum(axis=0), np.maximum(mask.sum(axis=0), 1e-6)
+    wanted = np.broadcast_to(frame / energy, mask.shape)
+    target = frame.copy()
+    for _ in range(20):
+        seen = (mask * wanted).sum(axis=0)
+        target += frame - seen
+        wanted = tv_denoise((wanted + mask * ((target - seen) / energy)).astype(np.float32), 0.1, 5,
+                            0.3)  # fmt: skip
     measured = Measured.exact(*(torch.from_numpy(part)[None] for part in (frame, mask)))
     np.testing.assert_allclose(started(measured, 20)[0][0], wanted, atol=2e-5)
+
+
+def test_slots_that_are_open_nowhere_are_not_darker() -> None:
+    """Bumps of eight slots in the first half of a long frame, and light that stands still."""
+    still = made_scenes.clip(np.random.default_rng(4), 1, 32)[0]
+    first = np.add.outer(8 * np.arange(32), 16 * np.arange(32)) % 25
+    slot = np.arange(48)[:, None, None]
+    mask = ((slot >= first) & (slot < first + 8)).astype(np.float32)
+    found = any_clip(8 * still, mask, 2)
+    means = found.mean(axis=(1, 2)) / still.mean()
+    np.testing.assert_allclose(means, 1, atol=0.03)
 
 
 def test_a_stage_without_noise_and_denoiser_gives_the_frame() -> None:
@@ -327,11 +344,59 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     np.savez(tmp_path / "row.npz", **{**whole, "decode_row": whole["decode_row"][:9]})
     np.savez(tmp_path / "high.npz", **{**whole, "decode_row": whole["decode_row"] + 99})
     (tmp_path / "not.npz").write_bytes(b"PK")
-    for name in ("row.npz", "high.npz", "not.npz", "none.npz", "a.npz"):
-        refused = invoke(["reconstruct", "any", name, "-o", "o.npz"], tmp_path)
-        assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
+    (tmp_path / "photo.png").write_bytes(b"\x89PNG\r\n")
+    reasons = {"row.npz": "do not fit together", "high.npz": "do not fit together",
+               "not.npz": "no .npz file", "photo.png": "no .npz file",
+               "none.npz": "no such file", "a.npz": "no array `meta`"}  # fmt: skip
+    for by in ("any", "clip"):
+        for name, reason in reasons.items():
+            refused = invoke(["reconstruct", by, name, "-o", "o.npz"], tmp_path)
+            assert (refused.status, refused.codes) == (2, ["NS0819"]), refused.err
+            if by == "any":
+                assert reason in refused.err
+    chip = invoke(["targets", "scamp5", "--toml"], tmp_path).out
+    small = chip.replace("rows = 256", "rows = 64").replace('name = "scamp5"', 'name = "small"')
+    (tmp_path / "small.toml").write_text(small)
+    assert invoke(["build", "p.nsl", "--target", "small.toml", "-o", "s.icw"], tmp_path).status == 0
+    other = invoke([*kept, "--program", "s.icw"], tmp_path)
+    assert "it has 256 x 256 pixels, and 's.icw' has 64 x 256" in other.err
     assert invoke([*kept, "--force"], tmp_path).status == 2
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
+
+
+@pytest.mark.parametrize("laid", [1, 2])
+def test_what_pixels_read_without_light_is_taken_in_place_of_their_words_mean(laid: int) -> None:
+    generator = np.random.default_rng(laid)
+    light_e, dark = generator.uniform(50, 90, (1, 4 * laid, 6 * laid)), generator.random((1, 4, 6))
+    gain, lsb_e = 0.5, 2.0
+    read = gain * light_e / lsb_e + np.tile(dark, (1, laid, laid))
+    arrays = {
+        "frame": 7 + read, "saturated": np.zeros(read.shape, bool),
+        "decode_shutter": np.full((1, 1, 1), 3, np.uint8), "decode_slot_us": np.ones(2),
+        "decode_row": np.zeros(read.shape[1:], int), "decode_gain": np.full((1, 1), gain),
+        "decode_bias_e": np.full((1, 1), 33.0), "decode_variance_e2": np.ones((1, 1)),
+    }  # fmt: skip
+    meta = {"adc_offset": 7, "electrons_per_lsb": lsb_e}
+    found = coded_frame(arrays, meta, dark)
+    np.testing.assert_allclose(found.value_e, light_e, rtol=1e-5)
+    assert abs(coded_frame(arrays, meta).value_e - light_e).min() > 20
+
+
+def test_a_dark_frame_is_of_the_program(tmp_path: Path) -> None:
+    (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS['stops']}\n")
+    for name, scene in (("f", "builtin:hdr"), ("d", "builtin:dark")):
+        line = ["run", "p.nsl", "--scene", scene, "--exposure", "30000", "-o", f"{name}.npz"]
+        assert invoke(line if name == "f" else line[:4] + line[6:], tmp_path).status == 0
+    line = ["reconstruct", "any", "f.npz", "-o", "o.npz", "--dark"]
+    assert invoke([*line, "d.npz"], tmp_path).status == 0
+    with np.load(tmp_path / "d.npz") as file:
+        whole = dict(file)
+    np.savez(tmp_path / "s.npz", **{**whole, "frame": whole["frame"][..., :99]})
+    refused = invoke([*line, "s.npz"], tmp_path)
+    assert (refused.status, refused.codes) == (2, ["NS0819"])
+    assert "without light it has 256 x 99 pixels, the frame 256 x 256" in refused.err
+    lost = invoke([*line, "none.npz"], tmp_path)
+    assert "there is no such file" in lost.err
 
 
 def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:

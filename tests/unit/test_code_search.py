@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
+from nscc_training.loop import train as loop  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.search import (  # noqa: E402
@@ -186,17 +188,51 @@ def test_a_search_goes_where_the_losses_fall(monkeypatch: pytest.MonkeyPatch) ->
 
 
 def test_a_search_keeps_within_its_words(monkeypatch: pytest.MonkeyPatch) -> None:
+    """However good what takes more may be."""
     parts = parts_of(moves=12, judged=12, most_words=3.0)
     before = parts.encoder.codes()["start"]
+    own = searching.codes_of(parts)
+    words = {"of others": 3.5}
+
+    def counted(_parts: object, codes: dict[str, np.ndarray]) -> float:
+        return 3.0 if np.array_equal(codes["start"], own["start"]) else words["of others"]
+
     monkeypatch.setattr(
         searching, "_losses", lambda _p, codes, *_: np.full(2, -codes["start"].sum())
     )
-    monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 3.5)
+    monkeypatch.setattr(searching, "_words", counted)
     searching.search(parts, None, 0)  # type: ignore[arg-type]
     assert np.array_equal(parts.encoder.codes()["start"], before)
-    monkeypatch.setattr(searching, "_words", lambda _parts, _codes: 3.0)
+    words["of others"] = 3.0
     searching.search(parts, None, 0)  # type: ignore[arg-type]
     assert parts.encoder.codes()["start"].sum() > before.sum()
+
+
+def test_random_bits_come_down_to_their_words_and_then_get_better() -> None:
+    """With the compiler's own count, and losses that want every place to be open for long."""
+    parts = parts_of(**{"class": "e"}, moves=24, judged=4, most_words=3.0)
+    first = searching._words(parts, searching.codes_of(parts))
+    assert first is not None
+    counts, losses = [first], []
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(searching, "_losses", lambda p, codes, *_: _closed(p, codes))
+        for step in range(16):
+            losses.append(searching.search(parts, None, step))  # type: ignore[arg-type]
+            counts.append(searching._words(parts, searching.codes_of(parts)) or np.inf)
+    under = next(k for k, words in enumerate(counts) if words <= 3)
+    assert first > 6
+    assert all(
+        after <= max(3, 0.9 * before) or after == before
+        for before, after in itertools.pairwise(counts)
+    )
+    assert max(counts[under:]) <= 3
+    assert losses[-1] < losses[under]
+
+
+def _closed(parts: searching.Parts, codes: dict[str, np.ndarray]) -> np.ndarray:
+    parts.encoder.load_codes(codes)
+    closed = 1 - parts.encoder.hard().numpy().mean(axis=(1, 2))
+    return np.full(2, closed.mean())
 
 
 def moving(speed: float, seed: int = 0) -> np.ndarray:
@@ -262,3 +298,37 @@ def test_a_searched_run_says_what_moved_and_goes_on_where_it_stopped(tmp_path: P
     alone = result["robustness"][0]["psnr_db"] - codes["start_alone_psnr_db"]
     assert (codes["moved"] == 0) == (alone == 0)
     assert ("start alone" in card) == (codes["moved"] > 0)
+
+
+def test_a_limit_of_words_is_a_search_s_and_is_kept_to_the_end(tmp_path: Path) -> None:
+    shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "moves": 2}
+    values = {**SMALL, "shutter": shutter | {"most_words": 0.25}, "decoder": {"learn": False}}
+    with pytest.raises(Rejected, match="NS0850"):
+        train(settings_of(values), tmp_path / "never")
+    assert not (tmp_path / "never/result.json").exists()
+    assert (tmp_path / "never/metrics.csv").exists()
+    values["shutter"] = shutter | {"most_words": 0.25, "relaxation": "tried"}
+    with pytest.raises(Rejected, match="a search alone stays within words"):
+        make_parts(settings_of(values))
+
+
+def test_what_settles_is_what_validation_found_best(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A search that goes astray after its first validation; then the decoder learns, alone."""
+
+    def astray(parts: searching.Parts, *_: object) -> float:
+        stop = parts.encoder.codes()["stop"]
+        parts.encoder.load_codes({"stop": np.maximum(stop // 2, 1)})
+        return 0.0
+
+    monkeypatch.setattr(loop, "search", astray)
+    shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "settle": 0.5}
+    values = {**SMALL, "shutter": shutter}
+    values["train"] = {**values["train"], "steps": 4, "validate_every": 1, "rate": 0.0}
+    train(settings_of(values), tmp_path / "run")
+    lines = (tmp_path / "run/metrics.csv").read_text().splitlines()[1:]
+    rows = [line.split(",") for line in lines if ",val," in line]
+    first, second, *settled = [float(row[2]) for row in rows]
+    assert first != second
+    assert settled == [min(first, second)] * 2

@@ -334,6 +334,10 @@ def test_evaluate_refuses(folder: Path, arguments: list[str], code: str) -> None
     assert (outcome.status, outcome.codes) == (2, [code])
 
 
+def test_a_clip_that_is_not_there_is_said_to_be_missing(tmp_path: Path) -> None:
+    assert "there is no such file" in invoke(["evaluate", "sci8", "none.mat"], tmp_path).err
+
+
 @pytest.mark.parametrize(
     "change", [{"mean": "high"}, {"data": [3]}, {"items": [{"psnr_db": "nan"}]}]
 )

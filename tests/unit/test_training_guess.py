@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -260,3 +261,15 @@ def test_the_papers_sizes_begin_with_nothing(name: str, kind: str, channels: int
     first = decoder.network.down[0][0]
     assert first.in_channels == channels
     assert decoder.guesses is False
+
+
+def test_a_first_guess_may_be_chosen() -> None:
+    """Whatever the size; not for what has none, nor without the code that it is made of."""
+    still = Task("still", 5, (4, 4), guess=True)
+    with torch.device("meta"):
+        assert make_decoder("unet2d", "paper", still).network.down[0][0].in_channels == 4
+        assert make_decoder("unet2d", "small", replace(still, guess=False)).guesses is False
+    with pytest.raises(ValueError, match=r"decoder\.guess is for unet2d and unet3d"):
+        make_decoder("unrolled", "small", Task("clip", 5, (4, 4), guess=False))
+    with pytest.raises(ValueError, match=r"takes decoder\.sees_code"):
+        make_decoder("unet2d", "small", replace(still, sees_code=False))

@@ -170,6 +170,9 @@ def test_tables_without_arguments_are_of_what_is_shipped(tmp_path: Path) -> None
     row = shown["2D U-Net, d learned"]
     assert row["psnr_db"] == pytest.approx(sum(each["mean"] for each in learned) / 3)
     assert row["remark"] == "places moved: 0 of 64, 0 of 64, 0 of 64"
+    # Beside it lie results of the same decoder on other codes, of a window of each clip.
+    any_code = json.loads((shipped_evaluations() / "any.json").read_text())
+    assert shown["the decoder for any code, e random"]["psnr_db"] == any_code["mean"]
     by_file: dict[str, list[float]] = {}
     for item in learned[0]["items"]:
         by_file.setdefault(item["file"], []).append(item["psnr_db"])
@@ -198,6 +201,18 @@ def test_results_under_effects_stand_in_no_table(tmp_path: Path) -> None:
     (tmp_path / "chip.json").write_text(json.dumps(chip))
     [row] = [row for row in tables(results=tmp_path) if row["row"] == "2D U-Net, d learned"]
     assert row["psnr_db"] > 30
+
+
+def test_decoders_of_two_sizes_do_not_share_a_row(tmp_path: Path) -> None:
+    """Their mean would be nobody's figure: small decoders come first, each with its own."""
+    for size, psnr_db in (("paper", 33.0), ("small", 31.0)):
+        found = json.loads((shipped_evaluations() / "u3_c_quad.json").read_text())
+        found["settings"]["size"] = size
+        for item in found["items"]:
+            item["psnr_db"] = psnr_db
+        (tmp_path / f"{size}.json").write_text(json.dumps(found))
+    rows = [row for row in tables(results=tmp_path) if row["row"] == "3D U-Net, c fixed"]
+    assert [(row["size"], row["psnr_db"]) for row in rows] == [("small", 31.0), ("paper", 33.0)]
 
 
 def test_baselines_on_other_codes(tmp_path: Path) -> None:

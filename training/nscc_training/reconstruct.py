@@ -30,6 +30,7 @@ from nscc_runtime.looked_light import OPEN
 from nscc_runtime.pieces import COLOURS
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.encoders.looks import LOOKS
+from nscc_training.problems import why_no_arrays
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import filled, laid, shared_out
@@ -292,8 +293,7 @@ def _frame_arrays(path: Path) -> FrameRead:
                 count = int(file["shutter_shape"][3])
                 kept = np.unpackbits(file["shutter"], axis=-1, count=count, bitorder="little")
     except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        reason = f"{type(error).__name__}: {' '.join(str(error).split())[:150]}"
-        raise _no_frame(path, reason) from error
+        raise _no_frame(path, why_no_arrays(path, error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
         raise _no_frame(path, f"its schema is not {SCHEMA}")
     if opened is not None and (opened.shape != found.shape or opened.dtype.kind not in "iu"):

@@ -95,6 +95,10 @@ class DecoderSettings:
     size: str = key(Text(SIZES), "as in the paper, or at most 0.6 million parameters", "small")
     width: float = key(Number(0.01, 1), "of its layers, as a part of the size's", 1.0)
     sees_code: bool = key(Flag(), "whether the decoder knows the code of each pixel", True)
+    guess: str = key(
+        Text(("by size", "yes", "no")), "whether a U-Net improves on a first guess; by size: the "
+        "small ones do, the paper's begin with nothing", "by size",
+    )  # fmt: skip
     init: str = key(
         Text(), "the run, a folder or one that comes with nscc, whose weights it begins with; "
         "empty: drawn from the seed", "",

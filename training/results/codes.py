@@ -1,19 +1,19 @@
 """Codes side by side behind the one decoder for any code, on a window of each clip.
 
-    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN[@start] ...
+    python training/results/codes.py DATA OUT NAME=CLASS:START|RUN[@start|@own] ...
 
 Codes are those that a class may start with, those of a run, or those that the run began with. DATA
 is a folder of clips. Of each the first window of protocol video-v1 is exposed, its middle of 112 x
-112 pixels decoded by the decoder that no code was trained for. OUT/codes-NAME.json is what `nscc
-evaluate` would say of it; those that are there and belong to the same decoder stay: to its weights
-and to the text of its modules.
+112 pixels decoded by the decoder that no code was trained for, with @own by the run's.
+OUT/codes-NAME.json is what `nscc evaluate` would say of it; those that are there and belong to the
+same decoder stay: to its weights and to the text of its modules.
 """
 
 from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from hashlib import sha256
 from importlib.resources import files
@@ -22,6 +22,7 @@ from time import perf_counter
 from typing import Any
 
 import numpy as np
+import torch
 from numpy.typing import NDArray
 from torch import Tensor
 
@@ -34,12 +35,15 @@ from nscc_training.evaluation.video import Window, clips_of, windows
 from nscc_training.loop.setup import started_encoder
 from nscc_training.programs import Chip, compiled, program_of, words_per_slot
 from nscc_training.protocols import load_protocol
-from nscc_training.run_folder import load_run
+from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import SensorModel, frame_of, laid
 
 SIDE = 112
 PROTOCOL = load_protocol("video-v1")
+METHOD = "any, first windows"
+"""Not `any`, whose rows in tables are of whole windows, and of all."""
 KEY = "decoder_sha256"
+Decode = Callable[[Tensor, Tensor, SensorModel], Tensor]
 MODULES = ("decode.py", "measured.py", "network.py", "stages.py")
 
 
@@ -48,22 +52,27 @@ def main() -> None:
     if len(sys.argv) < 4:
         raise SystemExit(__doc__)
     data, out = map(Path, sys.argv[1:3])
-    decoder = digest()
     for name, _, what in (argument.partition("=") for argument in sys.argv[3:]):
         path = out / f"codes-{name}.json"
+        folder, _, part = what.partition("@")
+        own = part == "own"
+        weights = Path(folder, "decoder.safetensors").read_bytes() if own else None
+        decoder = digest(weights)
         if path.is_file() and json.loads(path.read_text())["settings"].get(KEY) == decoder:
             continue
         encoder, told = codes_of(what)
-        path.write_text(json.dumps(evaluated(encoder, data, told | {KEY: decoder}),
-                                   indent=2) + "\n")  # fmt: skip
+        decode = decoder_of(load_run(Path(folder))) if own else by_any
+        result = evaluated(encoder, decode, data, told | {KEY: decoder})
+        path.write_text(json.dumps(result, indent=2) + "\n")
         print(path, flush=True)
 
 
-def digest() -> str:
-    """Of all that the decoder is made of."""
+def digest(weights: bytes | None = None) -> str:
+    """Of all that a decoder is made of: nscc's, or a run's with weights of its own."""
     folder = files("nscc_training.any_code")
-    parts = (folder / name for name in (WEIGHTS, *MODULES))
-    return sha256(b"".join(part.read_bytes() for part in parts)).hexdigest()
+    modules = MODULES if weights is None else (*MODULES, "decoder.py")
+    parts = [(folder / name).read_bytes() for name in modules]
+    return sha256(b"".join([weights or (folder / WEIGHTS).read_bytes(), *parts])).hexdigest()
 
 
 def codes_of(what: str) -> tuple[Encoder, dict[str, Any]]:
@@ -87,20 +96,35 @@ def codes_of(what: str) -> tuple[Encoder, dict[str, Any]]:
     return encoder, told | {"words_per_slot": words}
 
 
-def evaluated(encoder: Encoder, data: Path, told: dict[str, Any]) -> dict[str, Any]:
+def by_any(frame: Tensor, mask: Tensor, sensor: SensorModel) -> Tensor:
+    """Electrons a slot (N, rows, cols) of a frame in codes, by the decoder for any code."""
+    return decoded_clip(Measured.read(frame.numpy(), mask.numpy(), sensor))[0]
+
+
+def decoder_of(run: RunFolder) -> Decode:
+    """The same by a run's decoder."""
+
+    @torch.no_grad()
+    def decode(frame: Tensor, mask: Tensor, sensor: SensorModel) -> Tensor:
+        light: Tensor = run.parts.decoder(sensor.relative(frame)[None], mask)[0]
+        return light * (sensor.full_e / run.parts.slots)
+
+    return decode
+
+
+def evaluated(encoder: Encoder, decode: Decode, data: Path, told: dict[str, Any]) -> dict[str, Any]:
     """The result of codes, as `nscc evaluate` says it."""
     clips = clips_of(data)
     tile, sensor = encoder.hard(), SensorModel.of_protocol(PROTOCOL)
 
-    def decode(window: Scene, index: int) -> tuple[NDArray[np.float64], float]:
+    def made(window: Scene, index: int) -> tuple[NDArray[np.float64], float]:
         begin = perf_counter()
         frame: Tensor = frame_of(window.light_e, tile, sensor, index)
-        mask = laid(tile, *frame.shape).numpy()
-        made = decoded_clip(Measured.read(frame.numpy(), mask, sensor))[0].double().numpy()
-        return made, perf_counter() - begin
+        found = decode(frame, laid(tile, *frame.shape), sensor).double().numpy()
+        return found, perf_counter() - begin
 
-    every = list(scored(firsts(clips), decode, []))
-    return with_arrays(PROTOCOL, Subject("any", told), clips, every, [])[0]
+    every = list(scored(firsts(clips), made, []))
+    return with_arrays(PROTOCOL, Subject(METHOD, told), clips, every, [])[0]
 
 
 def firsts(clips: list[Path]) -> Iterator[Window]:

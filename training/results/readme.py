@@ -36,6 +36,17 @@ CODES = {
     },
 }
 """The rows of `codes`, as `codes.py` names them, and what they are."""
+PAPER = {
+    "paper_hdr_random": ("2D U-Net, `b` random", "hdr_random_0"),
+    "paper_hdr_quad": ("2D U-Net, `b`, 2 x 2 pattern", "hdr_quad_0"),
+    "paper_hdr_learned": ("2D U-Net, `b` **learned from random**", ""),
+    "paper_fc_c": ("FC-net, `c`, 2 x 2 pattern", "fc_c_quad"),
+    "paper_fc_e": ("FC-net, `e` random", "fc_e_random"),
+    "paper_u3_c": ("3D U-Net, `c`, 2 x 2 pattern", "u3_c_quad"),
+    "paper_u3_d": ("3D U-Net, `d`, 2 x 2 pattern", "u3_d_quad_0"),
+}
+"""The rows of `paper_size`, as `paper_size.py` names them: what they are, and the run with the same
+codes and a small decoder, if there is one."""
 
 
 @cache
@@ -175,6 +186,23 @@ def codes() -> str:
     return "\n".join(f"| {' | '.join(row)} |" for row in rows)
 
 
+def paper_size(kind: str) -> str:
+    """The table of decoders of the paper's size for `stills` or `clips`: those that were run."""
+    still = kind == "stills"
+    head = ["", "parameters", "places moved", "steps", "linear PSNR" if still else "PSNR",
+            "PSNR-mu" if still else "by source", "SSIM", "over the small one (95 %)"]  # fmt: skip
+    rows = [head, ["---"] * len(head)]
+    for name, (told, small) in PAPER.items():
+        if evaluated(name) and still == (result(name)["protocol"] == "hdr-v1"):
+            other = mean(name, "mu_psnr_db") if still else source(name, "psnr_db")
+            rows.append([
+                told, f"{result(name)['parameters'] / 1e6:.1f} million", moved(name), steps(name),
+                mean(name, "psnr_db"), other, mean(name, "ssim"),
+                gain(small, name, "psnr_db") if small else "",
+            ])  # fmt: skip
+    return "\n".join(f"| {' | '.join(row)} |" for row in rows)
+
+
 def evaluated(name: str) -> bool:
     """Whether there is a result of that name."""
     return (HERE / "evaluations" / f"{name}.json").is_file()
@@ -184,7 +212,7 @@ FUNCTIONS: dict[str, Callable[..., str]] = {
     call.__name__: call
     for call in (
         mean, source, gain, gain_by_source, stop, words, moved, validated, steps, validation,
-        cost, windows, without, noise, looks, codes,
+        cost, windows, without, noise, looks, codes, paper_size,
     )
 }  # fmt: skip
 

@@ -1,5 +1,5 @@
 #!/bin/bash
-# Trains and evaluates everything in this folder again, on two cores in about five hours:
+# Trains and evaluates everything in this folder again, on two cores in about eight hours:
 #   bash training/results/reproduce.sh DATA OUT [OPTION OF nscc sweep ...]
 # DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4 and sci/*.mat. OUT is made: links to
 # the data as they are split, photographs that training/data/fetch.py fetches, and four sweeps, of
@@ -36,9 +36,12 @@ nscc sweep successors.toml --out successors "$@"
 nscc sweep ways.toml --out ways "$@"
 nscc evaluate looks --data data/hdr_test --results all
 
-# Codes behind the decoder for any code: given, found by searches, and those that these began with.
+# Codes behind the decoder for any code: given, found by searches, and those that these began with;
+# the last one found once more, behind the decoder that judged it, and after it has learned the code.
+nscc train tuned.toml --out all/runs/tuned
 codes=(quad=c:quad two-phase=c:two-phase staggered=c:staggered cyclic=e:cyclic
-    random-c=c:random random-d=d:random)
+    random-c=c:random random-d=d:random found_words=all/runs/searched_words
+    judge=all/runs/searched_2@own tuned=all/runs/tuned@own)
 for seed in 0 1 2; do
     codes+=("start_$seed=all/runs/searched_$seed@start" "found_$seed=all/runs/searched_$seed")
 done
@@ -102,6 +105,12 @@ python "$here"/figure.py hdr.png vestibule_1k_128_0 studio_small_05_1k_128_0 -- 
     "always open=$show/ldr" "best uniform=$show/best-uniform-mu" "2 x 2=$show/hdr_quad_0" "learned=$show/hdr_learned_0"
 python "$here"/figure.py clips.png cvvdp_ferris_0 runner_0 -- "bilinear=$show/bilinear" \
     "random=$show/vid_random_0" "2 x 2=$show/vid_quad_0" "learned=$show/vid_learned_0"
+
+# Decoders of the paper's size, on one core: with `--minutes M` and again for shorter turns.
+python "$here"/paper_size.py data all/paper
+for name in random quad learned; do still all/paper/paper_hdr_$name paper_$name; done
+python "$here"/figure.py paper.png vestibule_1k_128_0 studio_small_05_1k_128_0 -- \
+    "small, 2 x 2=$show/hdr_quad_0" "random=$show/paper_random" "2 x 2=$show/paper_quad" "learned=$show/paper_learned"
 
 mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/

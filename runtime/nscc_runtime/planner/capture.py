@@ -58,6 +58,8 @@ class Planned(Prepared):
         if self.plan.slot_loop == "all":
             ((_, every),) = self._running
             return self._exposure(*every.expose(seed, frame))
+        if not self._running:
+            return self._exposure(*self._summed.expose(seed, frame))
         away = self._summed.away(seed, frame)
         found, marked = self._summed.expose(seed, frame, away)
         self._run(found, marked, away, seed, frame)

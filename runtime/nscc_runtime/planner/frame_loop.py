@@ -30,11 +30,14 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 @record
 class Counting:
-    """Which of all `pixels` are counted; `more`: beside what another source has left in `away`."""
+    """Which of all `pixels` are counted; `more`: beside what another source has left in `away`,
+    which has room for `room` pixels from number `from_` on."""
 
     begin: int
     end: int
     pixels: int
+    room: int
+    from_: int
     groups: int
     more: int
     rate_cap: float
@@ -49,36 +52,39 @@ def draw_counts(
     scratch: Written[Floats],
     few: Written[Floats],
     places: Written[Ints],
-    away: Written[Annotated[Floats, "groups pixels"]],
+    away: Written[Annotated[Floats, "groups room"]],
 ) -> None:
-    """away[g, p] := how far a count of rates[g, p] is from its mean, or so much more.
+    """away[g, p - from_] := how far a count of rates[g, p] is from its mean, or so much more.
 
     `values`, `few`, `places`: scratch for `BLOCK` pixels; `scratch` for four times as many.
     """
     for first in range(counting.begin, counting.end, BLOCK):
         stop = min(first + BLOCK, counting.end)
         for group in range(counting.groups):
-            at = group * counting.pixels + first
+            at, to = group * counting.pixels + first, group * counting.room + first - counting.from_
             for i in range(stop - first):
                 values[i] = rates[at + i]
             counted(keys[group], counting.rate_cap, first, stop, values, scratch, few, places)
             if counting.more:
                 for i in range(stop - first):
-                    away[at + i] += values[i] - rates[at + i]
+                    away[to + i] += values[i] - rates[at + i]
             else:
                 for i in range(stop - first):
-                    away[at + i] = values[i] - rates[at + i]
+                    away[to + i] = values[i] - rates[at + i]
 
 
 @record
 class Adding:
-    """The rows from `begin` to `end` - 1, and what is added up there."""
+    """The rows from `begin` to `end` - 1, and what is added up there; `away` has `room` pixels from
+    number `from_` on."""
 
     begin: int
     end: int
     rows: int
     cols: int
     pixels: int
+    room: int
+    from_: int
     buckets: int
     lane_count: int
     groups: int
@@ -106,7 +112,7 @@ def _own(
         for i in range(stop - first):
             total[at + i] = 0.0
         for group in range(adding.groups):
-            source = group * adding.pixels + first
+            source = group * adding.room + first - adding.from_
             row = (group * adding.buckets + bucket) * adding.lane_count
             for i in range(stop - first):
                 total[at + i] += weights[row + lanes[first + i]] * away[source + i]
@@ -129,7 +135,7 @@ def _beside(
         step, begin = -1, first if first % cols else first + 1
     else:
         step, end = 1, stop if stop % cols else stop - 1
-    here = group * pixels
+    here = group * adding.room - adding.from_
     mine = (group * adding.buckets + bucket) * pixels
     other = ((group * 4 + direction) * adding.buckets + bucket) * pixels
     at = bucket * BLOCK - first
@@ -150,7 +156,8 @@ def _exchanged(
         for p in range(first, stop):
             total[at + p] = 0.0
         for group in range(adding.groups):
-            mine, here = (group * adding.buckets + bucket) * adding.pixels, group * adding.pixels
+            mine = (group * adding.buckets + bucket) * adding.pixels
+            here = group * adding.room - adding.from_
             for p in range(first, stop):
                 total[at + p] += own[mine + p] * away[here + p]
             for direction in range(4):
@@ -163,7 +170,7 @@ def add_up(
     noise_keys: Annotated[Words, "sources"],
     lanes: Annotated[Ints32, "pixels"],
     expected: Annotated[Floats, "buckets pixels"],
-    away: Annotated[Floats, "groups pixels"],
+    away: Annotated[Floats, "groups room"],
     weights: Annotated[Floats, "groups buckets lane_count"],
     own: Floats32,
     neighbours: Floats32,

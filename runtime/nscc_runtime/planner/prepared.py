@@ -110,7 +110,9 @@ class Prepared:
         """The exposures (buckets, pixels) of the mean charge, nothing saturated."""
         sums, dark_e = self._sums[1], self.chip.dark_e
         found = sums[:, 0] if sums.shape[1] == 1 else (sums * self.chip.leaks[1]).sum(axis=1)
-        return np.ascontiguousarray(found if dark_e is None else found + dark_e)
+        if dark_e is not None:
+            np.add(found, dark_e, out=found)
+        return np.ascontiguousarray(found)
 
     @cached_property
     def near(self) -> Near:

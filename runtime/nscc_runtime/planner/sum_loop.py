@@ -13,6 +13,7 @@ from nscc_runtime.loop import (
     Bytes,
     Floats,
     Floats32,
+    Ints,
     Ints32,
     Written,
     compiled,
@@ -206,6 +207,114 @@ def _smear(
     lit[at + stop - 1 - first] = _moved(frames, share, frame, stop - 1, up, down, left, right, c)
 
 
+@compiled
+def _gather(
+    source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
+) -> None:
+    """gathered[i] += what `count` frames, `step` apart, have at first + i."""
+    for k in range(0, count - count % TOGETHER, TOGETHER):
+        frame = at + k * step
+        for p in range(first, stop):
+            total = gathered[p - first] + source[frame + p]
+            total += source[frame + step + p]
+            total += source[frame + 2 * step + p]
+            gathered[p - first] = total + source[frame + 3 * step + p]
+    for k in range(count - count % TOGETHER, count):
+        frame = at + k * step
+        for p in range(first, stop):
+            gathered[p - first] += source[frame + p]
+
+
+@compiled
+def _add_gathered(
+    gathered: Floats, table: Floats, row: int, lane_count: int, kind: int, lanes: Ints32,
+    first: int, stop: int, out: Floats, to: int,
+) -> None:  # fmt: skip
+    """out[to + p] += gathered[p - first] times the weight of the lane of p in a table's row."""
+    if kind == DARK:
+        return
+    if kind == EVEN:
+        even = table[row]
+        for p in range(first, stop):
+            out[to + p] += even * gathered[p - first]
+    elif lane_count == FEW:
+        a, b, c, d = table[row], table[row + 1], table[row + 2], table[row + 3]
+        for p in range(first, stop):
+            out[to + p] += _of_four(lanes[p], a, b, c, d) * gathered[p - first]
+    else:
+        for p in range(first, stop):
+            out[to + p] += table[row + lanes[p]] * gathered[p - first]
+
+
+@compiled
+def _gather_smeared(
+    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, count: int, first: int,
+    stop: int, lit: Floats32, gathered: Floats,
+) -> None:  # fmt: skip
+    """As `_gather`, of frames k .. k + count - 1 once neighbours have exchanged their light."""
+    pixels = sizes.rows * sizes.cols
+    for near in range(0, count, TOGETHER):
+        together = min(TOGETHER, count - near)
+        for each in range(together):
+            frame = (k + near + each) * pixels
+            _smear(sizes, frames, share, frame, first, stop, lit, each * BLOCK)
+        _gather(lit, -first, BLOCK, together, first, stop, gathered)
+
+
+@compiled
+def _add_alike(
+    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, alike: int, table: Floats,
+    kinds: Bytes, lanes: Ints32, first: int, stop: int, lit: Floats32, gathered: Floats,
+    out: Floats,
+) -> None:  # fmt: skip
+    """Add the frames from k on, whose weights are alike, to all sums."""
+    pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
+    for smeared in range(2):
+        begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
+        most = DARK
+        for j in range(begin, end):
+            most = max(most, kinds[j * count + k])
+        if most == DARK:
+            continue
+        for i in range(stop - first):
+            gathered[i] = 0.0
+        if smeared:
+            _gather_smeared(sizes, frames, share, k, alike, first, stop, lit, gathered)
+        else:
+            _gather(frames, k * pixels, pixels, alike, first, stop, gathered)
+        for j in range(begin, end):
+            kind = j * count + k
+            _add_gathered(
+                gathered, table, kind * lane_count, lane_count, kinds[kind], lanes, first, stop,
+                out, j * pixels,
+            )  # fmt: skip
+
+
+@compiled
+def _add_each(
+    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, together: int, table: Floats,
+    kinds: Bytes, lanes: Ints32, first: int, stop: int, lit: Floats32, out: Floats,
+) -> None:  # fmt: skip
+    """Add up to `TOGETHER` frames from k on to all sums."""
+    pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
+    if sizes.smeared < sizes.sums:
+        for near in range(together):
+            frame = (k + near) * pixels
+            _smear(sizes, frames, share, frame, first, stop, lit, near * BLOCK)
+    for j in range(sizes.smeared):
+        kind = j * count + k
+        _add(
+            frames, k * pixels, pixels, together, table, kind * lane_count, lane_count, kinds,
+            kind, lanes, first, stop, out, j * pixels,
+        )  # fmt: skip
+    for j in range(sizes.smeared, sizes.sums):
+        kind = j * count + k
+        _add(
+            lit, -first, BLOCK, together, table, kind * lane_count, lane_count, kinds, kind,
+            lanes, first, stop, out, j * pixels,
+        )  # fmt: skip
+
+
 @loop
 def scene_sums(
     sizes: SceneSizes,
@@ -215,41 +324,42 @@ def scene_sums(
     lanes: Annotated[Ints32, "rows cols"],
     table: Annotated[Floats, "sums count lane_count"],
     kinds: Annotated[Bytes, "sums count"],
+    alike: Annotated[Ints, "count"],
     lit: Written[Floats32],
+    gathered: Written[Floats],
     out: Written[Annotated[Floats, "sums rows cols"]],
 ) -> None:
     """out[j, p] := the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
 
     The frames pass once, for all sums. Products and sums in float64, frame after frame; smeared
     light in float32. `share`: the scale in float32 where light is smeared. `kinds`: of the frames'
-    weights. `lit`: scratch for `TOGETHER` times `BLOCK` pixels.
+    weights; `alike`: with how many after it each frame has all its weights in common, itself
+    included: they are added up before they are weighted. `lit`, `gathered`: scratch for `TOGETHER`
+    times `BLOCK` pixels, and for `BLOCK`.
     """
-    cols, count, lane_count = sizes.cols, sizes.count, sizes.lane_count
-    pixels = sizes.rows * cols
+    cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
     for row in range(sizes.begin, sizes.end):
         for first in range(row * cols, (row + 1) * cols, BLOCK):
             stop = min(first + BLOCK, (row + 1) * cols)
             for j in range(sizes.sums):
                 for p in range(first, stop):
                     out[j * pixels + p] = 0.0
-            for k in range(0, count, TOGETHER):
-                together = min(TOGETHER, count - k)
-                if sizes.smeared < sizes.sums:
-                    for near in range(together):
-                        frame = (k + near) * pixels
-                        _smear(sizes, frames, share, frame, first, stop, lit, near * BLOCK)
-                for j in range(sizes.smeared):
-                    kind = j * count + k
-                    _add(
-                        frames, k * pixels, pixels, together, table, kind * lane_count, lane_count,
-                        kinds, kind, lanes, first, stop, out, j * pixels,
+            k = 0
+            while k < count:
+                if alike[k] > 1:
+                    _add_alike(
+                        sizes, frames, share, k, alike[k], table, kinds, lanes, first, stop, lit,
+                        gathered, out,
                     )  # fmt: skip
-                for j in range(sizes.smeared, sizes.sums):
-                    kind = j * count + k
-                    _add(
-                        lit, -first, BLOCK, together, table, kind * lane_count, lane_count, kinds,
-                        kind, lanes, first, stop, out, j * pixels,
-                    )  # fmt: skip
+                    k += alike[k]
+                    continue
+                together = 1
+                while together < TOGETHER and k + together < count and alike[k + together] == 1:
+                    together += 1
+                _add_each(
+                    sizes, frames, share, k, together, table, kinds, lanes, first, stop, lit, out
+                )
+                k += together
             for j in range(sizes.smeared):
                 for p in range(first, stop):
                     out[j * pixels + p] *= scale[p]

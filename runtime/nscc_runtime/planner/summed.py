@@ -43,6 +43,8 @@ Weights = NDArray[np.float32]
 
 ROUNDING = 1e-12
 """Of sums of charge: the part by which a well that is just full may seem to hold more."""
+_IN_CACHE = 1 << 15
+"""Counts that are drawn before they are added up."""
 _NONE, _NONE_32 = np.zeros((1, 1)), np.zeros(1, np.float32)
 
 
@@ -54,56 +56,78 @@ class Summed:
 
     def away(self, seed: int, frame: int) -> Values:
         """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
-        scene = self.scene
-        found = np.empty((len(scene.counted), len(scene.places)))
-        for number, (stream, source, _) in enumerate(self.counts):
-            keys = [count_key(seed, stream, source, frame, group) for group in scene.counted]
-            self._draw(self._drawing[number], np.array(keys, np.uint64), number > 0, found)
-        return found
-
-    def expose(self, seed: int, frame: int, away: Values) -> tuple[Values, NDArray[np.uint8]]:
-        """Exposures (buckets, pixels) of frame number `frame`, and what cut them off, with counts
-        so far `away` from their means."""
-        scene = self.scene
-        rows, pixels = scene.light.shape[0], len(scene.places)
-        buckets = len(scene.program.container.buckets)
-        found, marked = np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8)
-        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self.noise[0]]
-        filled = {
-            "noise_keys": np.array(noise, np.uint64), "away": away, "exposure": found,
-            "marked": marked,
-        }  # fmt: skip
+        pixels = len(self.scene.places)
+        found, keys = np.empty((len(self.scene.counted), pixels)), self._keys(seed, frame)
 
         def run(begin: int, end: int) -> None:
-            self._adding(
-                adding=Adding(begin=begin, end=end, **self.sizes),
-                total=np.empty(BLOCK * buckets),
-                drawn=np.empty(BLOCK),
-                **filled,
-            )
+            self._count(keys, begin, end, 0, found)
+
+        in_parts(run, pixels, self.scene.threads, BLOCK)
+        return found
+
+    def expose(
+        self, seed: int, frame: int, away: Values | None = None
+    ) -> tuple[Values, NDArray[np.uint8]]:
+        """Exposures (buckets, pixels) of frame number `frame`, and what cut them off. Counts are so
+        far `away` from their means, or drawn rows by rows, while they are in the cache."""
+        scene = self.scene
+        (rows, cols), pixels = scene.light.shape, len(scene.places)
+        buckets, groups = len(scene.program.container.buckets), len(scene.counted)
+        found, marked = np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8)
+        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self.noise[0]]
+        noise_keys, keys = np.array(noise, np.uint64), self._keys(seed, frame)
+        strip = rows if away is not None else max(1, _IN_CACHE // max(1, cols * groups))
+        # Neighbours' counts are wanted, too.
+        more = 1 if self.sizes["exchanges"] else 0
+
+        def run(begin: int, end: int) -> None:
+            total, drawn = np.empty(BLOCK * buckets), np.empty(BLOCK)
+            room = np.empty(groups * min(strip + 2 * more, rows) * cols if away is None else 0)
+            for first in range(begin, end, strip):
+                stop = min(first + strip, end)
+                counts, from_ = away, 0
+                if counts is None:
+                    from_, last = max(first - more, 0) * cols, min(stop + more, rows) * cols
+                    counts = room[: groups * (last - from_)].reshape(groups, last - from_)
+                    self._count(keys, from_, last, from_, counts)
+                self._adding(
+                    adding=Adding(
+                        begin=first, end=stop, room=counts.shape[1], from_=from_, **self.sizes
+                    ),
+                    noise_keys=noise_keys, away=counts, total=total, drawn=drawn, exposure=found,
+                    marked=marked,
+                )  # fmt: skip
 
         in_parts(run, rows, scene.threads)
         return found, marked
 
-    def _draw(self, count: Bound, keys: NDArray[np.uint64], more: bool, away: Values) -> None:
-        """Add how far counts are from their means."""
-        groups, pixels = away.shape
+    def _keys(self, seed: int, frame: int) -> list[NDArray[np.uint64]]:
+        """The keys of the counted groups, of each source."""
+        groups = self.scene.counted
+        return [
+            np.array([count_key(seed, stream, source, frame, group) for group in groups], np.uint64)
+            for stream, source, _ in self.counts
+        ]
 
-        def run(begin: int, end: int) -> None:
+    def _count(
+        self, keys: list[NDArray[np.uint64]], begin: int, end: int, from_: int, away: Values
+    ) -> None:
+        """away[:, p - from_] := how far the counts of pixels `begin` .. `end` - 1 are from their
+        means."""
+        groups, room = away.shape
+        for number, count in enumerate(self._drawing):
             count(
                 counting=Counting(
-                    begin=begin, end=end, pixels=pixels, groups=groups, more=more,
-                    rate_cap=RATE_CAP,
+                    begin=begin, end=end, pixels=len(self.scene.places), groups=groups,
+                    room=room, from_=from_, more=number > 0, rate_cap=RATE_CAP,
                 ),
-                keys=keys,
+                keys=keys[number],
                 away=away,
                 values=np.empty(BLOCK),
                 scratch=np.empty(ROOM),
                 few=np.empty(BLOCK),
                 places=np.empty(BLOCK, np.int64),
             )  # fmt: skip
-
-        in_parts(run, pixels, self.scene.threads, BLOCK)
 
     @cached_property
     def counts(self) -> list[tuple[int, int, Values]]:

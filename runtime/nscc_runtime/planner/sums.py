@@ -94,6 +94,7 @@ def scene_sums(
             share=share,
             table=table,
             kinds=kinds,
+            alike=_alike(table),
             out=out[first : first + room],
         )
         sizes = {
@@ -104,7 +105,8 @@ def scene_sums(
 
         def run(begin: int, end: int, bound: Bound = bound, sizes: dict[str, Any] = sizes) -> None:
             lit = np.empty(sum_loop.TOGETHER * sum_loop.BLOCK, np.float32)
-            bound(sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit)
+            gathered = np.empty(sum_loop.BLOCK)
+            bound(sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered)
 
         in_parts(run, shape[0], threads)
     return out.reshape(len(weights), -1)
@@ -154,6 +156,16 @@ def _laid_out(tables: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray
     if lacking:
         tables = np.pad(tables, ((0, 0), (0, 0), (0, lacking)))
     return np.require(tables, np.float64, ["C", "A"]), kinds
+
+
+def _alike(table: NDArray[np.float64]) -> NDArray[np.int64]:
+    """With how many after it each frame has all weights of tables (J, T, lanes) in common, itself
+    included."""
+    count = table.shape[1]
+    other = (table[:, 1:] != table[:, :-1]).any(axis=(0, 2))
+    ends = np.append(np.flatnonzero(other) + 1, count)
+    each = np.arange(count)
+    return np.asarray(ends[np.searchsorted(ends, each, side="right")] - each, np.int64)
 
 
 def on_frames(light: Light, slots: NDArray[np.float64]) -> NDArray[np.float64]:

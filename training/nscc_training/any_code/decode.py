@@ -78,7 +78,7 @@ def any_clip(measurement: NDArray[np.float32], mask: Clip, count: int = STAGES) 
 def white(measured: Measured) -> Tensor:
     """The light (batch,) that all but the brightest half percent of the pixels have on average."""
     total = measured.mask.sum(dim=(1, 2))
-    mean = measured.value.sum(dim=1) / total.clamp(min=1e-6)
+    mean = measured.mean()
     levels = []
     for index in range(len(mean)):
         opened = total[min(index, len(total) - 1)] > 0

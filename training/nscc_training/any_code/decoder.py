@@ -10,7 +10,7 @@ from torch import Tensor, nn
 from nscc_training.any_code.decode import shipped, white
 from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.network import ClipDenoiser
-from nscc_training.any_code.stages import schedule, stage, started
+from nscc_training.any_code.stages import led, mirrored, schedule, stage, started
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.decoders.declared import Task
 from nscc_training.sensor_model import laid, shared_out
@@ -60,9 +60,9 @@ class AnyCode(nn.Module):
             unit = white(measured).to(measured.value.device)
             clip, target = started(measured.over(unit))
         measured = measured.over(unit)
-        for sigma in schedule(self.stages):
-            clip, target = stage(measured, self.denoiser, clip, target, sigma)
-        return clip * unit.reshape(-1, 1, 1, 1)
+        for number, sigma in enumerate(schedule(self.stages)):
+            clip, target = stage(measured, mirrored(self.denoiser, number), clip, target, sigma)
+        return led(measured, clip) * unit.reshape(-1, 1, 1, 1)
 
     def _still(self, measured: Measured) -> Tensor:
         light = started_still(measured)

@@ -18,7 +18,8 @@ from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.any_code.measured import Measured
-from nscc_training.problems import said
+from nscc_training.problems import said, why_no_arrays
+from nscc_training.reconstruct import read_dark, undarkened
 
 _TOP = 255
 """The last code, where a frame does not say what is saturated."""
@@ -77,39 +78,65 @@ class CodedFrame:
         return Measured(*(torch.from_numpy(part)[None] for part in arrays))
 
 
-def read_coded_frames(path: Path, program: Path | None = None) -> tuple[CodedFrame, ...]:
+def read_coded_frames(
+    path: Path, program: Path | None = None, dark: Path | None = None
+) -> tuple[CodedFrame, ...]:
     """A frame file of any program: one frame, or those of red, green and blue. Rejected: NS0819 for
     a file that is none, or holds no shutters and `program`, the container or text that it was
     exposed with, is not named; and what loading that raises. Repeats count as one frame, their
-    mean.
+    mean. With `dark`, a frame file of the same program without light, what each pixel reads there
+    is taken off, in place of what its words add in the mean.
     """
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
         meta = json.loads(str(arrays["meta"]))
     except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise nocoded_frame(path, said(error)) from error
+        raise nocoded_frame(path, why_no_arrays(path, error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
         raise nocoded_frame(path, f"its schema is not {SCHEMA}")
     if program is not None:
         arrays |= _table_of(program, meta)
+        pixels, own = (arrays[name].shape[-2:] for name in ("decode_row", "frame"))
+        if pixels != own:
+            sizes = f"{own[0]} x {own[1]} pixels, and '{program}' has {pixels[0]} x {pixels[1]}"
+            raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed it")
     if "decode_row" not in arrays:
         raise nocoded_frame(path, "it does not hold its pixels' shutters",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
+    offset = None if dark is None else _dark_of(dark, arrays)
     try:
         if "colours" not in meta:
-            return (coded_frame(arrays, meta),)
+            return (coded_frame(arrays, meta, offset),)
         told = ("frame", "saturated")
         return tuple(
-            coded_frame(arrays | {name: arrays[name][k] for name in told if name in arrays}, meta)
+            coded_frame(
+                arrays | {name: arrays[name][k] for name in told if name in arrays}, meta, offset
+            )
             for k in range(len(arrays["frame"]))
         )
     except (KeyError, ValueError, IndexError, TypeError) as error:
         raise nocoded_frame(path, f"its arrays do not fit together: {said(error)}") from error
 
 
-def coded_frame(arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any]) -> CodedFrame:
-    """What a frame file with these arrays and this meta holds: one frame, or repeats. KeyError,
+def _dark_of(path: Path, arrays: Mapping[str, NDArray[Any]]) -> NDArray[np.float64]:
+    """What an array (B, rows, cols) reads without light, for a frame with these arrays: of as many
+    buckets and pixels, or laid of such arrays. Rejected (NS0819) for another."""
+    found = read_dark(path, arrays["decode_shutter"].shape[-2])
+    own, dark = arrays["frame"].shape[-2:], found.shape[-2:]
+    if any(most < side or most % side for most, side in zip(own, dark, strict=True)):
+        sizes = f"{dark[0]} x {dark[1]} pixels, the frame {own[0]} x {own[1]}"
+        raise nocoded_frame(path, f"without light it has {sizes}",
+                             "expose the dark frame with the same program")  # fmt: skip
+    return found.reshape(-1, *dark)
+
+
+def coded_frame(
+    arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
+    dark: NDArray[np.float64] | None = None,
+) -> CodedFrame:  # fmt: skip
+    """What a frame file with these arrays and this meta holds: one frame, or repeats; `dark` (B,
+    rows, cols) is what an array reads without light, in codes above the ADC's offset. KeyError,
     ValueError, IndexError or TypeError for arrays that are missing or do not fit together."""
     codes = arrays["frame"]
     codes = codes[None] if codes.ndim == 3 else codes
@@ -125,7 +152,10 @@ def coded_frame(arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any]) -> 
         arrays[f"decode_{name}"][row].transpose(2, 0, 1)
         for name in ("gain", "bias_e", "variance_e2")
     )
-    exposure_e = (codes.mean(axis=0) - meta["adc_offset"]) * meta["electrons_per_lsb"]
+    read = codes.mean(axis=0) - meta["adc_offset"]
+    if dark is not None:
+        read, bias_e = undarkened(read, dark), 0
+    exposure_e = read * meta["electrons_per_lsb"]
     value_e = (exposure_e - bias_e) / gain
     if _counts_photons(meta):
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)

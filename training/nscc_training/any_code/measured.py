@@ -106,15 +106,20 @@ class Measured:
         """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
         return self.mask.square().sum(dim=2)
 
+    def mean(self) -> Tensor:
+        """The light (batch, rows, cols) that each pixel's open slots had on average, 0 where none
+        was open."""
+        total = self.mask.sum(dim=(1, 2))
+        return torch.where(total > 0, self.value.sum(dim=1) / total.clamp(min=1e-6), 0.0)
+
     def planes(self) -> Tensor:
         """What a denoiser sees of it, (batch, 3, N, rows, cols): all frames' mask, their value over
         it, and the standard deviation of that, at most 1: the same for all N but the mask."""
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)
         total = mask.sum(dim=1)
         opened = total > 0
-        mean = torch.where(opened, self.value.sum(dim=1) / total.clamp(min=1e-6), 0.0)
         noise = (self.variance.sum(dim=1).sqrt() / total.clamp(min=1e-6)).clamp(max=1)
         known = opened & ~self.saturated.any(dim=1)
         noise = torch.where(known, noise, 1.0)
-        flat = torch.stack([mean, noise], dim=1).unsqueeze(2)
+        flat = torch.stack([self.mean(), noise], dim=1).unsqueeze(2)
         return torch.cat([mask.unsqueeze(1), flat.expand(-1, -1, mask.shape[1], -1, -1)], dim=1)

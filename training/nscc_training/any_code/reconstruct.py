@@ -15,15 +15,17 @@ from nscc_training.reconstruct import Reconstruction
 
 
 def reconstruct_any(
-    frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None
-) -> Reconstruction:
+    frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None,
+    dark: Path | None = None,
+) -> Reconstruction:  # fmt: skip
     """What the decoder for any code makes of a frame of any program.
 
-    `program` is what exposed it, where the file does not hold its pixels' shutters. As an image or
-    a clip; without `kind` an image where all shutters open with the frame (class b), else a clip.
-    Colours are decoded one by one. Raises Rejected as `read_coded_frames`.
+    `program` is what exposed it, where the file does not hold its pixels' shutters; `dark` a frame
+    file of it without light, of many repeats. As an image or a clip; without `kind` an image where
+    all shutters open with the frame (class b), else a clip. Colours are decoded one by one. Raises
+    Rejected as `read_coded_frames`.
     """
-    every = read_coded_frames(frame, program)
+    every = read_coded_frames(frame, program, dark)
     still = (kind or ("image" if every[0].is_still else "video")) == "image"
     begin = perf_counter()
     made = [_light(coded, still) for coded in every]

@@ -14,13 +14,14 @@ SIZES = ("paper", "small")
 @dataclass(frozen=True)
 class Task:
     """What a decoder is for: stills or clips of `slots`, coded by a `tile`, in one bucket or two;
-    what it may see."""
+    what it may see, and whether a U-Net improves on a first guess (None: its size says)."""
 
     kind: str
     slots: int
     tile: tuple[int, int]
     sees_code: bool = True
     buckets: int = 1
+    guess: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -32,6 +33,7 @@ class Decoder:
     reconstructs those. `needs_code` says why it cannot do without the code, ""
     if it can. `any_code`: whether it decodes codes that it was not trained with. `given`: whether
     it has the declared channels alone, for it begins with weights that come with nscc, or has none.
+    `guesses`: whether it can begin with a first guess, or without.
     `two_buckets`: whether it takes frames (batch, 2, rows, cols) of clips, with the shutters of the
     first bucket.
     """
@@ -44,6 +46,7 @@ class Decoder:
     needs_code: str = ""
     any_code: bool = True
     given: bool = False
+    guesses: bool = False
     two_buckets: bool = False
 
 
@@ -57,6 +60,7 @@ _OWN = (
         f"{_HERE}.unet:flat",
         {"paper": (32, 64, 128, 256, 512, 1024), "small": (16, 32, 64, 128)},
         stills=True,
+        guesses=True,
         two_buckets=True,
     ),
     # The paper says "24 up to 768", doubling; five levels end at 384.
@@ -65,6 +69,7 @@ _OWN = (
         f"{_HERE}.unet:deep",
         {"paper": (24, 48, 96, 192, 384), "small": (8, 16, 32, 64)},
         needs_code="is fed with S^T E, which holds the code: it cannot do without",
+        guesses=True,
         two_buckets=True,
     ),
     Decoder("fcnet", f"{_HERE}.blocks:fcnet", {"paper": (4096,), "small": (96,)}, any_code=False),

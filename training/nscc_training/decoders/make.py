@@ -35,6 +35,7 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
             raise ValueError(f"{name!r} {size!r} is none of {known} in the sizes {SIZES}")
         if width != 1:
             raise ValueError(f"a width is for nscc's own decoders, and '{name}' is none of them")
+        _check_guess(name, False, task)
         return _own_decoder(name, size, task)
     if task.kind == "still" and not declared.stills:
         raise ValueError(f"{name} reconstructs clips, not stills")
@@ -45,6 +46,7 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
     if task.buckets > 1 and not declared.two_buckets:
         takers = [each.name for each in DECODERS.values() if each.two_buckets]
         raise ValueError(f"{name} takes one bucket; {', '.join(takers)} take two")
+    _check_guess(name, declared.guesses, task)
     if declared.given and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
     if declared.given or size != "small":
@@ -62,6 +64,14 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
         f"{task.slots} slots and a tile of {rows} x {cols}: take fewer slots, a smaller tile, "
         "another decoder or the size paper"
     )
+
+
+def _check_guess(name: str, guesses: bool, task: Task) -> None:
+    if task.guess is not None and not guesses:
+        takers = " and ".join(each.name for each in DECODERS.values() if each.guesses)
+        raise ValueError(f"decoder.guess is for {takers}, and {name} is neither")
+    if task.guess and not task.sees_code:
+        raise ValueError("a first guess is made of the code: it takes decoder.sees_code")
 
 
 def _built(declared: Decoder, size: str, task: Task, width: float) -> nn.Module:

@@ -22,12 +22,16 @@ _GUESSES = {"paper": False, "small": True}
 def flat(channels: Sequence[int], task: Task, size: str) -> StillUNet:
     """The declared decoder `unet2d`."""
     slots = None if task.kind == "still" else task.slots
-    return StillUNet(channels, slots, task.sees_code, _GUESSES[size], task.buckets)
+    return StillUNet(channels, slots, task.sees_code, _guesses(task, size), task.buckets)
 
 
 def deep(channels: Sequence[int], task: Task, size: str) -> ClipUNet:
     """The declared decoder `unet3d`."""
-    return ClipUNet(channels, task.slots, _GUESSES[size], task.buckets)
+    return ClipUNet(channels, task.slots, _guesses(task, size), task.buckets)
+
+
+def _guesses(task: Task, size: str) -> bool:
+    return _GUESSES[size] if task.guess is None else task.guess
 
 
 class UNet(nn.Module):

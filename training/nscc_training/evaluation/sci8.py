@@ -46,7 +46,8 @@ def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     from scipy.io import loadmat
 
     try:
-        found = loadmat(path, variable_names=["orig", "mask", "meas"])
+        with open(path, "rb") as stream:  # of a path scipy does not say that there is no such file
+            found = loadmat(stream, variable_names=["orig", "mask", "meas"])
     except FileNotFoundError:
         raise _unusable(path, "there is no such file") from None
     except Exception as error:  # scipy.io raises a dozen types for damaged files

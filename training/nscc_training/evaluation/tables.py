@@ -107,9 +107,10 @@ def tables(
     `data` holds panoramas and clips, or folders `hdr` and `video` of them; on it baselines and
     run folders in `runs` are evaluated that are not among the results, and each is written into
     `results`, if named, as soon as it is done. Results are shown if they are of the data's files
-    or, without data, of the files that most are of. Runs of one row are its seeds. A row that was
-    not run has `psnr_db` None and says why in its `remark`. Rejected (NS0811, NS0818, NS0807) for
-    folders that there are not.
+    or, without data, of the files that most are of. Runs of one row are its seeds; where decoders
+    of several sizes were run, the row is there once for each. A row that was not run has `psnr_db`
+    None and says why in its `remark`. Rejected (NS0811, NS0818, NS0807) for folders that there are
+    not.
     """
     if data is not None:
         hint = "name a folder of panoramas and clips, or with folders hdr and video of them"
@@ -126,7 +127,7 @@ def tables(
     known = {_config(found) for found in held}
     fresh = [run for run in _runs(runs) if run.config_sha256 not in known]
     table = _Filled(places, fresh, held, results)
-    return [table.row(row) for row in track(ROWS)]
+    return [each for row in track(ROWS) for each in table.rows(row)]
 
 
 @dataclass(frozen=True)
@@ -209,31 +210,17 @@ class _Filled:
     held: list[dict[str, Any]]
     keep: Path | None
 
-    def row(self, row: Row) -> dict[str, Any]:
-        """A row as `tables` has it."""
-        made: dict[str, Any] = {
-            "table": row.table,
-            "row": row.name,
-            "paper_psnr_db": row.paper[0] if row.paper else None,
-            "paper_ssim": row.paper[1] if row.paper else None,
-            "psnr_db": None, "psnr_by_source_db": None, "ssim": None, "size": None, "steps": None,
-            "seeds": [], "protocol": row.protocol, "data": [], "remark": row.remark,
-        }  # fmt: skip
+    def rows(self, row: Row) -> list[dict[str, Any]]:
+        """A row as `tables` has it: once, or once for each size of the decoders that were run."""
         results, refused = self._results(row)
         if not results:
             reason = "not run: " + (refused[0] if refused else self._why_not(row))
-            made["remark"] = f"{reason}; {row.remark}" if row.remark else reason
-            return made
-        made["remark"] = "; ".join(filter(None, (row.remark, _moved(row, results), *refused)))
-        settings = [found["settings"] for found in results]
-        made["psnr_db"] = mean_of(results, "psnr_db")
-        made["psnr_by_source_db"] = mean_of(results, "psnr_db", by_source=True)
-        made["ssim"] = mean_of(results, "ssim")
-        made["seeds"] = sorted({s.get("train_seed", s.get("seed", 0)) for s in settings})
-        made["size"] = settings[0].get("size", "-")
-        made["steps"] = max(s.get("steps", 0) for s in settings)
-        made["data"] = [entry["file"] for entry in results[0]["data"]]
-        made["protocol_sha256"] = results[0]["protocol_sha256"]
+            return [_made(row, [], [reason, row.remark])]
+        sizes = dict.fromkeys(_size(found) for found in results)
+        made = []
+        for size in sorted(sizes, key=lambda size: size == "paper"):
+            mine = [found for found in results if _size(found) == size]
+            made.append(_made(row, mine, [row.remark, _moved(row, mine), *refused]))
         return made
 
     def _results(self, row: Row) -> tuple[list[dict[str, Any]], list[str]]:
@@ -270,6 +257,34 @@ class _Filled:
             decoder, kind, codes = row.key
             return f"no run of {decoder}, class {kind}, codes {codes}"
         return "no data" if self.places[row.protocol].folder is None else "no result"
+
+
+def _made(row: Row, results: Sequence[dict[str, Any]], remarks: Sequence[str]) -> dict[str, Any]:
+    """A row of `results` of one size, or of none."""
+    made: dict[str, Any] = {
+        "table": row.table,
+        "row": row.name,
+        "paper_psnr_db": row.paper[0] if row.paper else None,
+        "paper_ssim": row.paper[1] if row.paper else None,
+        "psnr_db": None, "psnr_by_source_db": None, "ssim": None, "size": None, "steps": None,
+        "seeds": [], "protocol": row.protocol, "data": [],
+        "remark": "; ".join(filter(None, remarks)),
+    }  # fmt: skip
+    if results:
+        settings = [found["settings"] for found in results]
+        made["psnr_db"] = mean_of(results, "psnr_db")
+        made["psnr_by_source_db"] = mean_of(results, "psnr_db", by_source=True)
+        made["ssim"] = mean_of(results, "ssim")
+        made["seeds"] = sorted({s.get("train_seed", s.get("seed", 0)) for s in settings})
+        made["size"] = _size(results[0])
+        made["steps"] = max(s.get("steps", 0) for s in settings)
+        made["data"] = [entry["file"] for entry in results[0]["data"]]
+        made["protocol_sha256"] = results[0]["protocol_sha256"]
+    return made
+
+
+def _size(found: Mapping[str, Any]) -> str:
+    return str(found["settings"].get("size", "-"))
 
 
 def _moved(row: Row, results: Sequence[dict[str, Any]]) -> str:

@@ -7,6 +7,7 @@ what is left of the steps (`settle`) trains it for what was found.
 from __future__ import annotations
 
 from contextlib import suppress
+from itertools import islice
 
 import numpy as np
 import torch
@@ -20,12 +21,16 @@ from nscc_training.loop.steps import compared, decoded, generator_of, window
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.search import Motion, moved, told_db
 from nscc_training.sensor_model import SensorModel
+from nscc_training.settings import ShutterSettings
 
 _SPEEDS = (2.0, 8.0, 24.0, 64.0)
 """Pixels a frame: of hands and heads over a few frames of film, up to what flies past."""
 _MEAN_LIGHT = 0.1
 """Of the light that fills a well. Films have three times as much in the mean, but a display shows
 noise where they are dark: so the closed form ranks codes as the decoder for any code does."""
+_FEWER = 0.9
+"""Of their words codes keep at most in a step in which they take more than they may. A tenth comes
+off by a move or two; random bits are within four words a slot after some twenty steps."""
 
 
 def search(parts: Parts, batch: Batch, step: int) -> float:
@@ -33,30 +38,38 @@ def search(parts: Parts, batch: Batch, step: int) -> float:
     the loss of the codes that are kept.
 
     Of `shutter.moves` the closed form takes the `shutter.judged` that it expects most of (of stills
-    the first). Losses are those of the batch's patches under the same noise, and the words' weight.
-    A code is better where the mean over patches of what it gains is above its standard error. It
-    takes at most `shutter.most_words`, or fewer than the codes there are where these take more.
+    the first), among those that compile within `shutter.most_words`. Losses are those of the
+    batch's patches under the same noise, and the words' weight. A code is better where the mean
+    over patches of what it gains is above its standard error. Codes that take more words than they
+    may come down first: as long as they do, the best of those judged is taken, whatever it loses,
+    and each of these takes a tenth fewer words than they.
     """
     chosen = parts.settings.shutter
     parts.decoder.eval()
     generator = np.random.default_rng([parts.settings.train.seed, 11, step])
     own = codes_of(parts)
     tried = [moved(parts.encoder.spec, own, generator) for _ in range(chosen.moves)]
-    kept, first = own, _losses(parts, own, batch, step)
-    losses, most = first, chosen.most_words
-    if most and (words := _words(parts, own)) is not None and words > most:
-        most = np.nextafter(words, 0)
-    for codes in _expected(parts, own, tried)[: chosen.judged]:
-        words = _words(parts, codes)
-        if words is None or 0 < most < words:
-            continue
+    first, words = _losses(parts, own, batch, step), _words(parts, own)
+    over = words is not None and not within(chosen, words)
+    allowed = chosen.most_words or np.inf
+    if words is not None and over:
+        allowed = max(allowed, _FEWER * words)
+    best = None if over else (own, first)
+    fitting = (codes for codes in _expected(parts, own, tried) if _fits(parts, codes, allowed))
+    for codes in islice(fitting, chosen.judged):
         found = _losses(parts, codes, batch, step)
         gain = first - found
         error = gain.std(ddof=1) / len(gain) ** 0.5 if len(gain) > 1 else 0.0
-        if gain.mean() > error and found.mean() < losses.mean():
-            kept, losses = codes, found
+        if (over or gain.mean() > error) and (best is None or found.mean() < best[1].mean()):
+            best = codes, found
+    kept, losses = best or (own, first)
     parts.encoder.load_codes(kept)
     return float(losses.mean())
+
+
+def within(chosen: ShutterSettings, words: float) -> bool:
+    """Whether codes of so many words a slot may be a run's: a search has a limit, if it is set."""
+    return not (chosen.learn and chosen.most_words) or words <= chosen.most_words
 
 
 def codes_of(parts: Parts) -> Codes:
@@ -86,6 +99,11 @@ def motion_seen(model: SensorModel) -> Motion:
     mean_e = _MEAN_LIGHT * model.full_e
     counts = 1 / mean_e if model.shot_noise else 0.0
     return Motion(_SPEEDS, noise=read_e2 / mean_e**2, counts=counts)
+
+
+def _fits(parts: Parts, codes: Codes, allowed: float) -> bool:
+    words = _words(parts, codes)
+    return words is not None and words <= allowed
 
 
 def _words(parts: Parts, codes: Codes) -> float | None:

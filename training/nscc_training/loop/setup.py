@@ -108,6 +108,9 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
+    if chosen.most_words and chosen.relaxation != "search":
+        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
+                     "`search`, or weigh them by `words_weight`")  # fmt: skip
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
@@ -119,7 +122,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
     task = Task(
         "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code,
-        chosen.buckets,
+        chosen.buckets, {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
     )  # fmt: skip
     # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
     with torch.random.fork_rng(devices=[]):

@@ -20,7 +20,7 @@ from nscc_training.config import config_toml
 from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
 from nscc_training.loop.ranks import Ranks
-from nscc_training.loop.searching import search
+from nscc_training.loop.searching import search, within
 from nscc_training.loop.setup import Parts, make_parts
 from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
 from nscc_training.loop.steps import decoded, finite_norm, generator_of, loss_of, scored, window
@@ -202,6 +202,8 @@ def _update(run: Run, step: int, ahead: Ahead) -> float:
     place = (seed, 7, step)
     trial = None
     learns = codes_learn(settings, step)
+    if parts.encoder.relaxation == "search" and codes_learn(settings, step - 1) and not learns:
+        take_best(run)
     if learns and parts.encoder.relaxation == "search":
         ahead.begin(step + 1)
         return search(parts, batch, step)
@@ -275,9 +277,28 @@ def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> N
     run.rows.append(row(step, "val", found.loss, found.psnr_db, found.ssim, words, dead))
     report(f"step {step}: loss {found.loss:.5f}, {found.psnr_db:.2f} dB, SSIM {found.ssim:.4f}"
            + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
-    if words is not None and found.loss < run.progress.best_loss:
+    counts = words is not None and within(settings.shutter, words)
+    if counts and found.loss < run.progress.best_loss:
         run.progress.best_loss, run.progress.best_step = found.loss, step
         run.progress.best = tensors_of(parts)
+
+
+def take_best(run: Run) -> None:
+    """Go back to the best state that was validated. Rejected where there is none: as the compiler,
+    or NS0850 where codes were found that compile, and none within `shutter.most_words`."""
+    parts, most = run.parts, run.parts.settings.shutter.most_words
+    if run.progress.best is not None:
+        set_tensors(parts, run.progress.best)
+        return
+    words = words_per_slot(compiled(program_of(parts.encoder, parts.chip), parts.chip))
+    if not within(parts.settings.shutter, words):
+        raise rejected(
+            "NS0850", f"the search has found no code of at most {most:g} words a slot",
+            notes=(f"it stands at {words:.1f} after {run.progress.step} steps; words_per_slot in "
+                   f"{METRICS} says how it came there",),
+            helps=("raise [shutter] most_words, or give the search more steps",
+                   "begin with `quad` or `uniform`, which take few words"),
+        )  # fmt: skip
 
 
 def row(step: int, split: str, *values: float | None) -> str:
@@ -290,11 +311,7 @@ def _finish(run: Run, out: Path) -> None:
     progress = run.progress
     # A run that was interrupted after its last step makes no step that would do this.
     anneal(run.parts, run.parts.settings.train.steps - 1)
-    if progress.best is None:
-        # Says why: the compiler's own error.
-        compiled(program_of(run.parts.encoder, run.parts.chip), run.parts.chip)
-    else:
-        set_tensors(run.parts, progress.best)
+    take_best(run)
     run.parts.decoder.eval()
     made = artifacts(run.parts, run.batches, run.scenes, progress.best_step)
     write_together({out / name: data for name, data in made.items()})
