@@ -148,6 +148,24 @@ def test_light_that_is_not_kept_is_laid_out_again(monkeypatch: pytest.MonkeyPatc
         assert np.any(frames[0] != frames[1])
 
 
+def test_where_all_pixels_run_through_their_words_those_near_saturation_lack_nothing() -> None:
+    container = case("b latch", rows=ROWS, cols=COLS)
+    sensor = sensor_of(container)
+    light = moving_light((8, ROWS, COLS), 300.0)
+    light.frames[:, 4, 5] = 1e6
+    every = plan_of("all", **CLOSED)
+    decisions = tuple(
+        replace(each, decision="dropped", forced=False) if each.name == "dead_time" else each
+        for each in every.decisions
+    )
+    plan = replace(every, decisions=decisions, slot_loop="all")
+    scene = planned(container, light, sensor, plan)
+    full = exposures(container, light, sensor, "all", 2, SEED, DEVICE)[1]
+    wrong = np.abs(scene.expose(SEED, 1).exposure_e - full).max(axis=0).reshape(-1)
+    assert wrong[scene.saturating].max() < 1e-6
+    assert np.delete(wrong, scene.saturating).max() > 1.0
+
+
 def test_pixels_beside_suns_keep_what_others_lack() -> None:
     """A plan may leave neighbours' light out of pixels near saturation: not where it is a sun's."""
     container = case("b latch", rows=ROWS, cols=COLS)

@@ -56,8 +56,11 @@ class Planned(Prepared):
                 self.threads,
             )  # fmt: skip
         if self.plan.slot_loop == "all":
-            ((_, every),) = self._running
-            return self._exposure(*every.expose(seed, frame))
+            shape = len(self.program.container.buckets), len(self.places)
+            found, marked = np.empty(shape), np.empty(shape, np.uint8)
+            for places, pixels in self._running:
+                found[:, places], marked[:, places] = pixels.expose(seed, frame)
+            return self._exposure(found, marked)
         if not self._running:
             return self._exposure(*self._summed.expose(seed, frame))
         away = self._summed.away(seed, frame)
@@ -141,8 +144,11 @@ class Planned(Prepared):
     @cached_property
     def _running(self) -> list[tuple[NDArray[np.int64], Running]]:
         """The pixels that run through their words: all of them, or those that may saturate."""
-        program = self.program
-        every = self.plan.slot_loop == "all"
+        program, some = self.program, self._by_words
+        if self.plan.slot_loop == "all":
+            # Those that may saturate have all effects here, too, as predictions take them to.
+            rest = np.setdiff1d(self.places, self.saturating, assume_unique=True)
+            some = [(rest, self.kept), *some]
         return [
             (
                 places,
@@ -151,7 +157,7 @@ class Planned(Prepared):
                     self.device_seed, self.threads,
                 ),
             )
-            for places, kept in ([(self.places, self.kept)] if every else self._by_words)
+            for places, kept in some if len(places)
         ]  # fmt: skip
 
 

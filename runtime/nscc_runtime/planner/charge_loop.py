@@ -178,8 +178,8 @@ def _of_site(
 
 @compiled
 def _taken_evenly(
-    sizes: Sizes, place: int, begin: int, stop: int, sites: Ints32, rows: Ints, scales: Floats,
-    sums: Floats, away: Floats, of_group: Ints,
+    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
+    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 at a site whose counts are so far `away` from
     their means, spread as its light is."""
@@ -194,7 +194,9 @@ def _taken_evenly(
             total += scales[2 * site + DARK] * in_time
             if every <= 0.0:
                 inside, every = in_time, sums[dark + slots]
-        if of_group[group] >= 0 and inside > 0.0:
+        # Of rates beyond the cap, sums know no count.
+        known = scales[2 * site + LIT] * sums[lit + slots] < numbers.rate_cap
+        if of_group[group] >= 0 and inside > 0.0 and known:
             total += away[of_group[group] * pixels + place] * (inside / every)
         lit += slots + 1
         dark += slots + 1
@@ -223,7 +225,7 @@ def charge(
             continue
         if sizes.given:
             total = _taken_evenly(
-                sizes, place, begin, stop, sites, rows, scales, sums, away, of_group
+                sizes, numbers, place, begin, stop, sites, rows, scales, sums, away, of_group
             )
         else:
             total = _of_site(
@@ -241,15 +243,16 @@ def charge_evenly(
 ) -> float:  # fmt: skip
     """As `charge`, the pixel's own counts spread as light is, too."""
     own = _taken_evenly(
-        sizes, places[0], begin, stop, sites, rows, scales, sums, away, of_group
+        sizes, numbers, places[0], begin, stop, sites, rows, scales, sums, away, of_group
     )  # fmt: skip
     flow = 0.0
     for beside in range(1, SITES if sizes.exchanges else 1):
         if places[beside] >= 0:
             flow -= own
             flow += _taken_evenly(
-                sizes, places[beside], begin, stop, sites, rows, scales, sums, away, of_group
-            )
+                sizes, numbers, places[beside], begin, stop, sites, rows, scales, sums, away,
+                of_group,
+            )  # fmt: skip
     return own + numbers.exchanged * flow
 
 

@@ -239,12 +239,12 @@ class Chooser(Promises):
     @remembered
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
-        return self.program.work.words_ns(everything().without(*dropped), SHIPPED, False)
+        return self.program.work.words_ns(everything().without(*dropped), SHIPPED, "all")
 
     @remembered
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
-        return self.program.work.words_ns(everything().without(*lacking), SHIPPED, True)
+        return self.program.work.words_ns(everything().without(*lacking), SHIPPED, "sums")
 
     @remembered
     def _path_ns(self, dropped: frozenset[str]) -> float:
@@ -290,7 +290,7 @@ class Chooser(Promises):
         quiet = alone.without(*every.names(Counted), *every.names(Errors))
         tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
         tries = [quiet, alone] if self.sampled.noisy(self.tolerance_e) else [quiet]
-        return sum(float(tried) * TRIED * work.words_ns(each, SHIPPED, True) for each in tries)
+        return sum(float(tried) * TRIED * work.words_ns(each, SHIPPED, "nothing") for each in tries)
 
     def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""

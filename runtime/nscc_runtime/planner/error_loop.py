@@ -31,7 +31,8 @@ def _stream_of(
     """The key of draw `number` in this frame, kept in found[at] from when it is first asked for."""
     if found[at] == _UNKNOWN:
         found[at] = stream_key(base, sizes.frame, number)
-    return found[at]
+    stream: np.uint64 = found[at]
+    return stream
 
 
 @compiled
@@ -51,8 +52,8 @@ def missing_of(
             if not _draws(entries[e], kind, draw):
                 continue
             number = _drawn_number(sizes, entries[e], kind, draw)
-            at = row + buckets + np.int64(number)
-            stream = _stream_of(sizes, of_part, at, number, found)
+            key_at = row + buckets + number
+            stream = _stream_of(sizes, of_part, key_at, np.uint64(number), found)
             x = normal(uniform(stream, place))
             drawn[(e - first) * sizes.draws + draw] = x
             for bucket in range(buckets):
@@ -71,10 +72,10 @@ def _draws(entry: Entry, kind: int, draw: int) -> bool:
 
 
 @compiled
-def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> np.uint64:
+def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> int:
     """The number under which the reference draws it."""
     number = entry.number
-    return np.uint64(number * sizes.numbered + draw - 1 if kind == WORDS else number)
+    return number * sizes.numbered + draw - 1 if kind == WORDS else number
 
 
 @compiled

@@ -174,7 +174,7 @@ class Lacking:
     def _words_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of a pixel."""
         kept = self._every.without(*self.forced_off, *lacking)
-        return self.program.work.words_ns(kept, SHIPPED, True)
+        return self.program.work.words_ns(kept, SHIPPED, "sums")
 
     def _guessed(self, lacking: frozenset[str]) -> float:
         """The mean square that leaving effects out adds, by their fields."""

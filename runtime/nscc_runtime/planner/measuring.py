@@ -66,7 +66,7 @@ def measured() -> MachinePrices:
             Price("sums", "a pixel by sums over slots, to 5 e", "ns", exposing_ms * 1e6 / pixels,
                   1e9 * _least(lambda: frame(1)) / pixels),
             Price("words", "a pixel through its words, all effects", "ns",
-                  program.work.words_ns(words, SHIPPED, True),
+                  program.work.words_ns(words, SHIPPED, "nothing"),
                   1e9 / _NEAR * _least(lambda: program.words(words).exposures(
                       light, program.slot_s, chosen, words))),
             Price("reference", "a pixel and slot in the reference", "ns",

@@ -45,7 +45,8 @@ def _held(
         stream = stream_key(keys.start, 0, np.uint64(register + 1))
         registers[register] *= uniform(stream, place) / 2.0 * numbers.register_start
         full[register] = 0
-    return registers[register]
+    held: float = registers[register]
+    return held
 
 
 @compiled

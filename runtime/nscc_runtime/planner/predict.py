@@ -348,8 +348,9 @@ class Forecast(ABC):
     def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
         fields, where = self.fields, self._where(state)
         after = np.ones(1) if state == "clip" else where
-        # Pixels that run through their words have counts from sums, too.
-        counted = np.maximum(where, self.runs(state))
+        # Pixels that run through their words have counts from sums, too; of one that is full, none
+        # matters.
+        counted = np.maximum(where, self.runs(state) & ~fields.clipped)
         return {
             "thinning": fields.thinning[self.closed] * counted,
             "formula": np.full(where.shape, _FORMULA_E**2),

@@ -6,6 +6,7 @@ Plans are chosen by `SHIPPED`, so that the same input gives the same plan on eve
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -14,6 +15,9 @@ from nscc_runtime.effects.parts import Counted, Exchange, SlowWords
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.pixels import Pixels
 from nscc_runtime.remembered import remembered
+
+Beside = Literal["sums", "all", "nothing"]
+"""What is simulated beside a pixel that runs through its words."""
 
 
 @dataclass(frozen=True)
@@ -42,12 +46,13 @@ class Prices:
 
 
 SHIPPED = Prices(
-    slot_of_reference=450.0, pixel=1000.0, word=60.0, error=55.0, slot=14.0, count=300.0,
-    split=60.0, summed=90.0, light=0.5, planned=60.0, plan_ms=8.0,
+    slot_of_reference=450.0, pixel=300.0, word=40.0, error=25.0, slot=5.0, count=100.0,
+    split=15.0, summed=90.0, light=0.5, planned=60.0, plan_ms=8.0,
     looked=1200.0,
 )  # fmt: skip
 """Measured on a core of an x86 server at about 3 GHz; what they add up to is right to a factor of
-about 1.6."""
+about 2."""
+
 
 _SHARED_SITES = 2.5
 """What a pixel and its neighbours cost, in sites, where all of these are simulated as well."""
@@ -78,18 +83,19 @@ class Work:
         return prices.slot_of_reference * self.slots
 
     @remembered
-    def words_ns(self, kept: Selection, prices: Prices, alone: bool) -> float:
-        """Of a pixel through its words with the effects in `kept`, its neighbours' charge found for
-        it `alone` or for all pixels."""
+    def words_ns(self, kept: Selection, prices: Prices, beside: Beside) -> float:
+        """Of a pixel through its words with the effects in `kept`: beside sums, which have its
+        neighbours' counts, among all pixels, or alone, where its neighbours' are its own affair."""
         errors = len(kept.errors()) * self.words
-        sources = len(kept.having(Counted))
-        splits = self._nodes(kept.part(SlowWords) is not None)
+        own = prices.pixel + prices.word * self.words + prices.error * errors
+        splits = self._nodes(beside != "sums" and kept.part(SlowWords) is not None)
         counted = self.groups * (prices.count + prices.split * splits)
-        sites = 1.0 if kept.part(Exchange) is None else SITES if alone else _SHARED_SITES
-        return (
-            prices.pixel + prices.word * self.words + prices.error * errors
-            + sites * (prices.slot * self.slots + sources * counted)
-        )  # fmt: skip
+        sources = len(kept.having(Counted))
+        if beside == "sums":
+            return own + sources * counted
+        sites = _SHARED_SITES if beside == "all" else SITES
+        sites = 1.0 if kept.part(Exchange) is None else sites
+        return own + sites * (prices.slot * self.slots + sources * counted)
 
     def _nodes(self, slow: bool) -> float:
         """Nodes of the tree over the slots that a pixel's counts are split at: those on the way to
