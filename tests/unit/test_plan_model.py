@@ -102,11 +102,16 @@ def test_ways_to_write_it(text: str) -> None:
     assert tolerance(text, 700.0).electrons == float(text.removesuffix(unit)) * size
 
 
+@pytest.mark.parametrize("text", ["5E", "0.5LSB", "0.1Noise"])
+def test_a_unit_may_be_written_large(text: str) -> None:
+    assert tolerance(text, 700.0) == tolerance(text.lower(), 700.0)
+
+
 @pytest.mark.parametrize(
     "text",
     [
         "", "e", "lsb", "5", "5 electrons", "-5e", "+5e", "0e", "0.0lsb", "nan e", "inf e", "infe",
-        "1e999e", "5e5e5e", "1..2e", ".e", "5,5e", "0x5e", "5LSB", "5e\x00", "\u0665e", "5e lsb",
+        "1e999e", "5e5e5e", "1..2e", ".e", "5,5e", "0x5e", "5 LS B", "5e\x00", "\u0665e", "5e lsb",
         "1e-400e", "1e-10e", "1e16e", "1e200e", "1e14lsb", "%", "0%", "-1%", "1 %%", "1%e",
         "1e-99%", "1e99%", "1e999%", "noise", "0noise", "-1noise", "1e99noise", "1noises", 1e-320,
         1e200, 0, -1, math.nan, math.inf, "9" * 5000 + "e",
