@@ -342,8 +342,10 @@ class Forecast(ABC):
         return {
             "thinning": fields.thinning[self.closed] * where,
             "formula": np.full(where.shape, _FORMULA_E**2),
-            # Pixels that run through their words have their neighbours' counts from sums, too.
-            "neighbours": fields.neighbours[self.closed] * np.maximum(where, self.runs(state)),
+            # Pixels that run through their words have their neighbours' counts from sums, too: no
+            # matter where the well cuts them off.
+            "neighbours": fields.neighbours[self.closed]
+            * np.maximum(where, self.runs(state) & ~fields.clipped),
             "noise": fields.noise_cut * after,
             "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }
