@@ -151,7 +151,8 @@ class Light:
     @cached_property
     def frame_weight(self) -> NDArray[np.float64]:
         """How often (T,) each frame falls in all slots together."""
-        return np.bincount(self.frame_index, self.weight, len(self.frames))
+        counts = np.bincount(self.frame_index, self.weight, len(self.frames))
+        return np.asarray(counts, np.float64)
 
     @cached_property
     def sum_e(self) -> NDArray[np.float64]:
