@@ -303,15 +303,11 @@ def _made(
 ) -> Plan:
     """A plan made for this scene, or an earlier one that covers it."""
     from nscc_runtime.kept_plans import Statistics
-    from nscc_runtime.planner.frames import made_ready
 
     asked = request.tolerance, request.effects, request.tolerance_max
     if request.turn is None:
         return planning.plan(*asked)
-    open_part = np.ones(light.shape, np.float32)
-    if container.machine is None:
-        open_part = made_ready(container, sensor).open_part
-    found = Statistics.of(light, open_part)
+    found = Statistics.of(light, planning.open_part)
     one = container, sensor, request.device_seed, asked
     return request.turn.plan(one, found, lambda: planning.plan(*asked), planning.serves)
 
