@@ -138,7 +138,8 @@ class Loop(Generic[_P]):
 
     def is_compiled(self) -> bool:
         """Whether the machine code is there: if not, its first use takes some seconds."""
-        return object_file(self.module).is_there
+        file = object_file(self.module)
+        return "linked" in vars(file) or machine_code.kept(file.name, file.folders) is not None
 
     def load(self) -> None:
         """Have the machine code ready, compiled if need be."""
@@ -299,13 +300,6 @@ class ObjectFile:
     def linked(self) -> dict[str, Callable[..., None]]:
         """The loops of this process, by name."""
         return machine_code.load(self.code(), {e.name: len(e.parameters) for e in self.loops})
-
-    @property
-    def is_there(self) -> bool:
-        """Whether the code has been read or can be; once it is, nobody looks again."""
-        if "linked" not in vars(self) and machine_code.kept(self.name, self.folders) is None:
-            return False
-        return bool(self.linked)
 
     @cached_property
     def name(self) -> str:

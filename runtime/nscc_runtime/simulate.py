@@ -21,7 +21,7 @@ from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, marks, selected
 from nscc_runtime.films import gathered
 from nscc_runtime.frame_file import Frame, Provenance
-from nscc_runtime.kept_plans import Turn
+from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
 from nscc_runtime.planner.tolerance import DEFAULT, Given
@@ -302,17 +302,11 @@ def _made(
     planning: Planning, container: Container, light: Light, sensor: Sensor, request: Request
 ) -> Plan:
     """A plan made for this scene, or an earlier one that covers it."""
-    from nscc_runtime.kept_plans import Statistics
-    from nscc_runtime.planner.frames import made_ready
-
     asked = request.tolerance, request.effects, request.tolerance_max
     if request.turn is None:
         return planning.plan(*asked)
-    open_part = np.ones(light.shape, np.float32)
-    if container.machine is None:
-        open_part = made_ready(container, sensor).open_part
-    found = Statistics.of(light, open_part)
     one = container, sensor, request.device_seed, asked
+    found = Statistics.of(light, planning.open_part)
     return request.turn.plan(one, found, lambda: planning.plan(*asked), planning.serves)
 
 

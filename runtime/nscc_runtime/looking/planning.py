@@ -6,6 +6,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
@@ -83,6 +86,11 @@ class PlanningByWays:
         """What tolerances mean on this scene."""
         allowed = tolerance_of(tolerance, self.sensor, self)
         return allowed, None if most is None else tolerance_of(most, self.sensor, self)
+
+    @property
+    def open_part(self) -> NDArray[np.float32]:
+        """See `Planning`."""
+        return np.ones(self.light.shape, np.float32)
 
     def serves(self, plan: Plan) -> bool:
         """See `Planning`: tried on a sample of this scene."""

@@ -197,7 +197,7 @@ class _Near:
         well, register = self._saturation
         near = self.scene.sample.near
         exchanges, spilt = self._every.names(Exchange), self.spilt[near]
-        found = {}
+        found: Held = {}
         for names in ((), (well,), (register,), (well, register)):
             held = found[names] = np.empty((len(self.scene.buckets), len(spilt)))
             some = kept.without(*names)

@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Protocol
 
+import numpy as np
+from numpy.typing import NDArray
+
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.sensor import Sensor
@@ -55,6 +58,11 @@ class Planning(Protocol):
     def predicted(self, plan: Plan) -> Plan:
         """What the decisions of a plan for another scene make of this one. A tolerance that is a
         part of the scene is one of this scene."""
+        ...
+
+    @property
+    def open_part(self) -> NDArray[np.float32]:
+        """The part (rows, cols) of the frame whose light each pixel sees; all where they look."""
         ...
 
     def serves(self, plan: Plan) -> bool:
@@ -124,6 +132,11 @@ class PlanningBySums:
         """See `Planning`."""
         threads = threads_of(self.threads)
         return predicted_for(self._program, self.light, plan, self.device_seed, threads)
+
+    @property
+    def open_part(self) -> NDArray[np.float32]:
+        """See `Planning`."""
+        return self._program.open_part
 
     def serves(self, plan: Plan) -> bool:
         """See `Planning`: errors by sums grow with light."""
