@@ -3,8 +3,8 @@
 Errors grow with light and with its differences between neighbours, and a few lamps may carry most
 of them: pixels are drawn in proportion to both, half of the sample, and evenly, the other half.
 Pixels that may saturate are a stratum of their own, and the brightest of them another: a few suns
-may lose what no other pixel does. What a pixel stands for makes up for how likely
-it was to be drawn, so that means over the sample are those of the array.
+may lose what no other pixel does. What a pixel stands for makes up for how likely it was to be
+drawn, so that means over the sample are those of the array.
 """
 
 from __future__ import annotations
