@@ -110,7 +110,7 @@ python "$here"/figure.py clips.png cvvdp_ferris_0 runner_0 -- "bilinear=$show/bi
 python "$here"/paper_size.py data all/paper
 for name in random quad learned; do still all/paper/paper_hdr_$name paper_$name; done
 python "$here"/figure.py paper.png vestibule_1k_128_0 studio_small_05_1k_128_0 -- \
-    "small, 2 x 2=$show/hdr_quad_0" "random=$show/paper_random" "2 x 2=$show/paper_quad" "learned=$show/paper_learned"
+    "small, learned=$show/hdr_learned_0" "random=$show/paper_random" "2 x 2=$show/paper_quad" "learned=$show/paper_learned"
 
 mkdir -p tables/hdr tables/video
 ln -sf "$PWD"/data/hdr_test/* tables/hdr/
