@@ -20,8 +20,8 @@ def drawn(rates: np.ndarray, begin: int = 0, end: int | None = None) -> np.ndarr
     away = np.zeros((1, len(rates)))
     draw_counts(
         counting=Counting(
-            begin=begin, end=len(rates) if end is None else end, pixels=len(rates), groups=1,
-            more=0, rate_cap=RATE_CAP,
+            begin=begin, end=len(rates) if end is None else end, pixels=len(rates),
+            room=len(rates), from_=0, groups=1, more=0, rate_cap=RATE_CAP,
         ),
         keys=np.array([STREAM], np.uint64), rates=rates[None], values=np.empty(BLOCK),
         scratch=np.empty(ROOM), few=np.empty(BLOCK), places=np.empty(BLOCK, np.int64), away=away,

@@ -348,13 +348,13 @@ class Forecast(ABC):
     def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
         fields, where = self.fields, self._where(state)
         after = np.ones(1) if state == "clip" else where
-        # Pixels that run through their words have counts from sums, too; of one that is full, none
-        # matters.
-        counted = np.maximum(where, self.runs(state) & ~fields.clipped)
+        # Pixels that run through their words spread their own counts over the slots, and have their
+        # neighbours' from sums: of one that is full, these matter nothing.
+        beside = np.maximum(where, self.runs(state) & ~fields.clipped)
         return {
-            "thinning": fields.thinning[self.closed] * counted,
+            "thinning": fields.thinning[self.closed] * where,
             "formula": np.full(where.shape, _FORMULA_E**2),
-            "neighbours": fields.neighbours[self.closed] * counted,
+            "neighbours": fields.neighbours[self.closed] * beside,
             "noise": fields.noise_cut * after,
             "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
         }
