@@ -16,6 +16,7 @@ from hypothesis import strategies as st
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes.picture_files import quiet
 
 SUFFIXES = (
     *(".npz", ".npy", ".mat", ".hdr", ".exr", ".pfm", ".png", ".jpg", ".jpeg"),
@@ -88,10 +89,12 @@ def write_video(path: Path, rng: np.random.Generator) -> None:
     import cv2
 
     kind = cv2.VideoWriter.fourcc(*("MJPG" if path.suffix == ".avi" else "mp4v"))
-    writer = cv2.VideoWriter(str(path), kind, 25.0, (16, 16))
-    for _ in range(3):
-        writer.write(rng.integers(0, 256, (16, 16, 3), np.uint8))
-    writer.release()
+    # FFmpeg takes how much it prints from who uses it first: here that is the writer.
+    with quiet():
+        writer = cv2.VideoWriter(str(path), kind, 25.0, (16, 16))
+        for _ in range(3):
+            writer.write(rng.integers(0, 256, (16, 16, 3), np.uint8))
+        writer.release()
 
 
 @pytest.fixture
