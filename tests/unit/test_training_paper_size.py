@@ -31,7 +31,6 @@ def script(monkeypatch: pytest.MonkeyPatch) -> Any:
     }
     monkeypatch.setattr(made, "RUNS", {"one": ()})
     monkeypatch.setattr(made, "values_of", lambda *_: small)
-    monkeypatch.setattr(made, "CHECKPOINT_EVERY", 2)
     made.small = small
     return made
 
@@ -69,7 +68,7 @@ def test_every_run_is_a_configuration(tmp_path: Path) -> None:
     from nscc_training.config import settings_of
 
     for name in made.RUNS:
-        both = [settings_of(made.values_of(name, tmp_path, bf16)) for bf16 in (True, False)]
+        both = [settings_of(made.values_of(name, tmp_path, tmp_path, bf16)) for bf16 in (True, False)]
         assert {each.decoder.size for each in both} == {"paper"}
         assert both[0].train.steps == made.FEWER * both[1].train.steps
         assert (both[0].train.dtype, both[1].train.dtype) == ("bf16", "f32")

@@ -36,12 +36,16 @@ _STILL = {"shutter": {"tile": [8, 8]}, "train": {"steps": 3000, "validate_every"
 _BLOCKS = {"shutter": {"class": "c"}, "train": {"steps": 500, "batch": 16, "validate_every": 100}}
 _FREE_BITS = {"shutter": {"class": "e", "init": "random", "learn": False, "target": "scamp7"}}
 _DEEP = {"shutter": {"class": "c"}, "train": {"steps": 400, "validate_every": 100}}
+# What learns on from another of these runs comes after it.
+_ON = {"decoder": {"init": "paper_hdr_quad"}, "train": {"steps": 1000, "rate": 1e-4}}
 RUNS: dict[str, tuple[str, str, tuple[dict[str, Any], ...]]] = {
     "paper_hdr_random": (
         "hdr.toml", "unet2d", (_STILL, {"shutter": {"init": "random", "learn": False}})
     ),
     "paper_hdr_quad": ("hdr.toml", "unet2d", (_STILL, {"shutter": {"learn": False}})),
     "paper_hdr_learned": ("hdr.toml", "unet2d", (_STILL, {"shutter": {"init": "random"}})),
+    "paper_hdr_quad_on": ("hdr.toml", "unet2d", (_STILL, _ON, {"shutter": {"learn": False}})),
+    "paper_hdr_on": ("hdr.toml", "unet2d", (_STILL, _ON, {"train": {"code_rate": 2e-3}})),
     "paper_fc_c": ("clip.toml", "fcnet", (_BLOCKS, {"shutter": {"learn": False}})),
     "paper_fc_e": ("clip.toml", "fcnet", (_BLOCKS, _FREE_BITS)),
     "paper_u3_c": ("clip.toml", "unet3d", (_DEEP, {"shutter": {"learn": False}})),
@@ -67,19 +71,23 @@ def multiplies_bf16() -> bool:
         return seconds(torch.bfloat16) < 0.8 * seconds(torch.float32)
 
 
-def values_of(name: str, data: Path, bf16: bool) -> dict[str, dict[str, Any]]:
+def values_of(name: str, data: Path, out: Path, bf16: bool) -> dict[str, dict[str, Any]]:
     """The sections of a run's configuration."""
     file, decoder, changes = RUNS[name]
     values: dict[str, dict[str, Any]] = tomllib.loads((HERE / file).read_text(encoding="utf-8"))
     for change in changes:
         for section, keys in change.items():
             values.setdefault(section, {}).update(keys)
-    values["decoder"] = {"name": decoder, "size": "paper"}
+    decoding = values.setdefault("decoder", {})
+    decoding |= {"name": decoder, "size": "paper"}
     if decoder in GUESSING:
-        values["decoder"]["guess"] = "yes"
+        decoding["guess"] = "yes"
+    if "init" in decoding:
+        decoding["init"] = str(out / decoding["init"])
     values["data"]["train"] = str(data / Path(values["data"]["train"]).name)
     learning = values["train"]
-    learning |= {"device": "auto", "dtype": "bf16" if bf16 else "f32", "rate": 3e-4}
+    learning.setdefault("rate", 3e-4)
+    learning |= {"device": "auto", "dtype": "bf16" if bf16 else "f32"}
     learning["steps"] //= 1 if bf16 else FEWER
     return values
 
@@ -105,7 +113,7 @@ def main() -> None:
         score, run = chosen.out / f"{name}.json", chosen.out / name
         if score.is_file():
             continue
-        settings = settings_of(values_of(name, chosen.data, bf16))
+        settings = settings_of(values_of(name, chosen.data, chosen.out, bf16))
         log = run / "metrics.csv"
         done = int(log.read_text().splitlines()[-1].split(",")[0]) if log.is_file() else 0
         while done < settings.train.steps:
