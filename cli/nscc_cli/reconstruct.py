@@ -67,7 +67,9 @@ def command(
     elif run == "any":
         from nscc_training.any_code.reconstruct import reconstruct_any
 
-        content = reconstruct_any(frame, program, kind, dark).content
+        made = reconstruct_any(frame, program, kind, dark)
+        say(made.messages)
+        content = made.content
     else:
         from nscc_training.reconstruct import reconstruct
 

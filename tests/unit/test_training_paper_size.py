@@ -68,7 +68,9 @@ def test_every_run_is_a_configuration(tmp_path: Path) -> None:
     from nscc_training.config import settings_of
 
     for name in made.RUNS:
-        both = [settings_of(made.values_of(name, tmp_path, tmp_path, bf16)) for bf16 in (True, False)]
+        both = [
+            settings_of(made.values_of(name, tmp_path, tmp_path, bf16)) for bf16 in (True, False)
+        ]
         assert {each.decoder.size for each in both} == {"paper"}
         assert both[0].train.steps == made.FEWER * both[1].train.steps
         assert (both[0].train.dtype, both[1].train.dtype) == ("bf16", "f32")

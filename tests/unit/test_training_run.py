@@ -127,3 +127,16 @@ def test_it_is_shown_as_a_line_and_as_curves_and_codes(run: nscc_training.Run) -
     stops = {f"stop {stop}" for stop in np.unique(run.encoder.codes()["stop"])}
     assert stops | {"validation PSNR, dB", "training loss", "the program"} <= words
     assert run.program.codes["stop"].tolist() == sorted({*run.encoder.codes()["stop"].flat})
+
+
+@pytest.mark.parametrize(("light", "warned"), [("3000000", True), ("3000", False)])
+def test_a_frame_that_is_mostly_saturated_is_told(
+    run: nscc_training.Run, tmp_path: Path, light: str, warned: bool
+) -> None:
+    """By a run's decoder and by the one for any code; the reconstruction is made."""
+    run.capture(f"builtin:flat:{light}").save(tmp_path / "f.npz")
+    for decoder in (str(run.path), "any"):
+        outcome = invoke(["reconstruct", decoder, "f.npz", "-o", "r.npz"], tmp_path)
+        assert outcome.status == 0, outcome.err
+        assert ("100 % of the pixels of 'f.npz' are saturated" in outcome.err) == warned
+        assert ("NS0844" in outcome.err) == warned

@@ -42,6 +42,8 @@ _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
 _BLOCK, _MARGIN = 256, 32
 """Pixels a side that are decoded at a time of frames larger than an array, and around them those
 that are seen too: more than decoders reach."""
+_OVEREXPOSED = 0.5
+"""Above this part of saturated pixels most of a picture is guessed."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,7 +125,7 @@ def reconstructed(
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
         raise Rejected(messages, status=2)
-    messages += tuple(_unlearned(folder, read, name))
+    messages += (*_unlearned(folder, read, name), *overexposed(name, read.saturated))
     size = (folder.parts.target.rows, folder.parts.target.cols)
     found = read.frame.shape[-2:]
     if found != size and "laid" not in read.meta:
@@ -355,6 +357,19 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
             notes=("what these do to codes, the decoder takes for light",),
             helps=('train with `[sensor] effects = "all"`', *_DARK_HELPS),
         )
+
+
+def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
+    """NS0844, a warning, where most of a frame's pixels are saturated."""
+    part = float(saturated.mean()) if saturated.size else 0.0
+    if part > _OVEREXPOSED:
+        yield Diagnostic(
+            "NS0844",
+            f"{100 * part:.3g} % of the pixels of '{name}' are saturated",
+            severity=Severity.WARNING,
+            notes=("of these a decoder knows only that there was so much light or more",),
+            helps=("expose the scene for less light, or with shutters some of which close early",),
+        )  # fmt: skip
 
 
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:

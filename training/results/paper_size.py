@@ -35,6 +35,8 @@ _STILL = {"shutter": {"tile": [8, 8]}, "train": {"steps": 3000, "validate_every"
 # An FC-net's 51 million weights take as long for four clips as for sixteen.
 _BLOCKS = {"shutter": {"class": "c"}, "train": {"steps": 500, "batch": 16, "validate_every": 100}}
 _FREE_BITS = {"shutter": {"class": "e", "init": "random", "learn": False, "target": "scamp7"}}
+# The 2 x 2 pattern in class d is that of class c.
+_FREE_BUMPS = {"shutter": {"class": "d", "init": "random", "learn": False}}
 _DEEP = {"shutter": {"class": "c"}, "train": {"steps": 400, "validate_every": 100}}
 # What learns on from another of these runs comes after it.
 _ON = {"decoder": {"init": "paper_hdr_quad"}, "train": {"steps": 1000, "rate": 1e-4}}
@@ -49,7 +51,7 @@ RUNS: dict[str, tuple[str, str, tuple[dict[str, Any], ...]]] = {
     "paper_fc_c": ("clip.toml", "fcnet", (_BLOCKS, {"shutter": {"learn": False}})),
     "paper_fc_e": ("clip.toml", "fcnet", (_BLOCKS, _FREE_BITS)),
     "paper_u3_c": ("clip.toml", "unet3d", (_DEEP, {"shutter": {"learn": False}})),
-    "paper_u3_d": ("clip.toml", "unet3d", (_DEEP, {"shutter": {"class": "d", "learn": False}})),
+    "paper_u3_d": ("clip.toml", "unet3d", (_DEEP, _FREE_BUMPS)),
 }  # fmt: skip
 """By name: the configuration beside this file, the decoder, and what else is changed of it."""
 

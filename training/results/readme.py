@@ -43,11 +43,12 @@ PAPER = {
     "paper_hdr_random": ("2D U-Net, `b` random", "hdr_random_0"),
     "paper_hdr_quad": ("2D U-Net, `b`, 2 x 2 pattern", "hdr_quad_0"),
     "paper_hdr_learned": ("2D U-Net, `b` **learned from random**", ""),
+    "paper_hdr_quad_on": ("2D U-Net, `b`, 2 x 2 pattern, its run learning on", "hdr_quad_0"),
     "paper_hdr_on": ("2D U-Net, `b` **learned on from the 2 x 2 pattern's run**", "hdr_learned_0"),
     "paper_fc_c": ("FC-net, `c`, 2 x 2 pattern", "fc_c_quad"),
     "paper_fc_e": ("FC-net, `e` random", "fc_e_random"),
     "paper_u3_c": ("3D U-Net, `c`, 2 x 2 pattern", "u3_c_quad"),
-    "paper_u3_d": ("3D U-Net, `d`, 2 x 2 pattern", "u3_d_quad_0"),
+    "paper_u3_d": ("3D U-Net, `d` random", "u3_d_random_0"),
 }
 """The rows of `paper_size`, as `paper_size.py` names them: what they are, and the run with the same
 codes and a small decoder, if there is one."""

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc_training.any_code.decode import decoded_clip, decoded_still
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
-from nscc_training.reconstruct import Reconstruction
+from nscc_training.reconstruct import Reconstruction, overexposed
 
 
 def reconstruct_any(
@@ -30,7 +30,8 @@ def reconstruct_any(
     begin = perf_counter()
     made = [_light(coded, still) for coded in every]
     light = np.stack(made, axis=-1) if len(made) > 1 else made[0]
-    return Reconstruction(light, still, len(made) > 1, (), perf_counter() - begin)
+    messages = tuple(overexposed(str(frame), np.stack([coded.saturated for coded in every])))
+    return Reconstruction(light, still, len(made) > 1, messages, perf_counter() - begin)
 
 
 def _light(coded: CodedFrame, still: bool) -> NDArray[np.float32]:
