@@ -43,15 +43,16 @@ PAPER = {
     "paper_hdr_random": ("2D U-Net, `b` random", "hdr_random_0"),
     "paper_hdr_quad": ("2D U-Net, `b`, 2 x 2 pattern", "hdr_quad_0"),
     "paper_hdr_learned": ("2D U-Net, `b` **learned from random**", ""),
-    "paper_hdr_quad_on": ("2D U-Net, `b`, 2 x 2 pattern, its run learning on", "hdr_quad_0"),
-    "paper_hdr_on": ("2D U-Net, `b` **learned on from the 2 x 2 pattern's run**", "hdr_learned_0"),
+    "on/paper_hdr_quad_on": ("2D U-Net, `b`, 2 x 2 pattern, its run learning on", "hdr_quad_0"),
+    "on/paper_hdr_on": ("2D U-Net, `b` **learned on from the 2 x 2 pattern's run**", "hdr_learned_0"),
     "paper_fc_c": ("FC-net, `c`, 2 x 2 pattern", "fc_c_quad"),
     "paper_fc_e": ("FC-net, `e` random", "fc_e_random"),
     "paper_u3_c": ("3D U-Net, `c`, 2 x 2 pattern", "u3_c_quad"),
     "paper_u3_d": ("3D U-Net, `d` random", "u3_d_random_0"),
 }
-"""The rows of `paper_size`, as `paper_size.py` names them: what they are, and the run with the same
-codes and a small decoder, if there is one."""
+"""The rows of `paper_size`, by the result's name, whose last part is what `paper_size.py` calls the
+run: what they are, and the run with the same codes and a small decoder, if there is one. What
+learned on from another of them is in a folder of its own, out of the paper's tables."""
 
 
 @cache
@@ -212,7 +213,8 @@ def paper_size(kind: str) -> str:
         if evaluated(name) and still == (result(name)["protocol"] == "hdr-v1"):
             other = mean(name, "mu_psnr_db") if still else source(name, "psnr_db")
             rows.append([
-                told, f"{result(name)['parameters'] / 1e6:.1f} million", moved(name), steps(name),
+                told, f"{result(name)['parameters'] / 1e6:.1f} million",
+                moved(Path(name).name), steps(name),
                 mean(name, "psnr_db"), other, mean(name, "ssim"),
                 gain(small, name, "psnr_db") if small else "",
             ])  # fmt: skip
