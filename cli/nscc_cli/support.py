@@ -194,6 +194,10 @@ class Subcommands(CommonCommand, click.Group):
             return self.other(name, args)
         return super().resolve_command(ctx, args)
 
+    def or_else(self) -> Sequence[str]:
+        """What may stand in a command's place, for who is told that there is none."""
+        return ()
+
     def other(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
@@ -205,6 +209,7 @@ class Subcommands(CommonCommand, click.Group):
             helps=(
                 *((f"did you mean `nscc {self.name} {near}`?",) if near else ()),
                 f"there is: {', '.join(self.commands)}",
+                *self.or_else(),
             ),
         )
 

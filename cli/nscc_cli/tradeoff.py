@@ -36,7 +36,15 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 class _Tradeoffs(Subcommands):
     """The tradeoffs that there are; any other name that may be one is a program or a run."""
 
-    unknown = "tradeoff '{}'"
+    unknown = "tradeoff '{}', and there is no such file or run"
+
+    def or_else(self) -> Sequence[str]:
+        """See `Subcommands`."""
+        from nscc_training.run_files import shipped_runs
+
+        return (
+            f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
+        )
 
     def other(
         self, name: str, args: list[str]

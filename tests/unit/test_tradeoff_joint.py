@@ -227,6 +227,9 @@ def test_other_names_are_no_program(folder: Path) -> None:
     done = invoke(["tradeoff", "emulater"], folder)
     assert (done.status, done.codes) == (2, ["NS0781"])
     assert "nscc tradeoff emulator" in done.err
+    misspelt = invoke(["tradeoff", "hrd"], folder)
+    assert misspelt.codes == ["NS0781"]
+    assert "or a run: RUN, hdr, clip" in misspelt.err
 
 
 @pytest.mark.slow
