@@ -16,6 +16,35 @@ SMALL: dict[str, dict[str, Any]] = {
     "train": {"steps": 2, "batch": 1, "validate_every": 2},
 }
 
+STILL: dict[str, dict[str, Any]] = {
+    "shutter": {"class": "b", "slots": 16, "tile": [4, 4], "init": "random", "noise": 0.5},
+    "data": {"patch": 16, "scenes": 3, "val_items": 2},
+    "train": {"steps": 6, "batch": 2, "validate_every": 2, "code_rate": 0.05},
+}
+CLIP: dict[str, dict[str, Any]] = {
+    "shutter": {
+        "class": "codebook", "slots": 8, "tile": [4, 4], "rows": 16, "init": "random",
+        "relaxation": "gumbel", "words_weight": 0.01,
+    },
+    "decoder": {"name": "unet3d"},
+    "loss": {"name": "l1"},
+    "data": {"protocol": "video-v1", "patch": 16, "scenes": 3, "val_items": 2},
+    "train": {"steps": 4, "batch": 2, "validate_every": 2, "code_rate": 0.05},
+}  # fmt: skip
+FILES = {
+    "checkpoint.safetensors", "config.resolved.toml", "environment.json", "metrics.csv",
+    "shutter.nsl", "codes.npz", "capture.toml", "decoder.safetensors", "split.json",
+    "result.json", "model_card.md",
+}  # fmt: skip
+
+
+def run(values: dict[str, dict[str, Any]], out: Path, **more: Any) -> None:
+    train(settings_of(values), out, **more)
+
+
+def changed(values: dict[str, dict[str, Any]], section: str, **keys: Any) -> dict[str, Any]:
+    return {**values, section: {**values.get(section, {}), **keys}}
+
 
 def trained(out: Path, **sections: dict[str, Any]) -> Path:
     values = {

@@ -1,0 +1,180 @@
+"""Runs that stop and go on: no bit changes, and what is another run's is refused."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+torch = pytest.importorskip("torch")
+
+from safetensors.torch import load_file  # noqa: E402
+from small_runs import CLIP, FILES, STILL, changed, run  # noqa: E402
+
+from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
+
+
+@pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
+def test_resuming_changes_no_bit(values: dict[str, Any], tmp_path: Path) -> None:
+    """Stopped after any step and gone on with, a run is the run that was never stopped."""
+    run(values, tmp_path / "whole")
+    for stop in (2, 3):
+        out = tmp_path / f"stopped{stop}"
+        # a checkpoint lies at every second step: what came after one is done again
+        run(changed(values, "train", validate_every=2), out, stop_after=stop)
+        assert not (out / "result.json").exists()
+        if stop == 3:
+            # as a run that was killed there: its last checkpoint is of step 2
+            put_back_checkpoint(values, out)
+        run(values, out)
+        for name in FILES - {"checkpoint.safetensors"}:
+            whole, again = ((folder / name).read_bytes() for folder in (tmp_path / "whole", out))
+            assert whole == again, name
+        first, second = (
+            load_file(folder / "checkpoint.safetensors") for folder in (tmp_path / "whole", out)
+        )
+        assert first.keys() == second.keys()
+        assert all(torch.equal(first[key], second[key]) for key in first)
+
+
+def put_back_checkpoint(values: dict[str, Any], out: Path) -> None:
+    """Put back the checkpoint of step 2, but leave the metrics of step 3."""
+    other = out.with_name("other")
+    run(values, other, stop_after=2)
+    (out / "checkpoint.safetensors").write_bytes((other / "checkpoint.safetensors").read_bytes())
+
+
+@pytest.mark.parametrize("values", [STILL, CLIP], ids=["still", "clip"])
+def test_a_run_interrupted_before_its_products_ends_as_if_it_had_not(
+    values: dict[str, Any], tmp_path: Path
+) -> None:
+    relaxed = changed(values, "shutter", relaxation="sigmoid")
+    run(relaxed, tmp_path)
+    whole = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    for name in ("result.json", "model_card.md", "decoder.safetensors"):
+        (tmp_path / name).unlink()
+    run(relaxed, tmp_path)
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == whole
+
+
+@pytest.mark.parametrize("text", [b"", b"\xff\xfe", b"step\nfirst,1\n", b"step\n\n"])
+def test_a_damaged_log_is_said_to_be_one(text: bytes, tmp_path: Path) -> None:
+    run(STILL, tmp_path, stop_after=2)
+    (tmp_path / "metrics.csv").write_bytes(text)
+    with pytest.raises(Rejected) as caught:
+        run(STILL, tmp_path)
+    assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
+
+
+@pytest.mark.parametrize("about", ["[]", "3", "{}", '{"step": 1}', None, "optimiser", "best"])
+def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: Path) -> None:
+    from safetensors import safe_open
+    from safetensors.torch import save_file
+
+    run(STILL, tmp_path, stop_after=2)
+    path = tmp_path / "checkpoint.safetensors"
+    with safe_open(str(path), framework="pt") as file:
+        kept = file.metadata()
+    tensors = load_file(path)
+    if about in ("optimiser", "best"):
+        tensors.pop(next(name for name in tensors if name.startswith(about)))
+    else:
+        kept = None if about is None else {"nscc": about}
+    save_file(tensors, path, metadata=kept)
+    with pytest.raises(Rejected) as caught:
+        run(STILL, tmp_path)
+    assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
+
+
+def test_a_run_does_not_go_on_with_other_scenes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else split.json would forget what the first steps have seen, and evaluations accept it."""
+    (tmp_path / "shots.py").write_text(
+        "import numpy as np\n"
+        "from pathlib import Path\n"
+        "def scenes(kind, part, slots, seed):\n"
+        "    first = int(Path('first.txt').read_text()) + (part == 'val')\n"
+        "    return [(part, np.random.default_rng(first).random((20, 20)))]\n"
+    )
+    (tmp_path / "first.txt").write_text("1")
+    monkeypatch.chdir(tmp_path)
+    values = changed(STILL, "data", train="shots:scenes", val="shots:scenes")
+    run(values, tmp_path / "run", stop_after=2)
+    split = (tmp_path / "run" / "split.json").read_bytes()
+    (tmp_path / "first.txt").write_text("3")
+    with pytest.raises(Rejected) as caught:
+        run(values, tmp_path / "run")
+    assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
+    assert (tmp_path / "run" / "split.json").read_bytes() == split
+
+
+def test_files_of_two_runs_are_no_run(tmp_path: Path) -> None:
+    from nscc_training.run_folder import load_run
+
+    run(STILL, tmp_path / "r")
+    assert load_run(tmp_path / "r").result["protocol"] == "hdr-v1"
+    another = changed(STILL, "train", seed=1)
+    run(another, tmp_path / "other", stop_after=2)
+    run(another, tmp_path / "r", resume="never", stop_after=2)
+    for folder in ("r", "other"):
+        with pytest.raises(Rejected) as caught:
+            load_run(tmp_path / folder)
+        assert [d.code for d in caught.value.diagnostics] == ["NS0818"]
+
+
+@pytest.mark.parametrize("name", ["codes.npz", "shutter.nsl", "split.json", "decoder.safetensors"])
+def test_a_run_of_which_a_file_is_missing_or_another_is_none(name: str, tmp_path: Path) -> None:
+    """Without its codes a run would decode with others."""
+    from nscc_training.run_folder import load_run
+
+    run(STILL, tmp_path / "r")
+    run(changed(STILL, "train", seed=1), tmp_path / "other")
+    (tmp_path / "other" / name).replace(tmp_path / "r" / name)
+    for folder in ("r", "other"):
+        with pytest.raises(Rejected) as caught:
+            load_run(tmp_path / folder)
+        assert [d.code for d in caught.value.diagnostics] == ["NS0818"]
+
+
+def test_a_run_that_was_made_on_cuda_is_loaded_without(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from hashlib import sha256
+
+    from nscc_training.run_folder import load_run
+
+    run(changed(STILL, "train", device="cpu"), tmp_path)
+    config = tmp_path / "config.resolved.toml"
+    config.write_text(config.read_text().replace('device = "cpu"', 'device = "cuda"'))
+    result = json.loads((tmp_path / "result.json").read_text())
+    result["config_sha256"] = sha256(config.read_bytes()).hexdigest()
+    (tmp_path / "result.json").write_text(json.dumps(result))
+    monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
+    assert load_run(tmp_path).parts.device == torch.device("cpu")
+
+
+def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
+    for name in ("a", "b"):
+        run(STILL, tmp_path / name)
+    run(changed(STILL, "train", seed=1), tmp_path / "c")
+    for name in FILES:
+        one, two = ((tmp_path / k / name).read_bytes() for k in ("a", "b"))
+        assert one == two, name
+    codes = [np.load(tmp_path / k / "codes.npz")["stop"] for k in ("a", "c")]
+    assert not np.array_equal(*codes)
+
+
+def test_never_begins_anew_and_another_configuration_is_refused(tmp_path: Path) -> None:
+    run(STILL, tmp_path / "r", stop_after=2)
+    with pytest.raises(Rejected, match="NS0816"):
+        run(changed(STILL, "train", rate=0.002), tmp_path / "r")
+    run(changed(STILL, "train", rate=0.002), tmp_path / "r", resume="never", stop_after=2)
+    with pytest.raises(Rejected, match="NS0816"):
+        run(STILL, tmp_path / "r", resume=str(tmp_path / "nowhere"))
+    (tmp_path / "r" / "checkpoint.safetensors").write_bytes(b"\x00" * 40)
+    with pytest.raises(Rejected, match="NS0816"):
+        run(STILL, tmp_path / "r")
