@@ -2,9 +2,9 @@
 # Trains and evaluates everything in this folder again, on two cores in about eight hours:
 #   bash training/results/reproduce.sh DATA OUT [OPTION OF nscc sweep ...]
 # DATA holds hdr/*.hdr (24 panoramas, 512 x 1024), video/*.mp4 and sci/*.mat. OUT is made: links to
-# the data as they are split, photographs that training/data/fetch.py fetches, and four sweeps, of
-# results.toml, linear.toml, successors.toml and ways.toml, with their runs and results. Ended and
-# started again it goes on.
+# the data as they are split, photographs that training/data/fetch.py fetches, and five sweeps, of
+# results.toml, linear.toml, wide.toml, successors.toml and ways.toml, with their runs and results.
+# Ended and started again it goes on.
 set -euo pipefail
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -32,6 +32,7 @@ cp "$here"/*.toml .
 
 nscc sweep results.toml --out all "$@"
 nscc sweep linear.toml --out linear "$@"
+nscc sweep wide.toml --out wide "$@"
 nscc sweep successors.toml --out successors "$@"
 nscc sweep ways.toml --out ways "$@"
 nscc evaluate looks --data data/hdr_test --results all
@@ -88,6 +89,7 @@ for other in random quad; do
     over all vid_${other}_@ vid_learned_@ psnr_db
     over all u3_d_${other}_@ u3_d_learned_@ psnr_db
 done
+for metric in psnr_db mu_psnr_db; do over wide wide_quad_@ wide_learned_@ $metric; done
 over all best-uniform-mu hdr_learned_@ mu_psnr_db
 over all bilinear vid_learned_@ psnr_db
 over all bilinear u3_d_learned_@ psnr_db
