@@ -6,7 +6,7 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -16,7 +16,15 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave, Selection, registered
 from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.effects.in_loops import device_keys, figures, switches
-from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Exchange, Moving
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedDark,
+    CountedLight,
+    Errors,
+    Exchange,
+    Moving,
+    Saturates,
+)
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
@@ -143,6 +151,16 @@ class Running:
         slow = [e.name for e in self.effects.effects if isinstance(e.words, CannotHave)]
         if slow:
             raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
+
+    def without(self, *saturating: str) -> Running:
+        """The same pixels without effects that saturate. These change no light, so it is laid out
+        once. ValueError for others."""
+        if not set(saturating) <= self.effects.names(Saturates):
+            raise ValueError(f"not all of {saturating} saturate")
+        found = replace(self, effects=self.effects.without(*saturating))
+        alike = "_places", "_parts", *(("_kept",) if len(self._parts) == 1 else ())
+        vars(found).update((name, getattr(self, name)) for name in alike)
+        return found
 
     def expose(
         self, seed: int, frame: int, given: Given | None = None
@@ -287,7 +305,8 @@ class Running:
 
     def _scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
         groups, room = sizes.groups, 2 * sizes.whole * sizes.groups
-        sites = 3 * sizes.kept_cols if sizes.exchanges and not sizes.given else 1
+        counts = bool(self.effects.names(Counted))
+        sites = 3 * sizes.kept_cols if sizes.exchanges and counts and not sizes.given else 1
         keys = ERRORS * (sizes.buckets + sizes.words * sizes.numbered)
         return {
             "streams": np.empty(4 * groups, np.uint64),
