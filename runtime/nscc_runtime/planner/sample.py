@@ -14,6 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.planner.sample_loop import Array, scores
+
 _MOST_PIXELS = 1024
 _FEWEST_PIXELS = 512
 _MOST_SAMPLES = 1 << 16
@@ -98,15 +100,15 @@ def chances(
 ) -> NDArray[np.float64]:
     """How likely each pixel (rows, cols) is to be drawn, up to a factor; those of the places
     `never` are not, and the light of suns among them does not make the others all alike."""
-    score = total_e.copy()
-    for rows, values in ((score, total_e), (score.T, total_e.T)):
-        step = np.abs(np.diff(values, axis=0))
-        rows[1:] += step
-        rows[:-1] += step
-    drawn = np.ones(total_e.size, np.bool_)
+    rows, cols = total_e.shape
+    score = np.empty((rows, cols))
+    scores(array=Array(rows=rows, cols=cols), light=np.ascontiguousarray(total_e), score=score)
+    flat, count = score.reshape(-1), total_e.size
     if never is not None:
-        drawn[never] = False
-    flat = np.where(drawn, score.reshape(-1), 0.0)
-    mean = flat.sum() / max(np.count_nonzero(drawn), 1)
-    flat += np.where(drawn, mean if mean > 0 else 1.0, 0.0)
-    return np.asarray(flat.reshape(total_e.shape))
+        flat[never] = 0.0
+        count -= len(never)
+    mean = flat.sum() / max(count, 1)
+    flat += mean if mean > 0 else 1.0
+    if never is not None:
+        flat[never] = 0.0
+    return score

@@ -29,8 +29,8 @@ _MOST_LIGHT = np.float32(1e30)
 
 
 class Beside(NamedTuple):
-    """The neighbours above, below, left and right, (4, pixels) each, none where they exchange
-    nothing: 1 where a pixel has one, else 0; the place; the response; the frames (T, 4, pixels).
+    """The neighbours above, below, left and right, (4, pixels) each: 1 where a pixel has one, else
+    0; the place; the response; the frames (T, 4, pixels).
     """
 
     there: Values
@@ -94,8 +94,7 @@ class SampledScene:
         rows, cols = self.shape
         row, col = np.divmod(self.places, cols)
         inside = np.stack([row > 0, row < rows - 1, col > 0, col < cols - 1])
-        inside = inside if self.exchanged > 0 else inside[:0]
-        steps = np.array([-cols, cols, -1, 1])[: len(inside), None]
+        steps = np.array([-cols, cols, -1, 1])[:, None]
         place = np.where(inside, self.places + steps, 0)
         response = self.device.fixed(self.all.the(Response).factor)[place]
         return Beside(inside.astype(np.float64), place, response, self._frames(place))

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtr
+from scipy.special import ndtr, ndtri
 
 Values = NDArray[np.float64]
 
@@ -25,6 +25,8 @@ _COMMONER = 10
 beyond it."""
 _TAIL = 10
 """Of so many errors that were measured the largest shows how the rest go on."""
+_SIGMAS = 9.0
+"""Standard deviations beyond which a pixel's error is not."""
 _STEPS = 40
 _PRECISE = 1e-3
 
@@ -104,13 +106,18 @@ def _passing(limit: float, mean: Values, sigma: Values) -> Values:
 def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float:
     """The size of error that this share of the frame passes."""
     size = np.abs(mean)
-    low, high = 0.0, float((size + 8.0 * sigma).max())
-    if not math.isfinite(high):
-        return low
+    if not math.isfinite(float((size + sigma).max())):
+        return 0.0
+    # So many pixels have a mean beyond it that half of their errors are too many; and the errors of
+    # all but half of the share stay that far below it that theirs are no more than the other half.
+    low = _quantile(2.0 * share, size, part)
+    high = _quantile(share / 2.0, size - sigma * ndtri(share / 4.0), part)
+    far = size + _SIGMAS * sigma > low
+    size, sigma, part = size[far], sigma[far], part[far]
 
     def beyond(middle: float) -> float:
         """By how much more pixels pass it than should, as a logarithm."""
-        return math.log(max(float(part @ _passing(middle, mean, sigma)), 1e-300) / share)
+        return math.log(max(float(part @ _passing(middle, size, sigma)), 1e-300) / share)
 
     # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
     at_low, at_high = beyond(low), beyond(high)
@@ -124,3 +131,13 @@ def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float
         else:
             high, at_high, at_low = middle, found, at_low / 2
     return high
+
+
+def _quantile(share: float, sizes: Values, part: Values) -> float:
+    """The least of these sizes that no more than this share of the frame is beyond; 0 at a share
+    of all."""
+    if share >= 1.0:
+        return 0.0
+    order = np.argsort(sizes)
+    upto = np.cumsum(part[order])
+    return float(sizes[order[min(np.searchsorted(upto, 1.0 - share), len(order) - 1)]])
