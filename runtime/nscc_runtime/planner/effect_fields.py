@@ -277,19 +277,24 @@ class _Near:
         """
         scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
         lanes = scene.lanes[scene.sample.near]
-        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None, None]
-        density = np.exp(-z * z / 2)
         # What a register held at most, before words and leakage took their part of it.
         gain = scene.slots.max(axis=0)[lanes].T
         held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
         size = held + reach.offset_e[lanes]
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
-        lost = soft.lost_e(scene.sensor, size + sigma * z)
+        found = np.zeros(size.shape)
+        far = soft.lost_e(scene.sensor, size + _SIGMAS * sigma) > 0
+        if not far.any():
+            return found
+        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None]
+        density = np.exp(-z * z / 2)
+        lost = soft.lost_e(scene.sensor, size[far] + sigma[far] * z)
         # Of many pixels the one that goes farthest may carry all of it.
         count = max(2.0, scene.sample.weight[scene.sample.near].sum())
-        farthest = np.argmin(np.abs(z[:, 0, 0] - (math.sqrt(2 * math.log(count)) + 1.0)))
+        farthest = np.argmin(np.abs(z[:, 0] - (math.sqrt(2 * math.log(count)) + 1.0)))
         mean = (density * lost**2).sum(axis=0) / density.sum()
-        return np.asarray(np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count)))
+        found[far] = np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count))
+        return found
 
     def _running(self, kept: Selection, some: NDArray[np.bool_] | None = None) -> Running:
         """The sample's pixels that may saturate, or some of them, to be run through their words:

@@ -296,7 +296,8 @@ class Running:
             numbered=most_destinations(container.target),
             words=words.numbers,
             whole=whole,
-            kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
+            # Few pixels seldom have neighbours in common.
+            kept_cols=cols if 3 * cols * each <= _MOST_KEPT and count > cols else min(3, cols),
             given=given,
             frame=frame,
             **switches(Sizes, effects),
