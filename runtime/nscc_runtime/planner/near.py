@@ -74,7 +74,7 @@ def _charges(
         found=found,
         inflow=inflow,
     )  # fmt: skip
-    places = np.flatnonzero(found)
+    places = np.flatnonzero(found.view(np.bool_))
     if not len(places):
         none = np.empty(0)
         return Charges(places, none, none, none)
