@@ -26,6 +26,7 @@ from nscc_runtime.effects import (
 from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
+from nscc_runtime.planner.chip import Chip, chip_of
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
@@ -205,7 +206,8 @@ class _Near:
             if some.any():
                 running = self._running(effects, some)
                 for names in lacks:
-                    found[names][:, some], _ = running.without(*names).expose(0, 0)
+                    by_words = running.by(self._chip.wired(effects.without(*names)))
+                    found[names][:, some], _ = by_words.expose(0, 0)
         return found
 
     @cached_property
@@ -299,9 +301,13 @@ class _Near:
     def _running(self, kept: Selection, some: NDArray[np.bool_] | None = None) -> Running:
         """The sample's pixels that may saturate, or some of them, to be run through their words:
         noise alone may take them there."""
-        scene, program = self.scene, self.scene.program
-        places = scene.places[scene.sample.near]
-        return Running(
-            program.pixels, scene.scene, program.slot_s, places if some is None else places[some],
-            kept, scene.device.device_seed, self.threads,
-        )  # fmt: skip
+        places = self.scene.places[self.scene.sample.near]
+        if some is not None:
+            places = places[some]
+        return Running(self._chip.wired(kept), self.scene.scene, places, self.threads)
+
+    @property
+    def _chip(self) -> Chip:
+        """The chip with every effect."""
+        every = everything()
+        return chip_of(self.scene.program, self.scene.device.device_seed, every, every)

@@ -24,8 +24,8 @@ from nscc_runtime.planner.fused_loop import Simple, fused
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.summed import ROUNDING
 from nscc_runtime.planner.sums import on_frames
+from nscc_runtime.planner.weighing import ROUNDING
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
 

@@ -7,16 +7,18 @@ is left out does together is measured: some of these pixels run with it and with
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.parts import Exchange
+from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.light import Light
+from nscc_runtime.planner.chip import chip_of
 from nscc_runtime.planner.effect_fields import BOTH, Fields
-from nscc_runtime.planner.prices import SHIPPED
+from nscc_runtime.planner.pixels import Running
+from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import brightest, drawn_by
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
@@ -30,6 +32,8 @@ _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
 _PART = 8
 """Of this many pixels near saturation one is measured."""
+_APART_NS = 1e6
+"""What two kinds of pixels take more than one."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
 
@@ -63,24 +67,38 @@ class Lacking:
         if len(self.near) < 2 * _FEWEST:
             return frozenset()
         found: list[str] = []
+        price = partial(self._frame_ns, dropped)
         while True:
             left = [
-                (self._words_ns(frozenset([*found, name])), name)
+                (price(frozenset([*found, name])), name)
                 for name in sorted(dropped.difference(found))
                 if self._guessed(frozenset([*found, name])) <= room
             ]
-            if not left or min(left)[0] >= self._words_ns(frozenset(found)):
+            if not left or min(left)[0] >= price(frozenset(found)):
                 break
             found.append(min(left)[1])
-        # Measuring takes time: it is all of them, or the one that saves most.
-        tried = (frozenset(found), frozenset(found[:1]))
-        fits = (names for names in tried if self._pays(names) and self._most(names) <= room)
-        return next(fits, frozenset())
+        every = frozenset(found)
+        apart = len(self.spilt) > 0 and price(by_spilt(every)) - price(every) < _APART_NS
+        # Measuring takes time: it is all of them, all whose guess does not hang on a few bright
+        # neighbours, or the one that saves most.
+        for names in (by_spilt(every) if apart else every, by_spilt(every), frozenset(found[:1])):
+            saved_ns = price(frozenset()) - price(names)
+            if saved_ns > self._measuring_ns(names) and self._most(names) <= room:
+                return names
+        return frozenset()
 
-    def _pays(self, lacking: frozenset[str]) -> bool:
-        """Whether leaving effects out saves more of a frame than measuring what it does takes."""
-        before, after = self._words_ns(frozenset()), self._words_ns(lacking)
-        return (before - after) * len(self.near) > (before + after) * len(self._places)
+    def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
+        """Nanoseconds of all these pixels in a frame whose sums lack what is `dropped`."""
+        sums = self._every.without(*self.forced_off, *dropped)
+        words = self._every.without(*self.forced_off, *lacking)
+        # Sums that count otherwise have no counts for the neighbours.
+        beside: Beside = "sums" if words.names(Counted) == sums.names(Counted) else "nothing"
+        return self.program.work.words_ns(words, SHIPPED, beside) * len(self.near)
+
+    def _measuring_ns(self, lacking: frozenset[str]) -> float:
+        """Nanoseconds of finding what leaving effects out does."""
+        each_ns = self._words_ns(frozenset()) + self._words_ns(lacking)
+        return each_ns * len(self._places)
 
     @property
     def tried_ns(self) -> float:
@@ -159,16 +177,17 @@ class Lacking:
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
-        program = self.program
+        every = everything()
+        chip = chip_of(self.program, self.device_seed, every, every)
         found = np.empty((len(self.fields.expected), len(self._places)))
         beside = np.isin(self._places, self.spilt)
         for some, lost in (
             (~beside, lacking), (beside, by_spilt(lacking) | lacking & self.forced_off)
         ):  # fmt: skip
-            found[:, some], _ = program.pixels.exposures(
-                self.light, program.slot_s, self._places[some], self._every.without(*lost),
-                device_seed=self.device_seed, threads=self.threads,
-            )  # fmt: skip
+            running = Running(
+                chip.wired(self._every.without(*lost)), self.light, self._places[some], self.threads
+            )
+            found[:, some], _ = running.expose(0, 0)
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:

@@ -217,7 +217,8 @@ class Forecast(ABC):
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
         lost = state.split(" without ")[1:]
-        return replace(self._everything.near, kept=everything().without(*lost)).places
+        near = self._everything.near
+        return replace(near, chip=replace(near.chip, kept=everything().without(*lost))).places
 
     def most_e(self, state: str) -> NDArray[np.float64]:
         """The most charge that they see, what neighbours give them included."""

@@ -17,7 +17,7 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
-from nscc_runtime.planner.near import Near, charges, limit
+from nscc_runtime.planner.near import Near, charges
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import scene_sums
@@ -118,13 +118,13 @@ class Prepared:
     def near(self) -> Near:
         """The pixels that may saturate in a way that sums do not know."""
         # These pixels run with all effects, so all effects say which they are.
-        program, wanted = self.program, self.plan.wanted
-        found = charges(program, self.source, self.device_seed, wanted, self.threads)
-        return Near(program, found, self.kept)
+        wanted = self.plan.wanted
+        found = charges(self.program, self.source, self.device_seed, wanted, self.threads)
+        return Near(self.chip, found)
 
     @cached_property
     def saturating(self) -> NDArray[np.int64]:
         """Their places, in order."""
-        if np.isinf(limit(self.program, self.kept)).all():
+        if np.isinf(self.chip.near_e).all():
             return np.empty(0, np.int64)
         return self.near.places
