@@ -21,13 +21,10 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
     @wraps(method)
     def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
         kept = vars(self)
-        try:
-            return cast(R, kept[name][given])
-        except KeyError:
-            pass
-        result = method(self, *given, **named)
-        kept.setdefault(name, {})[given] = result
-        return result
+        results: dict[Hashable, R] = kept.get(name) or kept.setdefault(name, {})
+        if given not in results:
+            results[given] = method(self, *given, **named)
+        return results[given]
 
     return found
 

@@ -228,7 +228,9 @@ class Forecast(ABC):
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
         """Which pixels of the sample are among them."""
-        return np.isin(self.fields.sample.places, self.running(state))
+        run = np.zeros(len(self.program.lanes), np.bool_)
+        run[self.running(state)] = True
+        return np.asarray(run[self.fields.sample.places])
 
     def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
         """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.planner.sample_loop import Array, scores
+from nscc_runtime.planner.sample_loop import Array, Drawing, draw, scores
 
 _MOST_PIXELS = 1024
 _FEWEST_PIXELS = 512
@@ -62,10 +62,13 @@ def sample_of(
     else:
         chance[...] = 1.0
         drawn = np.delete(drawn, near)
-    places, count = np.unique(drawn, return_counts=True)
+    first = np.flatnonzero(np.diff(drawn, prepend=-1))
+    places, count = drawn[first], np.diff(first, append=len(drawn))
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
     far = len(places)
+    if not len(near):
+        return Sample(places, weight, np.zeros(far, np.bool_))
     suns = near[brightest(total_e.reshape(-1)[near])]
     beside = np.setdiff1d(np.empty(0, np.int64) if spilt is None else spilt, suns)
     for stratum in (suns, np.setdiff1d(near, np.append(suns, beside)), beside):
@@ -89,10 +92,14 @@ def brightest(light_e: NDArray[np.float64]) -> NDArray[np.intp]:
 
 def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
     """So many places, in order, as likely as `chance` (flat) has it; the same on every call."""
-    steps = np.cumsum(chance)
+    found = np.empty(wanted, np.int64)
     # An additive recurrence inside equal strata: in step with no tile of codes.
-    points = (np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0) * (steps[-1] / wanted)
-    return np.asarray(np.minimum(np.searchsorted(steps, points, side="right"), len(chance) - 1))
+    points = np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
+    draw(
+        drawing=Drawing(pixels=len(chance), wanted=wanted), chance=chance, points=points,
+        drawn=found,
+    )  # fmt: skip
+    return found
 
 
 def chances(

@@ -16,6 +16,7 @@ from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Respon
 from nscc_runtime.light import Light
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sample_loop import SIDES, Gathering, gather
 from nscc_runtime.planner.sums import sums_by_slot
 from nscc_runtime.planner.tables import Model
 
@@ -24,19 +25,29 @@ Frames = NDArray[np.float32]
 Lanes = NDArray[np.int32]
 
 _LEAK_STEP = 0.1
-_MOST_LIGHT = np.float32(1e30)
+_MOST_LIGHT = 1e30
 """Beyond it float32 has no room for what neighbours add."""
 
 
 class Beside(NamedTuple):
     """The neighbours above, below, left and right, (4, pixels) each: 1 where a pixel has one, else
-    0; the place; the response; the frames (T, 4, pixels).
+    0; the place; the response.
     """
 
     there: Values
     place: NDArray[np.int64]
     response: Values
-    frames: Frames
+
+
+class Gathered(NamedTuple):
+    """Frames (T, pixels) before a pixel responds to them; of its neighbours (T, 4, pixels); what
+    these count, in sum, and what they would if they all responded alike.
+    """
+
+    own: Frames
+    others: Frames
+    flow: Frames
+    even: Frames
 
 
 class SampledScene:
@@ -79,16 +90,6 @@ class SampledScene:
             self.exchanged * (beside.there * (dark[beside.place] - self.dark)).sum(axis=0)
         )
 
-    def _frames(self, places: NDArray[np.int64]) -> Frames:
-        """The frames (T, ..) at some places."""
-        flat = self.scene.frames.reshape(len(self.scene.frames), -1)
-        found = np.take(flat, places, axis=1)
-        return np.minimum(found, _MOST_LIGHT, out=found)
-
-    @cached_property
-    def _own(self) -> Frames:
-        return self._frames(self.places)
-
     @cached_property
     def _beside(self) -> Beside:
         rows, cols = self.shape
@@ -97,12 +98,22 @@ class SampledScene:
         steps = np.array([-cols, cols, -1, 1])[:, None]
         place = np.where(inside, self.places + steps, 0)
         response = self.device.fixed(self.all.the(Response).factor)[place]
-        return Beside(inside.astype(np.float64), place, response, self._frames(place))
+        return Beside(inside.astype(np.float64), place, response)
 
-    def _flow(self, parts: Values) -> Frames:
-        """Frames of the neighbours' light, of each a part (4, pixels)."""
-        frames = self._beside.frames
-        return np.asarray(np.einsum("tdp,dp->tp", frames, parts.astype(np.float32)))
+    @cached_property
+    def _frames(self) -> Gathered:
+        beside, shape = self._beside, (len(self.scene.frames), len(self.places))
+        own, flow, even = (np.empty(shape, np.float32) for _ in range(3))
+        others = np.empty((shape[0], SIDES, shape[1]), np.float32)
+        frames = np.require(self.scene.frames, np.float32, ["C", "A"]).reshape(shape[0], -1)
+        gather(
+            gathering=Gathering(
+                count=shape[0], pixels=frames.shape[1], places=shape[1], most=_MOST_LIGHT
+            ),
+            frames=frames, chosen=self.places, beside=beside.place, there=beside.there,
+            response=beside.response, own=own, others=others, flow=flow, even=even,
+        )  # fmt: skip
+        return Gathered(own, others, flow, even)
 
     @cached_property
     def _given(self) -> Values:
@@ -136,8 +147,8 @@ class SampledScene:
         tables = self.program.tables
         weights = [w for m in self._known[1:] for w in self._by_bucket(tables.weights(m).slots)]
         weights = [*self._full, *weights, *(each**2 for each in self._full)]
-        flow = self._flow(self._beside.there * self._beside.response)
-        return self._sums(self.moving, self._own, weights), self._sums(self.moving, flow, weights)
+        own, _, flow, _ = self._frames
+        return self._sums(self.moving, own, weights), self._sums(self.moving, flow, weights)
 
     @cached_property
     def _seen(self) -> Values:
@@ -171,18 +182,18 @@ class SampledScene:
 
     @cached_property
     def alike(self) -> Values:
-        own, flow = self._light[0][0], self._flow(self._beside.there)
-        even = self._sums(self.moving, flow, self._full)[0]
+        own, even = self._light[0][0], self._sums(self.moving, self._frames.even, self._full)[0]
         return np.asarray((self._given * own + self.exchanged * even) * self.echo)
 
     @cached_property
     def still(self) -> Values | None:
         if self.scene.motion is None:
             return None
-        flow = self._flow(self._beside.there * self._beside.response)
-        own = self._sums(self.scene, self._own, self._full)[0] * self.response
-        beside = self._sums(self.scene, flow, self._full)[0]
-        return np.asarray((self._given * own + self.exchanged * beside) * self.echo)
+        own, flow = (
+            self._sums(self.scene, each, self._full)[0]
+            for each in (self._frames.own, self._frames.flow)
+        )
+        return np.asarray((self._given * self.response * own + self.exchanged * flow) * self.echo)
 
     @cached_property
     def pattern(self) -> Values:
@@ -272,7 +283,7 @@ class SampledScene:
             weighed = [each * members for each in full]
             # Of all groups and buckets at once: every sum reads the light again.
             weights += [members, *weighed, *(each**2 for each in weighed)]
-        found = sums_by_slot(self.moving, self._own, self._local, weights)
+        found = sums_by_slot(self.moving, self._frames.own, self._local, weights)
         found *= self.echo * self.response
         seconds = np.stack([program.slot_s @ each for each in weights])
         found += seconds[:, self._local] * self.dark
@@ -288,8 +299,8 @@ class SampledScene:
         program, beside = self.program, self._beside
         used, others = _used(program.lanes[beside.place.reshape(-1)])
         members = [program.members(group, used) for group in program.group_ids.tolist()]
-        frames = beside.frames.reshape(len(beside.frames), -1)
-        lit = sums_by_slot(self.moving, frames, others, members)
+        frames = self._frames.others
+        lit = sums_by_slot(self.moving, frames.reshape(len(frames), -1), others, members)
         lit = lit.reshape(len(members), *beside.there.shape) * beside.there * beside.response
         seconds = [each * program.slot_s[:, None] for each in self._full]
         lanes = np.broadcast_to(self._local, beside.place.shape).reshape(-1)
