@@ -234,8 +234,12 @@ class Forecast(ABC):
 
     def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
         """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
+        return self._elsewhere("sums" if name in self.slow else state)
+
+    @remembered
+    def _elsewhere(self, state: str) -> NDArray[np.float64]:
         fields = self.fields
-        if state == "sums" or name in self.slow:
+        if state == "sums":
             return np.ones(fields.expected.shape)
         if state == "clip":
             return np.where(fields.clipped, 0.0, 1.0)

@@ -27,8 +27,8 @@ _TAIL = 10
 """Of so many errors that were measured the largest shows how the rest go on."""
 _SIGMAS = 9.0
 """Standard deviations beyond which a pixel's error is not."""
-_RARELY = 20.0
-"""Times the share of the frame that passes an error: how likely a twentieth of it may pass it."""
+_RARELY = 50.0
+"""Times the share of the frame that passes an error: how likely a fiftieth of it is to pass it."""
 _STEPS = 40
 _PRECISE = 1e-3
 
@@ -110,14 +110,10 @@ def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float
     size = np.abs(mean)
     if not math.isfinite(float((size + sigma).max())):
         return 0.0
-    # Of so many pixels the mean is beyond it, or all but `rarely` of the error, that those of their
-    # errors that pass it are enough; and the errors of all but half of the share stay that far
-    # below it that theirs are no more than the other half.
+    # So many pixels pass it with all but what `rarely` comes that these are enough; and the errors
+    # of all but half of the share stay that far below it that theirs are no more than the rest.
     rarely = min(_RARELY * share, 0.5)
-    low = max(
-        _quantile(2.0 * share, size, part),
-        _quantile(share / rarely, size - sigma * ndtri(rarely), part),
-    )
+    low = _quantile(share / rarely, size - sigma * ndtri(rarely), part)
     high = _quantile(share / 2.0, size - sigma * ndtri(share / 4.0), part)
     far = size + _SIGMAS * sigma > low
     size, sigma, part = size[far], sigma[far], part[far]
