@@ -177,9 +177,9 @@ class Forecast(ABC):
         names, products = self._products(state)
         chosen = self.inside(dropped)
         inside = np.array([name in chosen for name in names], np.float64)
-        variances = self._variances(state)
-        random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
-        random = random + self._rounding(dropped)
+        names, variances = self._variances(state)
+        lost = np.array([name in dropped for name in names], np.float64)
+        random = lost @ variances + self._rounding(dropped)
         if not everywhere:
             random = random + self.cut_square(state, self._taken(dropped))
         return inside, products, random
@@ -279,9 +279,10 @@ class Forecast(ABC):
         }
 
     @remembered
-    def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
-        random, mean = self.random(state), self.fields.sample.mean
-        return {name: mean(variance) for name, variance in random.items()}
+    def _variances(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
+        """Names of the random effects, and their mean variances (., buckets)."""
+        random = self.random(state)
+        return [*random], self.fields.sample.mean(np.stack([*random.values()]))
 
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""

@@ -56,11 +56,11 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     sigma = np.sqrt(np.maximum(variance, 1e-12))
     common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
     found = [Worst(0.0, 0.0)]
-    for each in zip(mean, sigma, strict=True):
+    for each in zip(np.abs(mean), sigma, strict=True):
         p999_e = _passed_by(common, *each, part)
         pace_e = (p999_e - _passed_by(_COMMONER * common, *each, part)) / math.log(_COMMONER)
         max_e = p999_e + pace_e * math.log(common / rare)
-        if _passing(max_e, *each) @ part > rare:
+        if _passing(max_e, *each, part) > rare:
             max_e = _passed_by(rare, *each, part)
         found.append(Worst(p999_e, max_e))
     return Worst(max(each.p999_e for each in found), max(each.max_e for each in found))
@@ -99,15 +99,15 @@ def largest(sizes: Values, weight: Values) -> Worst:
     return Worst(float(sizes[order[at]]), float(sizes[order[-1]]))
 
 
-def _passing(limit: float, mean: Values, sigma: Values) -> Values:
-    """How likely the error of each pixel is to pass a limit."""
-    size = np.abs(mean)
-    return np.asarray(ndtr((size - limit) / sigma) + ndtr((-size - limit) / sigma))
+def _passing(limit: float, size: Values, sigma: Values, part: Values) -> float:
+    """The share of the frame whose error passes a limit; `size` is that of each pixel's mean."""
+    may = size + _SIGMAS * sigma > limit
+    size, sigma = size[may], sigma[may]
+    return float(part[may] @ (ndtr((size - limit) / sigma) + ndtr((-size - limit) / sigma)))
 
 
-def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float:
-    """The size of error that this share of the frame passes."""
-    size = np.abs(mean)
+def _passed_by(share: float, size: Values, sigma: Values, part: Values) -> float:
+    """The error that this share of the frame passes."""
     if not math.isfinite(float((size + sigma).max())):
         return 0.0
     # So many pixels pass it with all but what `rarely` comes that these are enough; and the errors
@@ -115,12 +115,10 @@ def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float
     rarely = min(_RARELY * share, 0.5)
     low = _quantile(share / rarely, size - sigma * ndtri(rarely), part)
     high = _quantile(share / 2.0, size - sigma * ndtri(share / 4.0), part)
-    far = size + _SIGMAS * sigma > low
-    size, sigma, part = size[far], sigma[far], part[far]
 
     def beyond(middle: float) -> float:
         """By how much more pixels pass it than should, as a logarithm."""
-        return math.log(max(float(part @ _passing(middle, size, sigma)), 1e-300) / share)
+        return math.log(max(_passing(middle, size, sigma, part), 1e-300) / share)
 
     # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
     at_low, at_high = beyond(low), beyond(high)
