@@ -162,7 +162,8 @@ class Chip:
         program, well, soft = self.program, self.kept.part(Well), self.kept.part(Soft)
         found = np.full(len(program.container.encoding), np.inf)
         if well is not None:
-            single = not np.isnan(program.tables.single(program.model(self.kept))).any()
+            # Of what is left out by choice the words of these pixels know.
+            single = not np.isnan(program.tables.single(program.model(self.wanted))).any()
             if soft is not None or not single:
                 found[:] = self.full_e
         if soft is not None:

@@ -245,13 +245,17 @@ class Wired:
         counts = bool(self.effects.names(Counted))
         sites = 3 * sizes.kept_cols if sizes.exchanges and counts and not sizes.given else 1
         keys = ERRORS * (sizes.buckets + sizes.words * sizes.numbered)
+        most = self.words.most_entries * sizes.draws
         return {
             "streams": np.empty(4 * groups, np.uint64),
             "found": np.zeros(keys, np.uint64),
             "heap": np.empty(2 * sites * room),
             "stamps": np.full(2 * sites * room, -1, np.int64),
             "missing": np.empty(ERRORS * sizes.buckets),
-            "drawn": np.empty(self.words.most_entries * sizes.draws),
+            "drawn": np.empty(most),
+            "draws": np.empty(most, np.int64),
+            "draw_keys": np.empty(most, np.uint64),
+            "normals": np.empty(most),
             "registers": np.empty(sizes.registers + 3),
             "full": np.empty(sizes.registers + 3, np.int64),
             "lost": np.empty(sizes.registers + 3),

@@ -21,7 +21,6 @@ from nscc_runtime.planner.near import Near, charges
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import scene_sums
-from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
 
@@ -40,13 +39,6 @@ class Prepared:
     def kept(self) -> Selection:
         """The effects that are simulated."""
         return self.plan.kept
-
-    @property
-    def wanted(self) -> Model:
-        """The weights of all effects but those that the user wants off: what is left out by choice
-        is still the better account of where noise goes.
-        """
-        return self.program.model(self.plan.wanted)
 
     @cached_property
     def places(self) -> NDArray[np.int64]:
