@@ -141,4 +141,5 @@ def _quantile(share: float, sizes: Values, part: Values) -> float:
         return 0.0
     order = np.argsort(sizes)
     upto = np.cumsum(part[order])
-    return float(sizes[order[min(np.searchsorted(upto, 1.0 - share), len(order) - 1)]])
+    last = min(int(np.searchsorted(upto, 1.0 - share)), len(order) - 1)
+    return float(sizes[order[last]])
