@@ -233,6 +233,14 @@ def test_suns_and_lamps_that_no_other_pixel_is_like_break_nothing(seed: int) -> 
         assert each.found.broken == [], each.said
 
 
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
+def test_values_leak_while_they_wait_for_their_readout() -> None:
+    """The second of two buckets waits 40 times as long as the frame takes."""
+    (found,) = promises(110210, plans=1, frames=3)
+    assert found.found.broken == [], found.said
+    assert found.found.foreseen, found.said
+
+
 def test_noise_that_hangs_on_pixels_at_the_full_well_is_no_promise() -> None:
     side, slots = 16, 4
     container = case("b edges", slots, "500us", side, side)

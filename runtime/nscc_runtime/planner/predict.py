@@ -316,9 +316,9 @@ class Forecast(ABC):
     @cached_property
     def leak_nodes(self) -> int:
         """At how many rates of leakage sums are made."""
-        size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
-        most = _LEAK_PART * self.tolerance_e
-        enough = (n for n in range(1, leak_nodes.MOST) if self.program.leak_error(n) * size <= most)
+        sizes = np.sqrt(self.fields.sample.mean(self.fields.expected**2))
+        most, error = _LEAK_PART * self.tolerance_e, self.program.leak_error
+        enough = (n for n in range(1, leak_nodes.MOST) if np.max(error(n) * sizes) <= most)
         return next(enough, leak_nodes.MOST)
 
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
@@ -355,6 +355,7 @@ class Forecast(ABC):
 
     def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
         fields, where = self.fields, self._where(state)
+        leaked = self.program.leak_error(self.leak_nodes)[:, None] * fields.expected
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
         # neighbours' from sums: of one that is full, these matter nothing.
@@ -364,7 +365,7 @@ class Forecast(ABC):
             "formula": np.full(where.shape, _FORMULA_E**2),
             "neighbours": fields.neighbours[self.closed] * beside,
             "noise": fields.noise_cut * after,
-            "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
+            "leak": leaked**2 * after,
         }
 
     def contribution(self, effect: Effect) -> tuple[float, float]:
