@@ -150,7 +150,7 @@ class Chooser(Promises):
             effect.name for effect in self.present
             if effect.name not in dropped and not self._forced(effect)
         }  # fmt: skip
-        yield from (frozenset({name}) for name in sorted(free))
+        yield from (self.with_what_hangs_on_it(name, free, dropped) for name in sorted(free))
         if free >= self.saturation:
             yield self.saturation
         slow = frozenset(free & self.slow)
