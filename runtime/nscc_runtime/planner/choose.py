@@ -371,7 +371,7 @@ class Chooser(Promises):
         if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0
         elif effect.name in dropped:
-            choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
+            choice, reason = "dropped", self.why_dropped(rms)
         elif then > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then:.3g} e"
         elif cost > 0 and not self._bounded(dropped | {effect.name}):
