@@ -101,7 +101,7 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
         pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part, lit=np.empty(cols),
         found=columns,
     )  # fmt: skip
-    found = columns.sum(axis=1)
+    found: Values = columns.sum(axis=1)
     for first in (0, OPEN):
         found[first : first + LARGEST] /= rows * cols
         found[first + SQUARE] **= 0.5

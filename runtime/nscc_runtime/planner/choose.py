@@ -150,7 +150,7 @@ class Chooser(Promises):
             effect.name for effect in self.present
             if effect.name not in dropped and not self._forced(effect)
         }  # fmt: skip
-        yield from (frozenset({name}) for name in sorted(free))
+        yield from (self.with_what_hangs_on_it(name, free, dropped) for name in sorted(free))
         if free >= self.saturation:
             yield self.saturation
         slow = frozenset(free & self.slow)
@@ -371,7 +371,7 @@ class Chooser(Promises):
         if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0
         elif effect.name in dropped:
-            choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
+            choice, reason = "dropped", self.why_dropped(rms)
         elif then > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then:.3g} e"
         elif cost > 0 and not self._bounded(dropped | {effect.name}):

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.parts import Counted, Exchange, SlowWords
+from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import chip_of
 from nscc_runtime.planner.effect_fields import BOTH, Fields
@@ -67,7 +67,7 @@ class Lacking:
         if len(self.near) < 2 * _FEWEST:
             return frozenset()
         # Words that take no time would leave nothing of black suns, which are told of.
-        dropped -= everything().names(SlowWords)
+        dropped -= everything().names(SlowWords) | everything().names(LitLevel)
         found: list[str] = []
         price = partial(self._frame_ns, dropped)
         while True:

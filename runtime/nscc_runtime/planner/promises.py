@@ -54,6 +54,12 @@ class Promises(Forecast):
         """The tolerance in electrons."""
         return self.allowed.electrons
 
+    def why_dropped(self, rms_e: float) -> str:
+        """Why a plan leaves out an effect of this size."""
+        if rms_e <= self.tolerance_e:
+            return f"{rms_e:.3g} e fits into the tolerance"
+        return "pixels of which it takes more run through their words, with it"
+
     def signal_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`."""
         plan = Plan.of_nothing()
