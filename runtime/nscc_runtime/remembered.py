@@ -20,11 +20,13 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
     @wraps(method)
     def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
-        kept = vars(self)
-        results: dict[Hashable, R] = kept.get(name) or kept.setdefault(name, {})
-        if given not in results:
-            results[given] = method(self, *given, **named)
-        return results[given]
+        kept: dict[Hashable, R] = vars(self).setdefault(name, {})
+        try:
+            return kept[given]
+        except KeyError:
+            pass
+        kept[given] = result = method(self, *given, **named)
+        return result
 
     return found
 
