@@ -20,10 +20,9 @@ from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.fused import Fused
 from nscc_runtime.planner.lacking import by_spilt
-from nscc_runtime.planner.pixels import Given, Running, Wired
+from nscc_runtime.planner.pixels import Given, Running
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
@@ -151,15 +150,9 @@ class Planned(Prepared):
             rest = np.setdiff1d(self.places, self.saturating, assume_unique=True)
             some = [(rest, self.kept), *some]
         return [
-            (places, Running(self.chip.own(_wired, kept), self.light, places, self.threads))
+            (places, Running(self.chip.wired(kept), self.light, places, self.threads))
             for places, kept in some if len(places)
         ]  # fmt: skip
-
-
-def _wired(chip: Chip, effects: Selection) -> Wired:
-    """The words of pixels that have these effects."""
-    program = chip.program
-    return Wired(program.words(effects), program.slot_s, effects, chip.device_seed)
 
 
 def prepared(

@@ -24,6 +24,7 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.pixels import Wired
 from nscc_runtime.planner.program import Program
 from nscc_runtime.remembered import remembered
 
@@ -169,6 +170,12 @@ class Chip:
             room = soft.linear_e(program.sensor) - program.reach.noise_e
             found = np.minimum(found, room / program.reach.light)
         return found
+
+    @remembered
+    def wired(self, effects: Selection) -> Wired:
+        """The words of pixels that have these effects."""
+        program = self.program
+        return Wired(program.words(effects), program.slot_s, effects, self.device_seed)
 
     def own(self, make: Callable[..., T], *given: Hashable) -> T:
         """What else scenes have in common here, `make(self, *given)`: made once."""

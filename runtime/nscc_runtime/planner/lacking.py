@@ -15,7 +15,9 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
+from nscc_runtime.planner.chip import chip_of
 from nscc_runtime.planner.effect_fields import BOTH, Fields
+from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import brightest, drawn_by
@@ -185,16 +187,17 @@ class Lacking:
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
-        program = self.program
+        every = everything()
+        chip = chip_of(self.program, self.device_seed, every, every)
         found = np.empty((len(self.fields.expected), len(self._places)))
         beside = np.isin(self._places, self.spilt)
         for some, lost in (
             (~beside, lacking), (beside, by_spilt(lacking) | lacking & self.forced_off)
         ):  # fmt: skip
-            found[:, some], _ = program.pixels.exposures(
-                self.light, program.slot_s, self._places[some], self._every.without(*lost),
-                device_seed=self.device_seed, threads=self.threads,
-            )  # fmt: skip
+            running = Running(
+                chip.wired(self._every.without(*lost)), self.light, self._places[some], self.threads
+            )
+            found[:, some], _ = running.expose(0, 0)
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:

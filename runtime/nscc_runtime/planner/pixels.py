@@ -6,7 +6,7 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -16,14 +16,24 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave, Effect, Selection, registered
 from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.effects.in_loops import device_keys, figures, switches
-from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Exchange, Moving
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedDark,
+    CountedLight,
+    Errors,
+    Exchange,
+    Moving,
+    Saturates,
+)
+from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.entries import entries_of, seen_by
 from nscc_runtime.planner.error_loop import ERRORS
-from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
 from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
@@ -31,7 +41,6 @@ from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
 
-_ENTRY = np.dtype(Entry)
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' counts."""
 _MOST_LIGHT = 1 << 26
@@ -71,11 +80,11 @@ class Pixels:
                     draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
-        rows, operands = _entries(program)
+        rows, operands = entries_of(program)
         entries = rows[word]
         entries["acts"] = acts[word, lane]
         entry_start = np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
-        entries["seen"] = _seen(entries, entry_start)
+        entries["seen"] = seen_by(entries, entry_start)
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
@@ -195,8 +204,16 @@ class Wired:
             readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
         )
 
+    def sizes(self, pixels: int, frame: int, given: bool) -> Sizes:
+        """Of so many pixels of a frame."""
+        common, cols = self._sizes, self.lanes.shape[1]
+        if pixels <= cols:
+            # So few seldom have neighbours in common.
+            common = common | {"kept_cols": min(3, cols)}
+        return Sizes(pixels=pixels, frame=frame, given=given, **common)
+
     @cached_property
-    def sizes(self) -> dict[str, int]:
+    def _sizes(self) -> dict[str, int]:
         """Everything of `Sizes` but what frames decide."""
         words, effects = self.words, self.effects
         container = words.program.container
@@ -225,7 +242,8 @@ class Wired:
     def scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
         """What the loop wants beside what it is given."""
         groups, room = sizes.groups, 2 * sizes.whole * sizes.groups
-        sites = 3 * sizes.kept_cols if sizes.exchanges and not sizes.given else 1
+        counts = bool(self.effects.names(Counted))
+        sites = 3 * sizes.kept_cols if sizes.exchanges and counts and not sizes.given else 1
         keys = ERRORS * (sizes.buckets + sizes.words * sizes.numbered)
         most = self.words.most_entries * sizes.draws
         return {
@@ -259,6 +277,15 @@ class Running:
     chosen: NDArray[np.int64]
     threads: int
 
+    def by(self, wired: Wired) -> Running:
+        """The same pixels under other effects; their light is laid out once where these differ in
+        what saturates alone."""
+        found, other = replace(self, wired=wired), self.wired.effects.on ^ wired.effects.on
+        if other <= everything().names(Saturates):
+            alike = "_places", "_parts", *(("_kept",) if len(self._parts) == 1 else ())
+            vars(found).update((name, getattr(self, name)) for name in alike)
+        return found
+
     def expose(
         self, seed: int, frame: int, given: Given | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
@@ -282,9 +309,7 @@ class Running:
 
             def fill(begin: int, end: int, first: int = part.start, sites: Sites = sites) -> None:
                 begin, end = first + begin, first + end
-                sizes = Sizes(
-                    pixels=end - begin, frame=frame, given=given is not None, **wired.sizes
-                )
+                sizes = wired.sizes(end - begin, frame, given is not None)
                 found = np.empty((shape[0], end - begin))
                 bits = np.empty(found.shape, np.uint8)
                 wired.loop(
@@ -336,47 +361,6 @@ class Running:
     @cached_property
     def _kept(self) -> Sites:
         return self.wired.laid_out(self._source, self._places, self.threads)
-
-
-def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
-    """The words as they are where they act, and the registers of all of them."""
-    container = program.container
-    names = (*container.target.analog_registers, "PIX", "reset level", "IN")
-    rows: list[tuple[float, ...]] = []
-    operands: list[int] = []
-    for word in program.words:
-        sources, destinations = word.op.sources, word.op.destinations
-        if word.resets:
-            sources = destinations = ()
-        last = word.boundary == container.slots
-        end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
-        entry = {
-            "boundary": word.boundary,
-            "resets": word.resets,
-            "number": word.number,
-            "reads_pix": "PIX" in sources,
-            "sources": len(sources),
-            "destinations": len(destinations),
-            "operands": len(operands),
-            "end": end if last else min(end, 1.0),
-            "divisor": word.op.operation.divisor,
-            "acts": True,
-            "seen": False,
-        }
-        rows.append(tuple(entry[name] for name in _ENTRY.names or ()))
-        operands += [names.index(name) for name in sources + destinations]
-    return np.array(rows, _ENTRY), np.array(operands, np.int64)
-
-
-def _seen(entries: NDArray[Any], entry_start: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether what falls on PIX before each word is read, by it or later, before PIX is reset."""
-    count = len(entries)
-    turns = entries["acts"].astype(bool) & (entries["resets"] | entries["reads_pix"]).astype(bool)
-    # The next word that reads or resets PIX; none of another lane.
-    here = np.where(turns, np.arange(count), count)
-    next_turn = np.minimum.accumulate(here[::-1])[::-1]
-    within = next_turn < np.repeat(entry_start[1:], np.diff(entry_start))
-    return np.asarray(within & ~entries["resets"].astype(bool)[np.minimum(next_turn, count - 1)])
 
 
 @lru_cache(_MOST_KEYS)

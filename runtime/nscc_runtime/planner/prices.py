@@ -51,7 +51,7 @@ class Prices:
 
 SHIPPED = Prices(
     slot_of_reference=450.0, pixel=300.0, word=40.0, error=10.0, slot=5.0, run=12.0,
-    leak=8.0, count=100.0, split=15.0, summed=90.0, light=0.5, planned=60.0, plan_ms=8.0,
+    leak=8.0, count=100.0, split=15.0, summed=90.0, light=0.5, planned=15.0, plan_ms=6.0,
     looked=1200.0,
 )  # fmt: skip
 """Measured on a core of an x86 server at about 3 GHz; what they add up to is right to a factor of

@@ -109,10 +109,15 @@ class Program:
         return np.asarray(part[self.lanes].reshape(self.reference.groups.lane.shape), np.float32)
 
     @remembered
-    def leak_error(self, count: int) -> float:
-        """The relative error of sums at so many rates of leakage."""
-        age_s = float(self.slot_s.sum())
-        return leak_nodes.error(everything().the(Leak), self.sensor, count, age_s)
+    def leak_error(self, count: int) -> Values:
+        """The relative errors (buckets,) of sums at so many rates of leakage: values leak while
+        they wait for their readout, too, which may take longer than the frame."""
+        leak, readouts = everything().the(Leak), self.container.readouts
+        order = {readout.bucket: i for i, readout in enumerate(readouts)}
+        waits = [order[b] * self.container.target.readout_us for b in self.container.buckets]
+        frame_s = float(self.slot_s.sum())
+        ages = [frame_s + 1e-6 * wait for wait in waits]
+        return np.array([leak_nodes.error(leak, self.sensor, count, age_s) for age_s in ages])
 
     @cached_property
     def all_single(self) -> bool:
