@@ -262,7 +262,7 @@ class Chooser(Promises):
         saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
         if self._path(dropped) != "sums":
             return saved
-        return saved + sum(effect.cost_ns for effect in self.present if effect.name in names)
+        return saved + sum(self.price_ns(each) for each in self.present if each.name in names)
 
     def _own_ns(self, name: str, dropped: frozenset[str]) -> float:
         """The same of one effect, without what single pixels near saturation take: the table has a
@@ -308,7 +308,7 @@ class Chooser(Promises):
         path = self._path(dropped)
         square, most = self.squares(dropped, path != "sums")
         most = most + _ERRORS * self.sampling_error(dropped, path != "sums")
-        added = self._lacking(self.state(dropped)).square(lacking) if lacking else _NOTHING
+        added = self._lacking(self.state(dropped)).square(dropped, lacking) if lacking else _NOTHING
         worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
@@ -371,7 +371,7 @@ class Chooser(Promises):
         if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0
         elif effect.name in dropped:
-            choice, reason = "dropped", self.why_dropped(rms)
+            choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
         elif then > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then:.3g} e"
         elif cost > 0 and not self._bounded(dropped | {effect.name}):

@@ -85,16 +85,14 @@ class Lacking:
         # neighbours, or the one that saves most.
         for names in (by_spilt(every) if apart else every, by_spilt(every), frozenset(found[:1])):
             saved_ns = price(frozenset()) - price(names)
-            if saved_ns > self._measuring_ns(names) and self._most(names) <= room:
+            if saved_ns > self._measuring_ns(names) and self._most(dropped, names) <= room:
                 return names
         return frozenset()
 
     def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """Nanoseconds of all these pixels in a frame whose sums lack what is `dropped`."""
-        sums = self._every.without(*self.forced_off, *dropped)
         words = self._every.without(*self.forced_off, *lacking)
-        # Sums that count otherwise have no counts for the neighbours.
-        beside: Beside = "sums" if words.names(Counted) == sums.names(Counted) else "nothing"
+        beside: Beside = "sums" if _alike(dropped, lacking) else "nothing"
         return self.program.work.words_ns(words, SHIPPED, beside) * len(self.near)
 
     def _measuring_ns(self, lacking: frozenset[str]) -> float:
@@ -112,10 +110,20 @@ class Lacking:
         """What the measured pixels have lacked so far, each once."""
         return []
 
-    def square(self, lacking: frozenset[str]) -> Values:
-        """What leaving effects out adds to the mean square error over the array, (buckets,)."""
+    def square(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
+        """What leaving effects out adds to the mean square error over the array, (buckets,), where
+        sums lack what is `dropped`."""
         mean, _ = self._measured(lacking)
-        return mean
+        return mean + self._evened(dropped, lacking)
+
+    def _evened(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
+        """What it adds that neighbours' counts are those of sums now, taken as even over their
+        slots; where sums have crosstalk, that is one of their short cuts."""
+        beside = everything().names(Exchange)
+        fields = self.fields
+        if not beside & dropped or beside & lacking or not _alike(dropped, lacking):
+            return np.zeros(len(fields.expected))
+        return fields.sample.mean(fields.neighbours[False] * (self.running & ~fields.clipped))
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
@@ -133,9 +141,9 @@ class Lacking:
             tails.append(worst_measured(error[:, suns:], rest / pixels, pixels))
         return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
-    def _most(self, lacking: frozenset[str]) -> float:
+    def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
-        return float(np.max(mean + _SIGMAS * error))
+        return float(np.max(mean + _SIGMAS * error + self._evened(dropped, lacking)))
 
     @remembered
     def _measured(self, lacking: frozenset[str]) -> tuple[Values, Values]:
@@ -201,6 +209,12 @@ class Lacking:
         """The mean square that leaving effects out adds, by their fields."""
         fixed, variance = guessed(self.fields, self.running, lacking)
         return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
+
+
+def _alike(dropped: frozenset[str], lacking: frozenset[str]) -> bool:
+    """Whether words count what sums do, so that these have counts for their neighbours."""
+    counted = everything().names(Counted)
+    return counted & dropped == counted & lacking
 
 
 def by_spilt(lacking: frozenset[str]) -> frozenset[str]:

@@ -199,17 +199,6 @@ class Forecast(ABC):
             found |= everything().names(LitLevel)
         return frozenset({*found, CLIP, FORCED})
 
-    def with_what_hangs_on_it(
-        self, name: str, free: set[str], dropped: frozenset[str]
-    ) -> frozenset[str]:
-        """What leaving an effect out takes along of the `free` ones, itself included: nothing is
-        left of black suns where words take no time. Empty where some of that has to stay.
-        """
-        if name not in everything().names(SlowWords):
-            return frozenset({name})
-        lit = everything().names(LitLevel) & {effect.name for effect in self.present} - dropped
-        return lit | {name} if lit <= free else frozenset()
-
     @remembered
     def state(self, dropped: frozenset[str]) -> str:
         """What becomes of pixels that may saturate: they run through their words with all effects,
