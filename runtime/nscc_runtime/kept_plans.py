@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
+from functools import cached_property
 from threading import Condition
 from typing import TYPE_CHECKING
 
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.light import Light
-from nscc_runtime.sizes_loop import EIGHTH, LARGEST, SQUARE, Pixels, sizes_of
+from nscc_runtime.sizes_loop import EIGHTH, KINDS, LARGEST, OPEN, SQUARE, STEPS, Pixels, sizes_of
 
 if TYPE_CHECKING:  # captures without effects start without the planner
     from nscc_runtime.planner.plan import Plan
@@ -46,9 +47,9 @@ class Statistics:
     """What of a scene's light decides on the errors of a plan.
 
     `sizes`, in electrons: of the light of a pixel over the frame the mean, the root of the mean
-    square, that of the eighth power, the largest; the root mean square of steps between neighbours;
-    and the first four again of the light while pixels are open. `course` (frames,): what part of
-    all light has fallen by the end of each of the scene's frames.
+    square, that of the eighth power, the largest; these again of the light while pixels are open;
+    and the root mean square of steps between neighbours. `course` (frames,): what part of all light
+    has fallen by the end of each of the scene's frames.
     """
 
     light: Light
@@ -75,7 +76,9 @@ class Statistics:
             return False
         more = np.full(len(self.sizes), _MORE)
         if not saturating:
-            more[[2, 3, 7, 8]] = 1.0  # of what saturates a little more light may lose much more
+            more[[EIGHTH, LARGEST, OPEN + EIGHTH, OPEN + LARGEST]] = (
+                1.0  # of what saturates a little more light may lose much more
+            )
         return bool(
             _alike(self.light, other.light)
             and (other.sizes <= more * self.sizes).all()
@@ -93,14 +96,18 @@ class Statistics:
 
 def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
     """See `Statistics.sizes`."""
-    found, (rows, cols) = np.empty(9), total.shape
-    sizes_of(pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part, found=found)
-    steps = max(rows * (cols - 1) + cols * (rows - 1), 1)
-    all_light, open_light = found[:4], found[5:]
-    for each in (all_light, open_light):
-        each[SQUARE], each[EIGHTH] = each[SQUARE] ** 0.5, each[EIGHTH] ** 0.125
-        each[:LARGEST] *= each[LARGEST]
-    found[4] = (found[4] / steps) ** 0.5 * found[LARGEST]
+    (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
+    sizes_of(
+        pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part, lit=np.empty(cols),
+        found=columns,
+    )  # fmt: skip
+    found: Values = columns.sum(axis=1)
+    for first in (0, OPEN):
+        found[first : first + LARGEST] /= rows * cols
+        found[first + SQUARE] **= 0.5
+        found[first + EIGHTH] **= 0.125
+        found[first + LARGEST] = columns[first + LARGEST].max()
+    found[STEPS] = (found[STEPS] / max(rows * (cols - 1) + cols * (rows - 1), 1)) ** 0.5
     return found
 
 
@@ -118,6 +125,19 @@ def _alike(one: Light, other: Light) -> bool:
     )
 
 
+@dataclass(frozen=True, eq=False)
+class _Kept:
+    """A plan, or one that is being made, with what its scene is like."""
+
+    statistics: Statistics
+    made: Future[Plan]
+
+    @cached_property
+    def again(self) -> Plan:
+        """The plan as that of another scene."""
+        return replace(self.made.result(), reused=True)
+
+
 class KeptPlans:
     """The plans of a film's frames, or of the scenes of a batch, which are numbered from 0.
 
@@ -126,7 +146,7 @@ class KeptPlans:
     """
 
     def __init__(self) -> None:
-        self._last: dict[Hashable, tuple[Statistics, Future[Plan]]] = {}
+        self._last: dict[Hashable, _Kept] = {}
         self._passed: set[int] = set()
         self._turn = 0
         self._changed = Condition()
@@ -148,7 +168,7 @@ class KeptPlans:
             if earlier is not None and serves(earlier):
                 return earlier
             mine: Future[Plan] = Future()
-            self._last[asked] = found, mine
+            self._last[asked] = _Kept(found, mine)
         finally:
             self.passed(number)
         try:
@@ -160,14 +180,13 @@ class KeptPlans:
 
     def _earlier(self, asked: Hashable, found: Statistics) -> Plan | None:
         """The last plan, where it covers a scene."""
-        if asked not in self._last:
-            return None
-        statistics, made = self._last[asked]
+        last = self._last.get(asked)
         # Most scenes that differ are told apart before that plan is there.
-        if not statistics.resembles(found) or made.exception() is not None:
+        if last is None or not (last.made.done() or last.statistics.resembles(found)):
             return None
-        plan = made.result()
-        return replace(plan, reused=True) if statistics.covers(found, plan) else None
+        if last.made.exception() is not None:
+            return None
+        return last.again if last.statistics.covers(found, last.again) else None
 
     def passed(self, number: int) -> None:
         """Scene `number` has its plan, or needs none."""

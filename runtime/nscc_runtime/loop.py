@@ -262,8 +262,8 @@ class Parameter:
             for length, (axis, more) in zip(value.shape, self.axes, strict=True):
                 if axes.setdefault(axis, length - more) != length - more:
                     raise self._unequal(axis, length - more, axes)
-        capsule = value.__array_struct__
-        return cast(int, _Interface.from_address(_pointer(capsule, None)).data)
+        found: int = _Interface.from_address(_pointer(value.__array_struct__, None)).data
+        return found
 
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
         return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")

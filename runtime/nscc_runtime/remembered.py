@@ -20,13 +20,12 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
     @wraps(method)
     def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
-        kept = vars(self)
+        kept: dict[Hashable, R] = vars(self).setdefault(name, {})
         try:
-            return cast(R, kept[name][given])
+            return kept[given]
         except KeyError:
             pass
-        result = method(self, *given, **named)
-        kept.setdefault(name, {})[given] = result
+        kept[given] = result = method(self, *given, **named)
         return result
 
     return found

@@ -116,12 +116,13 @@ class Request:
 
 @dataclass(frozen=True)
 class Listener:
-    """Who is told how a run goes: a line of text, a warning (which may raise), and progress.
+    """Who is told how a run goes: a line of text, where somebody reads it, a warning (which may
+    raise), and progress.
 
     `timings` gathers the seconds that were spent.
     """
 
-    say: Callable[[str], None] = lambda _text: None
+    say: Callable[[str], None] | None = None
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
     progress: Progress = unseen
     timings: Timings = field(default_factory=Timings)
@@ -186,7 +187,7 @@ def _streamed(
     from nscc_runtime.noise.loops import fill_normals
     from nscc_runtime.reference.stream import absent_effects, stream_frames
 
-    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    _say_compiling(listener, fill_normals.is_compiled, "noise")
     absent = absent_effects(container, request.effects)
     effects = request.effects.without(*absent)
     with listener.timings.part("expose_s"):
@@ -214,14 +215,14 @@ def _exact(
         from nscc_runtime.emulator import expose
         from nscc_runtime.emulator.loops import expose_block
 
-        _say_compiling(listener, expose_block.is_compiled(), "emulator")
+        _say_compiling(listener, expose_block.is_compiled, "emulator")
         exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
         frame = frame_file.read_out(exact, container.target, sensor)
         return frame_file.repeated(frame, repeat) if repeat else frame
     from nscc_runtime.noise.loops import fill_normals
     from nscc_runtime.reference import frames
 
-    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    _say_compiling(listener, fill_normals.is_compiled, "noise")
     made = frames(
         container, light, sensor, request.effects,
         seed=request.seed, device_seed=request.device_seed, count=repeat or 1,
@@ -241,12 +242,12 @@ def _looking(
 
     seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
     if request.effects.noiseless:
-        _say_compiling(listener, run_ways.is_compiled(), "emulator")
+        _say_compiling(listener, run_ways.is_compiled, "emulator")
         return frames(
             container, light, sensor, request.effects,
             seed=seed, device_seed=device_seed, count=count, threads=request.threads,
         )  # fmt: skip
-    _say_compiling(listener, fill_normals.is_compiled(), "noise")
+    _say_compiling(listener, fill_normals.is_compiled, "noise")
     return looking_frames(
         container, light, sensor, request.effects,
         seed=seed, device_seed=device_seed, count=count, threads=request.threads,
@@ -265,7 +266,7 @@ def _planned(
     planning = planning_of(
         container, sensor, light, device_seed, request.threads, request.torch_device
     )
-    _say_compiling(listener, planning.compiled, "planner")
+    _say_compiling(listener, lambda: planning.compiled, "planner")
     check(container, light)
     digest = _digest(container)
     with timings.part("analyse_s"):
@@ -394,6 +395,6 @@ def _contradiction(what: str, note: str, help_text: str) -> Rejected:
     )
 
 
-def _say_compiling(listener: Listener, ready: bool, what: str) -> None:
-    if not ready:
+def _say_compiling(listener: Listener, ready: Callable[[], bool], what: str) -> None:
+    if listener.say is not None and not ready():
         listener.say(f"compiling the {what}'s loops for this processor: once, some seconds")

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.loop import Floats, Floats32, Written, loop, record
+from nscc_runtime.loop import Floats, Floats32, Written, compiled, loop, record
 
-MEAN, SQUARE, EIGHTH, LARGEST = range(4)
-_LEAST = 1e-9
-"""Of the square of the largest: smaller numbers, whose powers are slow, count as that."""
+MEAN, SQUARE, EIGHTH, LARGEST, STEPS = 0, 1, 2, 3, 8
+OPEN = 4
+"""Where the first four of the light while pixels are open begin."""
+KINDS = 9
+_LEAST = 1e-30
+"""Squares of light that is less count as that: the powers of smaller numbers are slow."""
 
 
 @record
@@ -19,44 +22,48 @@ class Pixels:
     cols: int
 
 
+@compiled
+def _powers(lit: Floats, cols: int, at: int, found: Floats) -> None:
+    """Add a row: each column by itself, and each kind, so that LLVM makes vectors."""
+    for col in range(cols):
+        found[at + MEAN * cols + col] += lit[col]
+    for col in range(cols):
+        found[at + SQUARE * cols + col] += lit[col] * lit[col]
+    for col in range(cols):
+        square = lit[col] * lit[col]
+        square = square if square > _LEAST else _LEAST
+        found[at + EIGHTH * cols + col] += square * square * (square * square)
+    for col in range(cols):
+        most = found[at + LARGEST * cols + col]
+        found[at + LARGEST * cols + col] = lit[col] if lit[col] > most else most
+
+
 @loop
 def sizes_of(
     pixels: Pixels,
     total: Annotated[Floats, "rows cols"],
     part: Annotated[Floats32, "rows cols"],
-    found: Written[Floats],
+    lit: Written[Annotated[Floats, "cols"]],
+    found: Written[Annotated[Floats, "kinds cols"]],
 ) -> None:
-    """found (9,) := of `total` mean, mean square, mean eighth power and the largest; the sum of
-    squares of steps between neighbours; the first four of `total` times `part`.
-
-    Powers are of parts of the largest, whose sizes count; of no light all are 0.
+    """found (9, cols) := for each column, of `total` its sum, the sums of its squares and of its
+    eighth powers, and the largest; these of `total` times `part`; the sum of squares of steps
+    between neighbours. Light is at most 1e36, whose powers have room. `lit` is scratch.
     """
-    cols, count = pixels.cols, pixels.rows * pixels.cols
-    for kind in range(2):
-        at, largest = 5 * kind, 0.0
-        for p in range(count):
-            size = abs(total[p] * (part[p] if kind else 1.0))
-            largest = size if size > largest or size != size else largest
-        for power in range(4):
-            found[at + power] = 0.0
-        found[at + LARGEST] = largest
-        if largest <= 0.0:
-            continue
-        for p in range(count):
-            size = abs(total[p] * (part[p] if kind else 1.0)) / largest
-            square = max(size * size, _LEAST)
-            fourth = square * square
-            found[at + MEAN] += size
-            found[at + SQUARE] += square
-            found[at + EIGHTH] += fourth * fourth
-        for power in range(3):
-            found[at + power] /= count
-    found[4] = 0.0
-    if found[LARGEST] > 0.0:
-        scale = 1.0 / found[LARGEST]
-        for row in range(pixels.rows):
-            for col in range(cols):
-                p = row * cols + col
-                down = (total[p + cols] - total[p]) * scale if row + 1 < pixels.rows else 0.0
-                right = (total[p + 1] - total[p]) * scale if col + 1 < cols else 0.0
-                found[4] += down * down + right * right
+    cols = pixels.cols
+    for i in range(KINDS * cols):
+        found[i] = 0.0
+    for row in range(pixels.rows):
+        first = row * cols
+        for col in range(cols):
+            lit[col] = total[first + col]
+        _powers(lit, cols, 0, found)
+        for col in range(cols):
+            lit[col] = total[first + col] * part[first + col]
+        _powers(lit, cols, OPEN * cols, found)
+        for col in range(cols - 1):
+            right = total[first + col + 1] - total[first + col]
+            found[STEPS * cols + col] += right * right
+        for col in range(cols if row + 1 < pixels.rows else 0):
+            down = total[first + cols + col] - total[first + col]
+            found[STEPS * cols + col] += down * down

@@ -97,6 +97,24 @@ def test_the_noise_of_words_is_one_draw_a_bucket(name: str, effects: str) -> Non
     assert np.std(full - plain) > 5 or effects == "reset"
 
 
+ONE_WEIGHT = {"a", "b edges", "b latch"}
+"""Programs whose words give all slots of a pixel one weight, whatever they lose."""
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_words_that_lose_a_part_weigh_slots(name: str) -> None:
+    """Where the weight is one for all slots of a pixel everything is done in one go."""
+    container, effects = case(name, rows=ROWS, cols=COLS), "prnu,lag,full_well,analog"
+    sensor = sensor_of(container, leakage_spread_fraction=0.0, analog_gain=0.9, leakage_tau_s=1e6)
+    light = moving_light((8, ROWS, COLS), 300.0)
+    scene = planned(container, light, sensor, plan_of(effects))
+    assert (scene.fused is not None) == (name in ONE_WEIGHT)
+    full = exposures(container, light, sensor, effects, 1, SEED, DEVICE)[0]
+    np.testing.assert_allclose(scene.expose(SEED, 0).exposure_e, full, rtol=1e-5, atol=0.01)
+    slow = planned(container, light, sensor, plan_of(f"{effects},dead_time"))
+    assert slow.fused is None
+
+
 def test_motion_is_the_moving_light() -> None:
     from nscc_runtime.scenes.timing import with_motion
 

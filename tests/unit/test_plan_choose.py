@@ -81,6 +81,16 @@ def test_forced_effects_are_as_told(
     assert not any(each.forced for each in plan.decisions if each.name != name)
 
 
+def test_black_suns_go_with_dead_time_and_keep_it_where_they_are_named(
+    mid: tuple[Container, Light, Sensor],
+) -> None:
+    """Where words take no time nothing falls on the level of a reset."""
+    names = ("dead_time", "black_sun")
+    free, named = made(*mid, 100.0), made(*mid, 100.0, "auto,+black_sun")
+    assert [row(free, name).decision for name in names] == ["dropped", "dropped"]
+    assert [row(named, name).decision for name in names] == ["kept", "kept"]
+
+
 def test_lists_of_effects_decide_on_everything(mid: tuple[Container, Light, Sensor]) -> None:
     plan = made(*mid, 5.0, "shot,read")
     assert {each.name for each in plan.decisions if each.decision == "kept"} >= {"shot", "read"}

@@ -12,6 +12,7 @@ from reference_programs import sensor_of
 from nscc.words.container import Container
 from nscc_runtime.effects import optional, selected
 from nscc_runtime.light import Light
+from nscc_runtime.planner.pixels import Running, Wired
 from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
@@ -185,3 +186,19 @@ def test_order_and_threads_change_no_bit_and_nothing_is_asked_for_twice() -> Non
         assert again.tobytes() == once[:, order].tobytes()
     none, marked = program.pixels.exposures(light, program.slot_s, places[:0], selected("all"))
     assert none.shape == marked.shape == (1, 0)
+
+
+@pytest.mark.parametrize("lacking", ["full_well", "full_well,register", "shot", "crosstalk"])
+def test_few_pixels_run_again_under_other_effects_as_if_for_the_first_time(lacking: str) -> None:
+    container = case("d edges", rows=6, cols=9)
+    light, program = moving_light((8, 6, 9), 500.0), Program.of(container, sensor_near(container))
+    chosen, places = selected("all"), np.array([0, 10, 11, 20, 31, 40, 44, 53])
+    less = chosen.without(*lacking.split(","))
+    wired, other = (Wired(program.pixels, program.slot_s, each, 5) for each in (chosen, less))
+    running = Running(wired, light, places, 1)
+    full, _ = running.expose(3, 0)
+    again, marked = running.by(other).expose(3, 0)
+    every, as_marked = Running(other, light, np.arange(54), 1).expose(3, 0)
+    assert np.array_equal(again, every[:, places])
+    assert np.array_equal(marked, as_marked[:, places])
+    assert not np.array_equal(again, full)

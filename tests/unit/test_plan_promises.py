@@ -12,6 +12,8 @@ from plan_cases import case
 from promise import full_frames, outcome, scene
 from random_sensors import promises
 from reference_programs import sensor_of
+from scipy.optimize import brentq
+from scipy.stats import norm
 
 import nscc_runtime
 from nscc.words.container import Container
@@ -50,6 +52,24 @@ def test_worst_pixels_of_a_mixture_are_those_of_its_draws() -> None:
     assert found.p999_e == pytest.approx(np.quantile(drawn, 0.999), rel=0.01)
     # A sample shows little of the largest: it is rather said too large.
     assert 1.0 <= found.max_e / np.quantile(drawn.max(axis=1), 0.99) <= 1.1
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_what_one_pixel_in_a_thousand_passes_is_the_root_of_its_chance(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    mean = rng.standard_t(3, (1, 700)) * (rng.random((1, 700)) < (1.0, 0.02)[seed % 2])
+    variance = rng.exponential(4.0, (1, 700)) * (rng.random((1, 700)) < (0.0, 0.05, 1.0)[seed % 3])
+    weight = rng.exponential(90.0, 700)
+    if not variance.any():
+        mean += 1e-3  # of nothing but zeros nothing is passed
+
+    def beyond(limit: float) -> float:
+        sigma = np.sqrt(np.maximum(variance[0], 1e-12))
+        both = norm.sf((limit - mean[0]) / sigma) + norm.cdf((-limit - mean[0]) / sigma)
+        return float(both @ weight / weight.sum()) - 1e-3
+
+    found = worst_of(mean, variance, weight, 65536)
+    assert found.p999_e == pytest.approx(brentq(beyond, 0.0, 1e3, xtol=1e-9), rel=2e-3)
 
 
 def test_worst_pixels_that_were_measured_weigh_what_they_stand_for() -> None:
@@ -211,6 +231,14 @@ def test_suns_and_lamps_that_no_other_pixel_is_like_break_nothing(seed: int) -> 
     """Five suns whose resets are eaten; lamps that carry half of the frame's noise."""
     for each in promises(seed, plans=3, frames=3):
         assert each.found.broken == [], each.said
+
+
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
+def test_values_leak_while_they_wait_for_their_readout() -> None:
+    """The second of two buckets waits 40 times as long as the frame takes."""
+    (found,) = promises(110210, plans=1, frames=3)
+    assert found.found.broken == [], found.said
+    assert found.found.foreseen, found.said
 
 
 def test_noise_that_hangs_on_pixels_at_the_full_well_is_no_promise() -> None:

@@ -6,9 +6,15 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from plan_cases import case
+from reference_programs import sensor_of
 
+from nscc_runtime.effects.prnu import response
+from nscc_runtime.light import Light
 from nscc_runtime.planner import sample as module
-from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.sample import Sample, chances, drawn_by, sample_of
+from nscc_runtime.planner.sampled import SampledScene
 
 NONE = np.empty(0, np.int64)
 
@@ -96,3 +102,60 @@ def test_any_array_has_a_sample(rows: int, cols: int, frames: int, data: st.Data
         sample.places.tolist()
         == sample_of(total, frames, np.array(sorted(near), np.int64)).places.tolist()
     )
+
+
+@pytest.mark.parametrize("wanted", [1, 7, 300])
+def test_places_are_drawn_where_the_sum_of_chances_passes_points_in_equal_strata(
+    wanted: int,
+) -> None:
+    chance = np.random.default_rng(wanted).exponential(1.0, 211)
+    chance[[0, 50, 51, 210]] = 0.0
+    points = np.arange(wanted) + (np.arange(wanted) * 0.6180339887498949) % 1.0
+    upto = np.cumsum(chance)
+    passed = np.searchsorted(upto, points * (upto[-1] / wanted), side="right")
+    assert drawn_by(chance, wanted).tolist() == np.minimum(passed, 210).tolist()
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 9), (9, 1), (6, 7)])
+def test_chances_are_light_and_its_differences_to_each_neighbour(shape: tuple[int, int]) -> None:
+    light = np.random.default_rng(2).exponential(50.0, shape)
+    wide = np.pad(light, 1, mode="edge")
+    score = light + sum(
+        np.abs(light - beside)
+        for beside in (wide[:-2, 1:-1], wide[2:, 1:-1], wide[1:-1, :-2], wide[1:-1, 2:])
+    )
+    never = np.arange(min(2, light.size - 1))
+    drawn = np.ones(light.size, bool)
+    drawn[never] = False
+    score = np.where(drawn.reshape(shape), score + score.reshape(-1)[drawn].mean(), 0.0)
+    assert chances(light, never) == pytest.approx(score)
+
+
+def test_light_is_gathered_at_places_and_beside_them() -> None:
+    rng = np.random.default_rng(3)
+    frames = rng.exponential(9.0, (5, 4, 6)).astype(np.float32)
+    frames[2, 1, 1] = 3e38
+    places = np.array([0, 5, 7, 13, 18, 23])
+    container = case("d edges", rows=4, cols=6)
+    weight = Sample(places, np.ones(6), np.zeros(6, bool))
+    clip = Light.of_clip(np.concatenate([frames, frames[:3]]))
+    program = Program.of(container, sensor_of(container, prnu_fraction=0.1))
+    scene = SampledScene(program, clip, weight, 5)
+    part, most = program.device(5).fixed(response).reshape(4, 6), np.minimum(clip.frames, 1e30)
+    there = np.pad(np.ones((4, 6)), 1)
+    light, seen = (
+        np.pad(most, ((0, 0), (1, 1), (1, 1))),
+        np.pad(most * part, ((0, 0), (1, 1), (1, 1))),
+    )
+    sides = ((0, 1), (2, 1), (1, 0), (1, 2))
+    row, col = np.divmod(places, 6)
+    found = scene._frames
+    assert found.own == pytest.approx(most[:, row, col])
+    assert found.even == pytest.approx(sum(light[:, row + r, col + c] for r, c in sides), rel=1e-6)
+    assert found.flow == pytest.approx(sum(seen[:, row + r, col + c] for r, c in sides), rel=1e-6)
+    count = sum(there[row + r, col + c] for r, c in sides)
+    fraction = scene.exchanged
+    own = (most * part)[:, row, col]
+    falls = (1 - fraction * count) * own + fraction * found.flow
+    weights = program.tables.weights(program.full).slots[:, program.lanes[places], 0]
+    assert scene.light[0] == pytest.approx((falls * weights).sum(axis=0), rel=1e-6)

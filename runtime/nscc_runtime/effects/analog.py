@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Places, Sampled, Values
 from nscc_runtime.effects.parameters import Parameter, parameter
 from nscc_runtime.effects.parts import Errors, OfSensor, WordGain
@@ -75,7 +75,7 @@ ANALOG = Effect(
     reference={"words": _written},
     field=_field,
     sums=(WordGain(GAIN, pattern_e, _bias, _spread), Errors("words", _noise)),
-    fused=CannotHave("it weighs slots 1 or 0"),
+    fused=ByParts(),
     words=InLoop(
         "word_errors",
         {"gain": GAIN, "word_error": _noise, "pattern": _spread, "bias": _bias},

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.marks import Mark
@@ -39,7 +39,7 @@ BLACK_SUN = Effect(
     reference={"level": _found},
     field=_field,
     sums=(LitLevel(),),
-    fused=CannotHave("it takes slots wholly or not at all"),
+    fused=ByParts(),
     words=InLoop("lit_level"),
     marks={"level": Mark(16, "black sun")},
 )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
+from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled
 from nscc_runtime.effects.parts import SlowWords
 from nscc_runtime.effects.views import Word
@@ -31,6 +31,7 @@ DEAD_TIME = Effect(
     reference={"time": _ends},
     field=_field,
     sums=(SlowWords(),),
-    fused=CannotHave("it takes slots wholly or not at all"),
+    fused=ByParts(),
     words=InLoop("slow_words"),
+    cost_ns=4.0,
 )

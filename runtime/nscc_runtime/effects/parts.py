@@ -106,7 +106,7 @@ class Errors(Part, fused=True):
 
 
 @dataclass(frozen=True)
-class WordGain(Part, stage="words"):
+class WordGain(Part, stage="words", fused=True):
     """A word multiplies with `gain` and adds a fixed error: of mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
@@ -127,12 +127,12 @@ class Leak(Part, stage="hold"):
 
 
 @dataclass(frozen=True)
-class SlowWords(Part, stage="time"):
+class SlowWords(Part, stage="time", fused=True):
     """Light falls while words run."""
 
 
 @dataclass(frozen=True)
-class LitLevel(Part, stage="level"):
+class LitLevel(Part, stage="level", fused=True):
     """Where light falls while words run, the level of a reset is read with what fell since."""
 
 

@@ -6,6 +6,7 @@ What a declaration lacks is refused here, so that everybody else may take it as 
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from typing import Any
 
 from nscc.diagnostics.rejection import rejected
@@ -136,7 +137,12 @@ def always_on() -> frozenset[str]:
 
 def parameters() -> tuple[Parameter, ...]:
     """What the effects depend on, each once, in the order of a sensor file."""
-    rows = {row.name: row for effect in registered() for row in effect.parameters}
+    return _parameters(registered())
+
+
+@cache
+def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
+    rows = {row.name: row for effect in effects for row in effect.parameters}
     return tuple(sorted(rows.values(), key=lambda row: row.place))
 
 

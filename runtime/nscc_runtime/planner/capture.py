@@ -74,7 +74,7 @@ class Planned(Prepared):
         given = Given(self.counted, away)
         for places, pixels in self._running:
             # Without some of what counts, they are other counts.
-            alike = pixels.effects.names(Counted) == self.kept.names(Counted)
+            alike = pixels.wired.effects.names(Counted) == self.kept.names(Counted)
             found[:, places], marked[:, places] = pixels.expose(
                 seed, frame, given if alike else None
             )
@@ -135,7 +135,7 @@ class Planned(Prepared):
 
     @cached_property
     def _readout(self) -> Readout | None:
-        return Readout.of(self)
+        return self.chip.own(Readout.of)
 
     @cached_property
     def _reference(self) -> Reference:
@@ -144,19 +144,13 @@ class Planned(Prepared):
     @cached_property
     def _running(self) -> list[tuple[NDArray[np.int64], Running]]:
         """The pixels that run through their words: all of them, or those that may saturate."""
-        program, some = self.program, self._by_words
+        some = self._by_words
         if self.plan.slot_loop == "all":
             # Those that may saturate have all effects here, too, as predictions take them to.
             rest = np.setdiff1d(self.places, self.saturating, assume_unique=True)
             some = [(rest, self.kept), *some]
         return [
-            (
-                places,
-                Running(
-                    program.words(kept), self.light, program.slot_s, places, kept,
-                    self.device_seed, self.threads,
-                ),
-            )
+            (places, Running(self.chip.wired(kept), self.light, places, self.threads))
             for places, kept in some if len(places)
         ]  # fmt: skip
 

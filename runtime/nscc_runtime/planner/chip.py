@@ -2,20 +2,33 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Response, Well, WordGain
+from nscc_runtime.effects.parts import (
+    CountedDark,
+    Echo,
+    Exchange,
+    Leak,
+    Response,
+    Soft,
+    Well,
+    WordGain,
+)
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.pixels import Wired
 from nscc_runtime.planner.program import Program
 from nscc_runtime.remembered import remembered
 
+T = TypeVar("T")
 Values = NDArray[np.float64]
 
 
@@ -141,6 +154,38 @@ class Chip:
         """What PIX holds; no end where that is not simulated."""
         well = self.kept.part(Well)
         return np.inf if well is None else well.full_e(self.program.sensor)
+
+    @cached_property
+    def near_e(self) -> Values:
+        """The least charge (lanes,) with which a pixel may saturate in a way that sums do not know;
+        infinite where none does."""
+        program, well, soft = self.program, self.kept.part(Well), self.kept.part(Soft)
+        found = np.full(len(program.container.encoding), np.inf)
+        if well is not None:
+            # Of what is left out by choice the words of these pixels know.
+            single = not np.isnan(program.tables.single(program.model(self.wanted))).any()
+            if soft is not None or not single:
+                found[:] = self.full_e
+        if soft is not None:
+            room = soft.linear_e(program.sensor) - program.reach.noise_e
+            found = np.minimum(found, room / program.reach.light)
+        return found
+
+    @remembered
+    def wired(self, effects: Selection) -> Wired:
+        """The words of pixels that have these effects."""
+        program = self.program
+        return Wired(program.words(effects), program.slot_s, effects, self.device_seed)
+
+    def own(self, make: Callable[..., T], *given: Hashable) -> T:
+        """What else scenes have in common here, `make(self, *given)`: made once."""
+        if (make, given) not in self._own:
+            self._own[make, given] = make(self, *given)
+        return cast(T, self._own[make, given])
+
+    @cached_property
+    def _own(self) -> dict[tuple[Callable[..., Any], tuple[Hashable, ...]], Any]:
+        return {}
 
 
 def chip_of(

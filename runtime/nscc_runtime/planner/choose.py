@@ -150,7 +150,7 @@ class Chooser(Promises):
             effect.name for effect in self.present
             if effect.name not in dropped and not self._forced(effect)
         }  # fmt: skip
-        yield from (frozenset({name}) for name in sorted(free))
+        yield from (self.with_what_hangs_on_it(name, free, dropped) for name in sorted(free))
         if free >= self.saturation:
             yield self.saturation
         slow = frozenset(free & self.slow)
@@ -262,7 +262,7 @@ class Chooser(Promises):
         saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
         if self._path(dropped) != "sums":
             return saved
-        return saved + sum(effect.cost_ns for effect in self.present if effect.name in names)
+        return saved + sum(self.price_ns(each) for each in self.present if each.name in names)
 
     def _own_ns(self, name: str, dropped: frozenset[str]) -> float:
         """The same of one effect, without what single pixels near saturation take: the table has a
@@ -308,7 +308,7 @@ class Chooser(Promises):
         path = self._path(dropped)
         square, most = self.squares(dropped, path != "sums")
         most = most + _ERRORS * self.sampling_error(dropped, path != "sums")
-        added = self._lacking(self.state(dropped)).square(lacking) if lacking else _NOTHING
+        added = self._lacking(self.state(dropped)).square(dropped, lacking) if lacking else _NOTHING
         worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]

@@ -26,6 +26,8 @@ from nscc_runtime.effects import (
 from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
+from nscc_runtime.planner.chip import Chip, chip_of
+from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sampled import SampledScene
@@ -195,14 +197,17 @@ class _Near:
         last, and both; neighbours' charge where it brings some of them there, as it is dear.
         """
         well, register = self._saturation
-        near = self.scene.sample.near
-        exchanges, spilt = self._every.names(Exchange), self.spilt[near]
-        found: Held = {}
-        for names in ((), (well,), (register,), (well, register)):
-            held = found[names] = np.empty((len(self.scene.buckets), len(spilt)))
-            some = kept.without(*names)
-            held[:, spilt] = self._held(some, near & self.spilt)
-            held[:, ~spilt] = self._held(some.without(*exchanges), near & ~self.spilt)
+        spilt = self.spilt[self.scene.sample.near]
+        shape = len(self.scene.buckets), len(spilt)
+        lacks: list[tuple[str, ...]] = [(), (well,), (register,), (well, register)]
+        found: Held = {names: np.empty(shape) for names in lacks}
+        alone = kept.without(*self._every.names(Exchange))
+        for some, effects in ((spilt, kept), (~spilt, alone)):
+            if some.any():
+                running = self._running(effects, some)
+                for names in lacks:
+                    by_words = running.by(self._chip.wired(effects.without(*names)))
+                    found[names][:, some], _ = by_words.expose(0, 0)
         return found
 
     @cached_property
@@ -261,10 +266,11 @@ class _Near:
 
     def forced(self, fields: Fields) -> Fields:
         """The fields with what these pixels lack because it is forced off."""
-        without = self._every.without(*self.forced_off)
+        kept = self._every, self._every.without(*self.forced_off)
         lost = np.zeros_like(fields.expected)
         near = self.scene.sample.near
-        lost[:, near] = self._held(self._every, near) - self._held(without, near)
+        every, without = (self._running(each).expose(0, 0)[0] for each in kept)
+        lost[:, near] = every - without
         return replace(fields, fixed={**fields.fixed, FORCED: lost})
 
     def _rarely_lost(self, expected: Values) -> Values:
@@ -273,30 +279,35 @@ class _Near:
         """
         scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
         lanes = scene.lanes[scene.sample.near]
-        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None, None]
-        density = np.exp(-z * z / 2)
         # What a register held at most, before words and leakage took their part of it.
         gain = scene.slots.max(axis=0)[lanes].T
         held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
         size = held + reach.offset_e[lanes]
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
-        lost = soft.lost_e(scene.sensor, size + sigma * z)
+        found = np.zeros(size.shape)
+        far = soft.lost_e(scene.sensor, size + _SIGMAS * sigma) > 0
+        if not far.any():
+            return found
+        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None]
+        density = np.exp(-z * z / 2)
+        lost = soft.lost_e(scene.sensor, size[far] + sigma[far] * z)
         # Of many pixels the one that goes farthest may carry all of it.
         count = max(2.0, scene.sample.weight[scene.sample.near].sum())
-        farthest = np.argmin(np.abs(z[:, 0, 0] - (math.sqrt(2 * math.log(count)) + 1.0)))
+        farthest = np.argmin(np.abs(z[:, 0] - (math.sqrt(2 * math.log(count)) + 1.0)))
         mean = (density * lost**2).sum(axis=0) / density.sum()
-        return np.asarray(np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count)))
+        found[far] = np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count))
+        return found
 
-    def _held(self, kept: Selection, some: NDArray[np.bool_]) -> Values:
-        """What the words make of some of the sample's pixels that may saturate: noise alone may
-        take them there."""
-        program = self.scene.program
-        exposures, _ = program.pixels.exposures(
-            self.scene.scene,
-            program.slot_s,
-            self.scene.places[some],
-            kept,
-            device_seed=self.scene.device.device_seed,
-            threads=self.threads,
-        )
-        return exposures
+    def _running(self, kept: Selection, some: NDArray[np.bool_] | None = None) -> Running:
+        """The sample's pixels that may saturate, or some of them, to be run through their words:
+        noise alone may take them there."""
+        places = self.scene.places[self.scene.sample.near]
+        if some is not None:
+            places = places[some]
+        return Running(self._chip.wired(kept), self.scene.scene, places, self.threads)
+
+    @property
+    def _chip(self) -> Chip:
+        """The chip with every effect."""
+        every = everything()
+        return chip_of(self.scene.program, self.scene.device.device_seed, every, every)

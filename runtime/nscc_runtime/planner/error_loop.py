@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.loop import Floats, Words, compiled
+from nscc_runtime.loop import Floats, Ints, Words, compiled
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
 from nscc_runtime.planner.charge_loop import stream_key
@@ -39,26 +39,34 @@ def _stream_of(
 def missing_of(
     sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
     entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats, found: Words,
+    draws: Ints, draw_keys: Words, normals: Floats,
 ) -> None:  # fmt: skip
-    """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x."""
+    """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x.
+
+    Scratch for as many draws: their places in `drawn`, their keys, themselves.
+    """
     # Of each kind the streams of the buckets come first, then those of the words.
     row = kind * (sizes.buckets + sizes.words * sizes.numbered)
-    buckets = sizes.buckets
+    buckets, count = sizes.buckets, 0
     for bucket in range(buckets):
         stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), found)
         missing[kind * buckets + bucket] = normal(uniform(stream, place))
     for e in range(first, stop):
         for draw in range(sizes.draws):
-            if not _draws(entries[e], kind, draw):
-                continue
-            number = _drawn_number(sizes, entries[e], kind, draw)
-            key_at = row + buckets + number
-            stream = _stream_of(sizes, of_part, key_at, np.uint64(number), found)
-            x = normal(uniform(stream, place))
-            drawn[(e - first) * sizes.draws + draw] = x
-            for bucket in range(buckets):
-                at = (e * sizes.draws + draw) * buckets + bucket
-                missing[kind * buckets + bucket] -= weights[at] * x
+            if _draws(entries[e], kind, draw):
+                number = _drawn_number(sizes, entries[e], kind, draw)
+                key_at = row + buckets + number
+                draw_keys[count] = _stream_of(sizes, of_part, key_at, np.uint64(number), found)
+                draws[count] = (e - first) * sizes.draws + draw
+                count += 1
+    # All draws together: LLVM makes vectors of them.
+    for i in range(count):
+        normals[i] = normal(uniform(draw_keys[i], place))
+    for i in range(count):
+        drawn[draws[i]] = normals[i]
+        for bucket in range(buckets):
+            at = (first * sizes.draws + draws[i]) * buckets + bucket
+            missing[kind * buckets + bucket] -= weights[at] * normals[i]
 
 
 @compiled

@@ -1,5 +1,5 @@
-"""The loop for plans without slot loops and without weights: light is added up, counted, made
-noisy, clipped and read out while it is in the cache.
+"""The loop for plans without slot loops under which a pixel's open slots have one weight: light is
+added up, counted, made noisy, clipped and read out while it is in the cache.
 
 `nscc_runtime.planner.fused` makes what it is given.
 """
@@ -136,6 +136,7 @@ class Simple:
     """Whether the response is given; so on with the switches below."""
     counted: int
     clipped: int
+    patterned: int
     readout_noisy: int
     read_out: int
     well_bit: int
@@ -212,7 +213,9 @@ def fused(
     table: Floats32,
     lanes: Annotated[Ints32, "pixels"],
     response: Floats,
+    gain: Annotated[Floats, "lane_count"],
     limit: Annotated[Floats, "lane_count"],
+    pattern: Floats,
     sigma: Annotated[Floats, "sources lane_count"],
     part: Written[Floats32],
     values: Written[Floats],
@@ -227,7 +230,8 @@ def fused(
     """One bucket of one frame.
 
     `masks` (rows, pixels) and `table` (frames, lanes) where a frame's kind asks for them,
-    `response` (pixels,) where it is given. `part`, `values`, `few`, `places`: scratch for `BLOCK`
+    `response` and `pattern` (pixels,) where they are asked for. `gain`: of a lane's open slots.
+    `part`, `values`, `few`, `places`: scratch for `BLOCK`
     pixels; `scratch` for four times as many. `valid` comes filled with 1, and is 0 where light is
     no number; `marked` with 0, and is `well_bit` where it is clipped.
     """
@@ -245,11 +249,16 @@ def fused(
                 values[i] *= response[first + i]
         if plan.counted:
             counted(plan.count_key, plan.rate_cap, first, stop, values, scratch, few, places)
+        for i in range(stop - first):
+            values[i] *= gain[lanes[first + i]]
         if plan.clipped:
             for i in range(stop - first):
                 most = limit[lanes[first + i]]
                 marked[first + i] = plan.well_bit if values[i] > most * plan.full else 0
                 values[i] = values[i] if values[i] < most else most
+        if plan.patterned:
+            for i in range(stop - first):
+                values[i] += pattern[first + i]
         for source in range(plan.sources):
             _noisy(
                 noise_keys[source], sigma, source * lane_count, lanes, first, stop, values, scratch

@@ -7,16 +7,18 @@ is left out does together is measured: some of these pixels run with it and with
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.parts import Exchange
+from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
+from nscc_runtime.planner.chip import chip_of
 from nscc_runtime.planner.effect_fields import BOTH, Fields
-from nscc_runtime.planner.prices import SHIPPED
+from nscc_runtime.planner.pixels import Running
+from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import brightest, drawn_by
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
@@ -30,6 +32,8 @@ _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
 _PART = 8
 """Of this many pixels near saturation one is measured."""
+_APART_NS = 1e6
+"""What two kinds of pixels take more than one."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
 
@@ -62,25 +66,39 @@ class Lacking:
         """
         if len(self.near) < 2 * _FEWEST:
             return frozenset()
+        # Words that take no time would leave nothing of black suns, which are told of.
+        dropped -= everything().names(SlowWords) | everything().names(LitLevel)
         found: list[str] = []
+        price = partial(self._frame_ns, dropped)
         while True:
             left = [
-                (self._words_ns(frozenset([*found, name])), name)
+                (price(frozenset([*found, name])), name)
                 for name in sorted(dropped.difference(found))
                 if self._guessed(frozenset([*found, name])) <= room
             ]
-            if not left or min(left)[0] >= self._words_ns(frozenset(found)):
+            if not left or min(left)[0] >= price(frozenset(found)):
                 break
             found.append(min(left)[1])
-        # Measuring takes time: it is all of them, or the one that saves most.
-        tried = (frozenset(found), frozenset(found[:1]))
-        fits = (names for names in tried if self._pays(names) and self._most(names) <= room)
-        return next(fits, frozenset())
+        every = frozenset(found)
+        apart = len(self.spilt) > 0 and price(by_spilt(every)) - price(every) < _APART_NS
+        # Measuring takes time: it is all of them, all whose guess does not hang on a few bright
+        # neighbours, or the one that saves most.
+        for names in (by_spilt(every) if apart else every, by_spilt(every), frozenset(found[:1])):
+            saved_ns = price(frozenset()) - price(names)
+            if saved_ns > self._measuring_ns(names) and self._most(dropped, names) <= room:
+                return names
+        return frozenset()
 
-    def _pays(self, lacking: frozenset[str]) -> bool:
-        """Whether leaving effects out saves more of a frame than measuring what it does takes."""
-        before, after = self._words_ns(frozenset()), self._words_ns(lacking)
-        return (before - after) * len(self.near) > (before + after) * len(self._places)
+    def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
+        """Nanoseconds of all these pixels in a frame whose sums lack what is `dropped`."""
+        words = self._every.without(*self.forced_off, *lacking)
+        beside: Beside = "sums" if _alike(dropped, lacking) else "nothing"
+        return self.program.work.words_ns(words, SHIPPED, beside) * len(self.near)
+
+    def _measuring_ns(self, lacking: frozenset[str]) -> float:
+        """Nanoseconds of finding what leaving effects out does."""
+        each_ns = self._words_ns(frozenset()) + self._words_ns(lacking)
+        return each_ns * len(self._places)
 
     @property
     def tried_ns(self) -> float:
@@ -92,10 +110,20 @@ class Lacking:
         """What the measured pixels have lacked so far, each once."""
         return []
 
-    def square(self, lacking: frozenset[str]) -> Values:
-        """What leaving effects out adds to the mean square error over the array, (buckets,)."""
+    def square(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
+        """What leaving effects out adds to the mean square error over the array, (buckets,), where
+        sums lack what is `dropped`."""
         mean, _ = self._measured(lacking)
-        return mean
+        return mean + self._evened(dropped, lacking)
+
+    def _evened(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
+        """What it adds that neighbours' counts are those of sums now, taken as even over their
+        slots; where sums have crosstalk, that is one of their short cuts."""
+        beside = everything().names(Exchange)
+        fields = self.fields
+        if not beside & dropped or beside & lacking or not _alike(dropped, lacking):
+            return np.zeros(len(fields.expected))
+        return fields.sample.mean(fields.neighbours[False] * (self.running & ~fields.clipped))
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
@@ -113,9 +141,9 @@ class Lacking:
             tails.append(worst_measured(error[:, suns:], rest / pixels, pixels))
         return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
-    def _most(self, lacking: frozenset[str]) -> float:
+    def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
-        return float(np.max(mean + _SIGMAS * error))
+        return float(np.max(mean + _SIGMAS * error + self._evened(dropped, lacking)))
 
     @remembered
     def _measured(self, lacking: frozenset[str]) -> tuple[Values, Values]:
@@ -159,16 +187,17 @@ class Lacking:
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
-        program = self.program
+        every = everything()
+        chip = chip_of(self.program, self.device_seed, every, every)
         found = np.empty((len(self.fields.expected), len(self._places)))
         beside = np.isin(self._places, self.spilt)
         for some, lost in (
             (~beside, lacking), (beside, by_spilt(lacking) | lacking & self.forced_off)
         ):  # fmt: skip
-            found[:, some], _ = program.pixels.exposures(
-                self.light, program.slot_s, self._places[some], self._every.without(*lost),
-                device_seed=self.device_seed, threads=self.threads,
-            )  # fmt: skip
+            running = Running(
+                chip.wired(self._every.without(*lost)), self.light, self._places[some], self.threads
+            )
+            found[:, some], _ = running.expose(0, 0)
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:
@@ -180,6 +209,12 @@ class Lacking:
         """The mean square that leaving effects out adds, by their fields."""
         fixed, variance = guessed(self.fields, self.running, lacking)
         return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
+
+
+def _alike(dropped: frozenset[str], lacking: frozenset[str]) -> bool:
+    """Whether words count what sums do, so that these have counts for their neighbours."""
+    counted = everything().names(Counted)
+    return counted & dropped == counted & lacking
 
 
 def by_spilt(lacking: frozenset[str]) -> frozenset[str]:

@@ -12,10 +12,10 @@ from weakref import WeakKeyDictionary
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.parts import Exchange, Soft, Well
+from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import chip_of
+from nscc_runtime.planner.chip import Chip, chip_of
 from nscc_runtime.planner.near_loop import Asked, may_saturate
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import sums_by_slot
@@ -62,20 +62,19 @@ def _charges(
     fraction = 0.0 if exchange is None else exchange.fraction(program.sensor)
     rows, cols = light.shape
     found, inflow = np.empty(light.shape, np.uint8), np.empty(light.shape)
-    lit = light.sum_e * chip.scale.reshape(light.shape)
     may_saturate(
         asked=Asked(
-            rows=rows, cols=cols, fraction=fraction, frame_s=float(program.slot_s.sum()),
-            sigmas=_SIGMAS,
+            rows=rows, cols=cols, fraction=fraction, frame_s=float(program.slot_s.sum())
         ),
-        lit=lit,
+        total=light.sum_e,
+        scale=chip.scale.reshape(light.shape),
         current=chip.current.reshape(light.shape),
         lanes=program.lanes.reshape(light.shape),
-        limit=_SLACK * limit(program, wanted),
+        limit=_reached(_SLACK * chip.near_e),
         found=found,
         inflow=inflow,
     )  # fmt: skip
-    places = np.flatnonzero(found)
+    places = np.flatnonzero(found.view(np.bool_))
     if not len(places):
         none = np.empty(0)
         return Charges(places, none, none, none)
@@ -88,7 +87,7 @@ def _charges(
     own = 1.0 - 4 * fraction
     # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
     most = _reaching(np.maximum(seen_e, own * seen_e + given) + dark)
-    gained = given - 4 * fraction * lit.reshape(-1)[places]
+    gained = given - 4 * fraction * light.sum_e.reshape(-1)[places] * scale
     return Charges(places, most, _reaching(seen_e + dark), gained)
 
 
@@ -96,27 +95,17 @@ def _reaching(charge: Values) -> Values:
     return np.asarray(charge + _SIGMAS * np.sqrt(charge))
 
 
-def limit(program: Program, kept: Selection) -> Values:
-    """The least charge (lanes,) with which a pixel may saturate so under some effects."""
-    sensor, well, soft = program.sensor, kept.part(Well), kept.part(Soft)
-    found = np.full(len(program.container.encoding), np.inf)
-    if well is not None:
-        single = not np.isnan(program.tables.single(program.model(kept))).any()
-        if soft is not None or not single:
-            found[:] = well.full_e(sensor)
-    if soft is not None:
-        room = soft.linear_e(sensor) - program.reach.noise_e
-        found = np.minimum(found, room / program.reach.light)
-    return found
+def _reached(limit: Values) -> Values:
+    """The least charge that `_reaching` takes to a limit."""
+    return ((np.sqrt(_SIGMAS**2 + 4.0 * np.maximum(limit, 0.0)) - _SIGMAS) / 2.0) ** 2
 
 
 @dataclass(frozen=True, eq=False)
 class Near:
-    """The pixels of a scene that may saturate under the effects in `kept`."""
+    """The pixels of a scene that may saturate under the effects of a chip."""
 
-    program: Program
+    chip: Chip
     charges: Charges
-    kept: Selection
 
     @property
     def places(self) -> Places:
@@ -126,14 +115,13 @@ class Near:
     @property
     def spilt(self) -> Places:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        well = self.kept.part(Well)
-        much = np.inf if well is None else _SPILT * well.full_e(self.program.sensor)
-        alone = self._reach(self.charges.own_e) & (self.charges.gained_e <= much)
+        alone = self._reach(self.charges.own_e)
+        alone &= self.charges.gained_e <= _SPILT * self.chip.full_e
         return self.charges.places[self._reach(self.charges.most_e) & ~alone]
 
     @cached_property
     def _limit(self) -> Values:
-        return limit(self.program, self.kept)[self.program.lanes[self.charges.places]]
+        return self.chip.near_e[self.chip.program.lanes[self.charges.places]]
 
     def _reach(self, charge: Values) -> NDArray[np.bool_]:
         return np.asarray(charge >= self._limit)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Annotated
 
 from nscc_runtime.loop import Bytes, Floats, Ints32, Written, inlined, loop, record
@@ -10,58 +9,51 @@ from nscc_runtime.loop import Bytes, Floats, Ints32, Written, inlined, loop, rec
 
 @record
 class Asked:
-    """The array, and when a pixel counts as near: `sigmas` of its charge from its limit.
-
-    `fraction` of each pixel's light goes to each of its neighbours, `frame_s` seconds of dark
-    current are added.
-    """
+    """The array: `fraction` of each pixel's light goes to each of its neighbours, `frame_s` seconds
+    of dark current are added."""
 
     rows: int
     cols: int
     fraction: float
     frame_s: float
-    sigmas: float
 
 
 @inlined
-def _tried(
-    asked: Asked, lit: Floats, current: Floats, lanes: Ints32, limit: Floats, p: int, up: int,
-    down: int, left: int, right: int, above: float, below: float, before: float, behind: float,
-    found: Bytes, inflow: Floats,
+def _inflow(
+    asked: Asked, total: Floats, scale: Floats, p: int, up: int, down: int, left: int, right: int,
+    inflow: Floats,
 ) -> None:  # fmt: skip
-    """Pixel p, whose neighbours count as often as they are there: 1 or 0."""
-    beside = above * lit[up] + below * lit[down] + before * lit[left] + behind * lit[right]
-    inflow[p] = asked.fraction * beside
-    charge = lit[p] + inflow[p] + current[p] * asked.frame_s
-    found[p] = 1 if charge + asked.sigmas * math.sqrt(charge) >= limit[lanes[p]] else 0
+    """What comes to pixel p from its neighbours, so many places away; from itself where there is
+    none."""
+    beside = total[p + up] * scale[p + up] + total[p + down] * scale[p + down]
+    beside += total[p + left] * scale[p + left] + total[p + right] * scale[p + right]
+    missing = (1.0 if up == 0 else 0.0) + (1.0 if down == 0 else 0.0)
+    missing += (1.0 if left == 0 else 0.0) + (1.0 if right == 0 else 0.0)
+    inflow[p] = asked.fraction * (beside - missing * (total[p] * scale[p]))
 
 
 @loop
 def may_saturate(
     asked: Asked,
-    lit: Annotated[Floats, "rows cols"],
+    total: Annotated[Floats, "rows cols"],
+    scale: Annotated[Floats, "rows cols"],
     current: Annotated[Floats, "rows cols"],
     lanes: Annotated[Ints32, "rows cols"],
     limit: Floats,
     found: Written[Annotated[Bytes, "rows cols"]],
     inflow: Written[Annotated[Floats, "rows cols"]],
 ) -> None:
-    """found := whether all of a frame's charge may pass the limit of the pixel's lane; inflow :=
-    what neighbours give of the light `lit` that they take."""
+    """found := whether all of a frame's charge is at least the limit of the pixel's lane; inflow :=
+    what neighbours give of the light, `total` times `scale`, that they take."""
     rows, cols = asked.rows, asked.cols
     for row in range(rows):
         first, last = row * cols, (row + 1) * cols - 1
-        above, below = 1.0 if row > 0 else 0.0, 1.0 if row + 1 < rows else 0.0
         up, down = -cols if row > 0 else 0, cols if row + 1 < rows else 0
         # Those inside have neighbours on both sides: no branch, so LLVM makes vectors.
         for p in range(first + 1, last):
-            _tried(
-                asked, lit, current, lanes, limit, p, p + up, p + down, p - 1, p + 1, above, below,
-                1.0, 1.0, found, inflow,
-            )  # fmt: skip
-        for p in (first, last):
-            left, right = 1 if p > first else 0, 1 if p < last else 0
-            _tried(
-                asked, lit, current, lanes, limit, p, p + up, p + down, p - left, p + right, above,
-                below, float(left), float(right), found, inflow,
-            )  # fmt: skip
+            _inflow(asked, total, scale, p, up, down, -1, 1, inflow)
+        _inflow(asked, total, scale, first, up, down, 0, 1 if last > first else 0, inflow)
+        _inflow(asked, total, scale, last, up, down, -1 if last > first else 0, 0, inflow)
+        for p in range(first, last + 1):
+            charge = total[p] * scale[p] + inflow[p] + current[p] * asked.frame_s
+            found[p] = 1 if charge >= limit[lanes[p]] else 0

@@ -293,6 +293,9 @@ def run_pixels(
     stamps: Written[Ints],
     missing: Written[Floats],
     drawn: Written[Floats],
+    draws: Written[Ints],
+    draw_keys: Written[Words],
+    normals: Written[Floats],
     registers: Written[Annotated[Floats, "registers+3"]],
     full: Written[Annotated[Ints, "registers+3"]],
     lost: Written[Annotated[Floats, "registers+3"]],
@@ -319,18 +322,18 @@ def run_pixels(
         if sizes.read_errors:
             missing_of(
                 sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
-                READS, missing, drawn, found,
+                READS, missing, drawn, found, draws, draw_keys, normals,
             )  # fmt: skip
         if sizes.reset_errors:
             missing_of(
                 sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
-                RESETS, missing, drawn, found,
+                RESETS, missing, drawn, found, draws, draw_keys, normals,
             )  # fmt: skip
         leak = 0.0
         if sizes.word_errors:
             missing_of(
                 sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
-                WORDS, missing, drawn, found,
+                WORDS, missing, drawn, found, draws, draw_keys, normals,
             )  # fmt: skip
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))

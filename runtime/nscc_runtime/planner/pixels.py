@@ -6,25 +6,34 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import cached_property
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import CannotHave, Selection, registered
+from nscc_runtime.effects import CannotHave, Effect, Selection, registered
 from nscc_runtime.effects.counts import LIGHT, THINNED, WITHOUT_LIGHT
 from nscc_runtime.effects.in_loops import device_keys, figures, switches
-from nscc_runtime.effects.parts import CountedDark, CountedLight, Errors, Exchange, Moving
-from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedDark,
+    CountedLight,
+    Errors,
+    Exchange,
+    Moving,
+    Saturates,
+)
+from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.entries import entries_of, seen_by
 from nscc_runtime.planner.error_loop import ERRORS
-from nscc_runtime.planner.layout import Entry, Keys, Numbers, Sizes
+from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
 from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
@@ -32,13 +41,14 @@ from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import START, Reference, most_destinations
 from nscc_runtime.reference.noise import PART, SUM
 
-_ENTRY = np.dtype(Entry)
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' counts."""
 _MOST_LIGHT = 1 << 26
 """Bytes of light, slot by slot, that are kept from frame to frame."""
 _FEWEST = 64
 """Pixels that are worth a thread."""
+_MOST_KEYS = 16
+"""Seeds whose keys are kept."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,11 +80,11 @@ class Pixels:
                     draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
-        rows, operands = _entries(program)
+        rows, operands = entries_of(program)
         entries = rows[word]
         entries["acts"] = acts[word, lane]
         entry_start = np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
-        entries["seen"] = _seen(entries, entry_start)
+        entries["seen"] = seen_by(entries, entry_start)
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
@@ -90,6 +100,11 @@ class Pixels:
     def numbers(self) -> int:
         """One more than the highest number of a word."""
         return int(self.entries["number"].max(initial=0)) + 1
+
+    @cached_property
+    def most_entries(self) -> int:
+        """The most words of a lane."""
+        return int(np.diff(self.entry_start).max(initial=0))
 
     def exposures(
         self,
@@ -109,8 +124,8 @@ class Pixels:
         The frame before was the same scene. Threads and the order of places change no bit.
         ValueError for effects that the loop cannot have.
         """
-        running = Running(self, light, slot_s, chosen, effects, device_seed, threads)
-        return running.expose(seed, frame)
+        wired = Wired(self, slot_s, effects, device_seed)
+        return Running(wired, light, chosen, threads).expose(seed, frame)
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,117 +138,49 @@ class Given:
 
 
 @dataclass(frozen=True, eq=False)
-class Running:
-    """Pixels of a scene on one chip that run through their words: what frames have in common.
-
-    `chosen` are their places, row * cols + col. Of their light at most `_MOST_LIGHT` bytes are
-    kept: where it takes more, every frame lays it out again, part by part. Threads and the order of
-    places change no bit. ValueError for effects that the loop cannot have.
+class Wired:
+    """A program's words under some effects on one chip, given to the loop: what scenes have in
+    common. ValueError for effects that the loop cannot have.
     """
 
     words: Pixels
-    light: Light
     slot_s: NDArray[np.float64]
-    chosen: NDArray[np.int64]
     effects: Selection
     device_seed: int
-    threads: int
 
     def __post_init__(self) -> None:
         slow = [e.name for e in self.effects.effects if isinstance(e.words, CannotHave)]
         if slow:
             raise ValueError(f"the loop over words cannot have {', '.join(slow)}")
 
-    def expose(
-        self, seed: int, frame: int, given: Given | None = None
-    ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-        """Electrons (buckets, pixels) of frame number `frame`, and what cut them off.
-
-        With counts `given`, those of neighbours are these, spread over the slots as their light is;
-        else they are drawn, and halved from node to node, as the reference does.
-        """
-        shape = len(self.words.program.container.buckets), len(self.chosen)
-        out, marked = np.empty(shape), np.empty(shape, np.uint8)
-        names = () if given is None else given.groups
-        of_group = [names.index(i) if i in names else -1 for i in self.words.group_ids.tolist()]
-        common: dict[str, Any] = {
-            "keys": _keys(seed, self.device_seed),
-            "of_group": np.array(of_group, np.int64),
-            "away": np.zeros(1) if given is None else given.away,
-        }
-        for part in self._parts:
-            sites = self._sites(part)
-
-            def fill(begin: int, end: int, first: int = part.start, sites: Sites = sites) -> None:
-                begin, end = first + begin, first + end
-                sizes = self._sizes(end - begin, frame, given is not None)
-                found = np.empty((shape[0], end - begin))
-                bits = np.empty(found.shape, np.uint8)
-                self._loop(
-                    sizes=sizes, chosen=self._chosen[begin:end], sites=sites.number,
-                    rows=sites.rows, scales=sites.scales, sums=sites.sums, out=found, marked=bits,
-                    **common, **self._scratch(sizes),
-                )  # fmt: skip
-                out[:, begin:end], marked[:, begin:end] = found, bits
-
-            in_parts(fill, part.stop - part.start, self.threads, _FEWEST)
-        return out, marked
-
     @cached_property
-    def _chosen(self) -> NDArray[np.int64]:
-        return np.require(self.chosen, np.int64, ["C", "A"])
-
-    @cached_property
-    def _lanes(self) -> NDArray[np.int32]:
+    def lanes(self) -> NDArray[np.int32]:
+        """The lane (rows, cols) of every pixel."""
         return np.require(self.words.program.groups.lane, np.int32, ["C"])
 
     @cached_property
-    def _source(self) -> Light:
-        return (self.effects.part(Moving) and self.light.motion) or self.light
+    def numbers(self) -> Numbers:
+        """The figures of the effects; 0 of those that are off."""
+        sensor, mark = self.words.program.sensor, self.effects.marking("registers")
+        return Numbers(
+            least_lost=mark.least_e(sensor) if mark else 0.0,
+            pix_start=sensor.full_well_e,
+            register_start=sensor.register_max_e,
+            rate_cap=RATE_CAP,
+            **figures(Numbers, sensor, self.effects),
+        )
 
-    @cached_property
-    def _places(self) -> NDArray[np.int64]:
-        """The places whose charge matters."""
-        return self._needed(slice(None))
-
-    def _needed(self, part: slice) -> NDArray[np.int64]:
-        if self.effects.part(Exchange) is None:
-            return np.unique(self._chosen[part])
-        return with_neighbours(self._chosen[part], self.light.shape)
-
-    @cached_property
-    def _parts(self) -> list[slice]:
-        """The pixels whose light is laid out together."""
-        slots, groups = self.words.program.container.slots, len(self.words.group_ids)
-        tables = sites = len(self._places)
-        if is_even(self._source):
-            tables = min(sites, len(self.words.entry_start))
-        bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
-        each = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
-        return [slice(first, min(first + each, count)) for first in range(0, count, each)]
-
-    def _sites(self, part: slice) -> Sites:
-        """Their light, laid out."""
-        return self._kept if len(self._parts) == 1 else self._laid_out(self._needed(part))
-
-    @cached_property
-    def _kept(self) -> Sites:
-        return self._laid_out(self._places)
-
-    def _laid_out(self, places: NDArray[np.int64]) -> Sites:
+    def laid_out(self, light: Light, places: NDArray[np.int64], threads: int) -> Sites:
+        """The light of places."""
         return sites_of(
-            self._source, places, self._lanes, self.words.groups, len(self.words.group_ids),
-            np.require(self.slot_s, np.float64, ["C", "A"]), self._numbers,
-            _keys(0, self.device_seed), switches(Laying, self.effects), self.threads,
+            light, places, self.lanes, self.words.groups, len(self.words.group_ids),
+            np.require(self.slot_s, np.float64, ["C", "A"]), self.numbers,
+            _keys(registered(), 0, self.device_seed), switches(Laying, self.effects), threads,
         )  # fmt: skip
 
     @cached_property
-    def _numbers(self) -> Numbers:
-        return _numbers(self.words.program.sensor, self.effects)
-
-    @cached_property
-    def _loop(self) -> Bound:
-        """The loop, with all that frames have in common but the light."""
+    def loop(self) -> Bound:
+        """The loop, with all that scenes have in common."""
         words, container = self.words, self.words.program.container
         names = (*container.target.analog_registers, "PIX")
         signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
@@ -241,8 +188,8 @@ class Running:
         order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
         waited_s = container.target.readout_us * 1e-6
         return run_pixels.bound(
-            numbers=self._numbers,
-            lanes=self._lanes,
+            numbers=self.numbers,
+            lanes=self.lanes,
             start_s=np.concatenate(([0.0], np.cumsum(self.slot_s))),
             group_ids=words.group_ids,
             entry_start=words.entry_start,
@@ -257,45 +204,58 @@ class Running:
             readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
         )
 
-    def _sizes(self, count: int, frame: int, given: bool) -> Sizes:
+    def sizes(self, pixels: int, frame: int, given: bool) -> Sizes:
+        """Of so many pixels of a frame."""
+        common, cols = self._sizes, self.lanes.shape[1]
+        if pixels <= cols:
+            # So few seldom have neighbours in common.
+            common = common | {"kept_cols": min(3, cols)}
+        return Sizes(pixels=pixels, frame=frame, given=given, **common)
+
+    @cached_property
+    def _sizes(self) -> dict[str, int]:
+        """Everything of `Sizes` but what frames decide."""
         words, effects = self.words, self.effects
         container = words.program.container
-        rows, cols = self.light.shape
+        rows, cols = self.lanes.shape
         groups = len(words.group_ids)
         whole = 1 << (container.slots - 1).bit_length()
         # Counts of a site and their stamps, of light and dark.
         each = 16 * groups * 2 * 2 * whole
         marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
-        return Sizes(
-            pixels=count,
-            slots=container.slots,
-            rows=rows,
-            cols=cols,
-            buckets=len(container.buckets),
-            groups=groups,
-            registers=len(container.target.analog_registers),
-            draws=words.weights.shape[1],
-            numbered=most_destinations(container.target),
-            words=words.numbers,
-            whole=whole,
-            kept_cols=cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
-            given=given,
-            frame=frame,
+        return {
+            "slots": container.slots,
+            "rows": rows,
+            "cols": cols,
+            "buckets": len(container.buckets),
+            "groups": groups,
+            "registers": len(container.target.analog_registers),
+            "draws": words.weights.shape[1],
+            "numbered": most_destinations(container.target),
+            "words": words.numbers,
+            "whole": whole,
+            "kept_cols": cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             **switches(Sizes, effects),
             **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
-        )
+        }
 
-    def _scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
+    def scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
+        """What the loop wants beside what it is given."""
         groups, room = sizes.groups, 2 * sizes.whole * sizes.groups
-        sites = 3 * sizes.kept_cols if sizes.exchanges and not sizes.given else 1
+        counts = bool(self.effects.names(Counted))
+        sites = 3 * sizes.kept_cols if sizes.exchanges and counts and not sizes.given else 1
         keys = ERRORS * (sizes.buckets + sizes.words * sizes.numbered)
+        most = self.words.most_entries * sizes.draws
         return {
             "streams": np.empty(4 * groups, np.uint64),
             "found": np.zeros(keys, np.uint64),
             "heap": np.empty(2 * sites * room),
             "stamps": np.full(2 * sites * room, -1, np.int64),
             "missing": np.empty(ERRORS * sizes.buckets),
-            "drawn": np.empty(int(np.diff(self.words.entry_start).max(initial=0)) * sizes.draws),
+            "drawn": np.empty(most),
+            "draws": np.empty(most, np.int64),
+            "draw_keys": np.empty(most, np.uint64),
+            "normals": np.empty(most),
             "registers": np.empty(sizes.registers + 3),
             "full": np.empty(sizes.registers + 3, np.int64),
             "lost": np.empty(sizes.registers + 3),
@@ -303,63 +263,111 @@ class Running:
         }
 
 
-def _entries(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
-    """The words as they are where they act, and the registers of all of them."""
-    container = program.container
-    names = (*container.target.analog_registers, "PIX", "reset level", "IN")
-    rows: list[tuple[float, ...]] = []
-    operands: list[int] = []
-    for word in program.words:
-        sources, destinations = word.op.sources, word.op.destinations
-        if word.resets:
-            sources = destinations = ()
-        last = word.boundary == container.slots
-        end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
-        entry = {
-            "boundary": word.boundary,
-            "resets": word.resets,
-            "number": word.number,
-            "reads_pix": "PIX" in sources,
-            "sources": len(sources),
-            "destinations": len(destinations),
-            "operands": len(operands),
-            "end": end if last else min(end, 1.0),
-            "divisor": word.op.operation.divisor,
-            "acts": True,
-            "seen": False,
+@dataclass(frozen=True, eq=False)
+class Running:
+    """Pixels of a scene that run through their words: what its frames have in common.
+
+    `chosen` are their places, row * cols + col. Of their light at most `_MOST_LIGHT` bytes are
+    kept: where it takes more, every frame lays it out again, part by part. Threads and the order of
+    places change no bit.
+    """
+
+    wired: Wired
+    light: Light
+    chosen: NDArray[np.int64]
+    threads: int
+
+    def by(self, wired: Wired) -> Running:
+        """The same pixels under other effects; their light is laid out once where these differ in
+        what saturates alone."""
+        found, other = replace(self, wired=wired), self.wired.effects.on ^ wired.effects.on
+        if other <= everything().names(Saturates):
+            alike = "_places", "_parts", *(("_kept",) if len(self._parts) == 1 else ())
+            vars(found).update((name, getattr(self, name)) for name in alike)
+        return found
+
+    def expose(
+        self, seed: int, frame: int, given: Given | None = None
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """Electrons (buckets, pixels) of frame number `frame`, and what cut them off.
+
+        With counts `given`, those of neighbours are these, spread over the slots as their light is;
+        else they are drawn, and halved from node to node, as the reference does.
+        """
+        wired, words = self.wired, self.wired.words
+        shape = len(words.program.container.buckets), len(self.chosen)
+        out, marked = np.empty(shape), np.empty(shape, np.uint8)
+        names = () if given is None else given.groups
+        of_group = [names.index(i) if i in names else -1 for i in words.group_ids.tolist()]
+        common: dict[str, Any] = {
+            "keys": _keys(registered(), seed, wired.device_seed),
+            "of_group": np.array(of_group, np.int64),
+            "away": np.zeros(1) if given is None else given.away,
         }
-        rows.append(tuple(entry[name] for name in _ENTRY.names or ()))
-        operands += [names.index(name) for name in sources + destinations]
-    return np.array(rows, _ENTRY), np.array(operands, np.int64)
+        for part in self._parts:
+            sites = self._sites(part)
+
+            def fill(begin: int, end: int, first: int = part.start, sites: Sites = sites) -> None:
+                begin, end = first + begin, first + end
+                sizes = wired.sizes(end - begin, frame, given is not None)
+                found = np.empty((shape[0], end - begin))
+                bits = np.empty(found.shape, np.uint8)
+                wired.loop(
+                    sizes=sizes, chosen=self._chosen[begin:end], sites=sites.number,
+                    rows=sites.rows, scales=sites.scales, sums=sites.sums, out=found, marked=bits,
+                    **common, **wired.scratch(sizes),
+                )  # fmt: skip
+                out[:, begin:end], marked[:, begin:end] = found, bits
+
+            in_parts(fill, part.stop - part.start, self.threads, _FEWEST)
+        return out, marked
+
+    @cached_property
+    def _chosen(self) -> NDArray[np.int64]:
+        return np.require(self.chosen, np.int64, ["C", "A"])
+
+    @cached_property
+    def _source(self) -> Light:
+        return (self.wired.effects.part(Moving) and self.light.motion) or self.light
+
+    @cached_property
+    def _places(self) -> NDArray[np.int64]:
+        """The places whose charge matters."""
+        return self._needed(slice(None))
+
+    def _needed(self, part: slice) -> NDArray[np.int64]:
+        if self.wired.effects.part(Exchange) is None:
+            return np.unique(self._chosen[part])
+        return with_neighbours(self._chosen[part], self.light.shape)
+
+    @cached_property
+    def _parts(self) -> list[slice]:
+        """The pixels whose light is laid out together."""
+        words = self.wired.words
+        slots, groups = words.program.container.slots, len(words.group_ids)
+        tables = sites = len(self._places)
+        if is_even(self._source):
+            tables = min(sites, len(words.entry_start))
+        bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
+        each = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
+        return [slice(first, min(first + each, count)) for first in range(0, count, each)]
+
+    def _sites(self, part: slice) -> Sites:
+        """Their light, laid out."""
+        if len(self._parts) == 1:
+            return self._kept
+        return self.wired.laid_out(self._source, self._needed(part), self.threads)
+
+    @cached_property
+    def _kept(self) -> Sites:
+        return self.wired.laid_out(self._source, self._places, self.threads)
 
 
-def _seen(entries: NDArray[Any], entry_start: NDArray[np.int64]) -> NDArray[np.bool_]:
-    """Whether what falls on PIX before each word is read, by it or later, before PIX is reset."""
-    count = len(entries)
-    turns = entries["acts"].astype(bool) & (entries["resets"] | entries["reads_pix"]).astype(bool)
-    # The next word that reads or resets PIX; none of another lane.
-    here = np.where(turns, np.arange(count), count)
-    next_turn = np.minimum.accumulate(here[::-1])[::-1]
-    within = next_turn < np.repeat(entry_start[1:], np.diff(entry_start))
-    return np.asarray(within & ~entries["resets"].astype(bool)[np.minimum(next_turn, count - 1)])
-
-
-def _numbers(sensor: Sensor, effects: Selection) -> Numbers:
-    """The figures of the effects; 0 of those that are off."""
-    mark = effects.marking("registers")
-    return Numbers(
-        least_lost=mark.least_e(sensor) if mark else 0.0,
-        pix_start=sensor.full_well_e,
-        register_start=sensor.register_max_e,
-        rate_cap=RATE_CAP,
-        **figures(Numbers, sensor, effects),
-    )
-
-
-def _keys(seed: int, device_seed: int) -> Keys:
-    """Keys of the device, and those that a frame's follow from, whether effects are on or not."""
+@lru_cache(_MOST_KEYS)
+def _keys(effects: tuple[Effect, ...], seed: int, device_seed: int) -> Keys:
+    """Keys of the device, and those that a frame's follow from, of all `effects` that there are."""
     found = {"start": base(device_seed, START), **device_keys(Keys, device_seed)}
-    for effect in registered():
+    for effect in effects:
         for kind, source, name in (
             (CountedLight, LIGHT, "light"), (CountedDark, WITHOUT_LIGHT, "dark"),
         ):  # fmt: skip

@@ -177,9 +177,9 @@ class Forecast(ABC):
         names, products = self._products(state)
         chosen = self.inside(dropped)
         inside = np.array([name in chosen for name in names], np.float64)
-        variances = self._variances(state)
-        random = sum((variances[name] for name in variances if name in dropped), _NOTHING)
-        random = random + self._rounding(dropped)
+        names, variances = self._variances(state)
+        lost = np.array([name in dropped for name in names], np.float64)
+        random = lost @ variances + self._rounding(dropped)
         if not everywhere:
             random = random + self.cut_square(state, self._taken(dropped))
         return inside, products, random
@@ -217,7 +217,8 @@ class Forecast(ABC):
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
         lost = state.split(" without ")[1:]
-        return replace(self._everything.near, kept=everything().without(*lost)).places
+        near = self._everything.near
+        return replace(near, chip=replace(near.chip, kept=everything().without(*lost))).places
 
     def most_e(self, state: str) -> NDArray[np.float64]:
         """The most charge that they see, what neighbours give them included."""
@@ -227,12 +228,18 @@ class Forecast(ABC):
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
         """Which pixels of the sample are among them."""
-        return np.isin(self.fields.sample.places, self.running(state))
+        run = np.zeros(len(self.program.lanes), np.bool_)
+        run[self.running(state)] = True
+        return np.asarray(run[self.fields.sample.places])
 
     def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
         """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
+        return self._elsewhere("sums" if name in self.slow else state)
+
+    @remembered
+    def _elsewhere(self, state: str) -> NDArray[np.float64]:
         fields = self.fields
-        if state == "sums" or name in self.slow:
+        if state == "sums":
             return np.ones(fields.expected.shape)
         if state == "clip":
             return np.where(fields.clipped, 0.0, 1.0)
@@ -272,9 +279,10 @@ class Forecast(ABC):
         }
 
     @remembered
-    def _variances(self, state: str) -> dict[str, NDArray[np.float64]]:
-        random, mean = self.random(state), self.fields.sample.mean
-        return {name: mean(variance) for name, variance in random.items()}
+    def _variances(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
+        """Names of the random effects, and their mean variances (., buckets)."""
+        random = self.random(state)
+        return [*random], self.fields.sample.mean(np.stack([*random.values()]))
 
     def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
@@ -308,9 +316,9 @@ class Forecast(ABC):
     @cached_property
     def leak_nodes(self) -> int:
         """At how many rates of leakage sums are made."""
-        size = math.sqrt(float(np.max(self.fields.sample.mean(self.fields.expected**2))))
-        most = _LEAK_PART * self.tolerance_e
-        enough = (n for n in range(1, leak_nodes.MOST) if self.program.leak_error(n) * size <= most)
+        sizes = np.sqrt(self.fields.sample.mean(self.fields.expected**2))
+        most, error = _LEAK_PART * self.tolerance_e, self.program.leak_error
+        enough = (n for n in range(1, leak_nodes.MOST) if np.max(error(n) * sizes) <= most)
         return next(enough, leak_nodes.MOST)
 
     def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
@@ -347,6 +355,7 @@ class Forecast(ABC):
 
     def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
         fields, where = self.fields, self._where(state)
+        leaked = self.program.leak_error(self.leak_nodes)[:, None] * fields.expected
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
         # neighbours' from sums: of one that is full, these matter nothing.
@@ -356,7 +365,7 @@ class Forecast(ABC):
             "formula": np.full(where.shape, _FORMULA_E**2),
             "neighbours": fields.neighbours[self.closed] * beside,
             "noise": fields.noise_cut * after,
-            "leak": self.program.leak_error(self.leak_nodes) ** 2 * fields.expected**2 * after,
+            "leak": leaked**2 * after,
         }
 
     def contribution(self, effect: Effect) -> tuple[float, float]:

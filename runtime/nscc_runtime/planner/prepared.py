@@ -17,11 +17,10 @@ from nscc_runtime.effects.selection import Selection
 from nscc_runtime.effects.views import Device
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
-from nscc_runtime.planner.near import Near, charges, limit
+from nscc_runtime.planner.near import Near, charges
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import scene_sums
-from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
 
@@ -40,13 +39,6 @@ class Prepared:
     def kept(self) -> Selection:
         """The effects that are simulated."""
         return self.plan.kept
-
-    @property
-    def wanted(self) -> Model:
-        """The weights of all effects but those that the user wants off: what is left out by choice
-        is still the better account of where noise goes.
-        """
-        return self.program.model(self.plan.wanted)
 
     @cached_property
     def places(self) -> NDArray[np.int64]:
@@ -118,13 +110,13 @@ class Prepared:
     def near(self) -> Near:
         """The pixels that may saturate in a way that sums do not know."""
         # These pixels run with all effects, so all effects say which they are.
-        program, wanted = self.program, self.plan.wanted
-        found = charges(program, self.source, self.device_seed, wanted, self.threads)
-        return Near(program, found, self.kept)
+        wanted = self.plan.wanted
+        found = charges(self.program, self.source, self.device_seed, wanted, self.threads)
+        return Near(self.chip, found)
 
     @cached_property
     def saturating(self) -> NDArray[np.int64]:
         """Their places, in order."""
-        if np.isinf(limit(self.program, self.kept)).all():
+        if np.isinf(self.chip.near_e).all():
             return np.empty(0, np.int64)
         return self.near.places

@@ -26,8 +26,10 @@ from nscc_runtime.remembered import Recent, remembered
 
 Values = NDArray[np.float64]
 
-_RECENT = 4
-"""Of what is kept for a chip: for planning, for frames, and for two plans in turns."""
+_RECENT = 6
+"""Of what is kept for a chip: for planning, which pixels saturate, and three plans in turns."""
+_EVEN = 1e-12
+"""By what part weights may differ that are the same but for rounding."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,10 +109,15 @@ class Program:
         return np.asarray(part[self.lanes].reshape(self.reference.groups.lane.shape), np.float32)
 
     @remembered
-    def leak_error(self, count: int) -> float:
-        """The relative error of sums at so many rates of leakage."""
-        age_s = float(self.slot_s.sum())
-        return leak_nodes.error(everything().the(Leak), self.sensor, count, age_s)
+    def leak_error(self, count: int) -> Values:
+        """The relative errors (buckets,) of sums at so many rates of leakage: values leak while
+        they wait for their readout, too, which may take longer than the frame."""
+        leak, readouts = everything().the(Leak), self.container.readouts
+        order = {readout.bucket: i for i, readout in enumerate(readouts)}
+        waits = [order[b] * self.container.target.readout_us for b in self.container.buckets]
+        frame_s = float(self.slot_s.sum())
+        ages = [frame_s + 1e-6 * wait for wait in waits]
+        return np.array([leak_nodes.error(leak, self.sensor, count, age_s) for age_s in ages])
 
     @cached_property
     def all_single(self) -> bool:
@@ -168,6 +175,19 @@ class Program:
         of_slot = self.reference.groups.of_slot
         chosen = of_slot if lanes is None else of_slot[lanes]
         return np.ascontiguousarray((chosen == group).T, np.float64)
+
+    @remembered
+    def even_weights(self, model: Model) -> Values | None:
+        """The weight (lanes, buckets) that all slots of a bucket have in a lane; None where some
+        lane weighs them differently."""
+        slots, found = self.tables.weights(model).slots, []
+        for bucket in range(slots.shape[2]):
+            members, weights = self.members(1 << bucket), slots[:, :, bucket]
+            even = (members * weights).sum(axis=0) / np.maximum(members.sum(axis=0), 1.0)
+            if (np.abs(weights - members * even) > _EVEN * np.abs(even)).any():
+                return None
+            found.append(even)
+        return np.stack(found, axis=1)
 
     @remembered
     def mean_weights(self, model: Model) -> dict[int, Values]:

@@ -9,6 +9,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.effects import Effect, everything
+from nscc_runtime.effects.parts import LitLevel, SlowWords
 from nscc_runtime.planner.effect_fields import Fields
 from nscc_runtime.planner.lacking import guessed
 from nscc_runtime.planner.plan import Plan
@@ -27,6 +29,8 @@ from nscc_runtime.remembered import remembered
 _UNDRAWN = ("thinning", "neighbours", "noise")
 """Short cuts whose squares are variance that is not drawn."""
 _WORSE = 3.0
+_MATTERS = 0.01
+"""Of the tolerance: what is smaller goes with what it hangs on."""
 _UNTOLD = 0.01
 """By so much the ratio of noise may depend on pixels near saturation."""
 
@@ -53,6 +57,24 @@ class Promises(Forecast):
     def tolerance_e(self) -> float:
         """The tolerance in electrons."""
         return self.allowed.electrons
+
+    def with_what_hangs_on_it(
+        self, name: str, free: set[str], dropped: frozenset[str]
+    ) -> frozenset[str]:
+        """What leaving an effect out takes along of the `free` ones, itself included: nothing is
+        left of black suns where words take no time. Empty where some of that has to stay.
+        """
+        if name not in everything().names(SlowWords):
+            return frozenset({name})
+        lit = frozenset(e.name for e in self.present if e.parts(LitLevel)) - dropped
+        return lit | {name} if lit <= free else frozenset()
+
+    def price_ns(self, effect: Effect) -> float:
+        """Nanoseconds a pixel that leaving an effect out of sums saves: dead time stays where black
+        suns matter, which are told of."""
+        lit = [e for e in self.present if e.parts(LitLevel)] if effect.parts(SlowWords) else []
+        least_e = _MATTERS * self.tolerance_e
+        return 0.0 if any(self.contribution(e)[0] > least_e for e in lit) else effect.cost_ns
 
     def signal_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`."""

@@ -14,6 +14,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.planner.sample_loop import Array, Drawing, draw, scores
+
 _MOST_PIXELS = 1024
 _FEWEST_PIXELS = 512
 _MOST_SAMPLES = 1 << 16
@@ -60,10 +62,13 @@ def sample_of(
     else:
         chance[...] = 1.0
         drawn = np.delete(drawn, near)
-    places, count = np.unique(drawn, return_counts=True)
+    first = np.flatnonzero(np.diff(drawn, prepend=-1))
+    places, count = drawn[first], np.diff(first, append=len(drawn))
     weight = count / chance[places]
     weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
     far = len(places)
+    if not len(near):
+        return Sample(places, weight, np.zeros(far, np.bool_))
     suns = near[brightest(total_e.reshape(-1)[near])]
     beside = np.setdiff1d(np.empty(0, np.int64) if spilt is None else spilt, suns)
     for stratum in (suns, np.setdiff1d(near, np.append(suns, beside)), beside):
@@ -87,10 +92,14 @@ def brightest(light_e: NDArray[np.float64]) -> NDArray[np.intp]:
 
 def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
     """So many places, in order, as likely as `chance` (flat) has it; the same on every call."""
-    steps = np.cumsum(chance)
+    found = np.empty(wanted, np.int64)
     # An additive recurrence inside equal strata: in step with no tile of codes.
-    points = (np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0) * (steps[-1] / wanted)
-    return np.asarray(np.minimum(np.searchsorted(steps, points, side="right"), len(chance) - 1))
+    points = np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
+    draw(
+        drawing=Drawing(pixels=len(chance), wanted=wanted), chance=chance, points=points,
+        drawn=found,
+    )  # fmt: skip
+    return found
 
 
 def chances(
@@ -98,15 +107,15 @@ def chances(
 ) -> NDArray[np.float64]:
     """How likely each pixel (rows, cols) is to be drawn, up to a factor; those of the places
     `never` are not, and the light of suns among them does not make the others all alike."""
-    score = total_e.copy()
-    for rows, values in ((score, total_e), (score.T, total_e.T)):
-        step = np.abs(np.diff(values, axis=0))
-        rows[1:] += step
-        rows[:-1] += step
-    drawn = np.ones(total_e.size, np.bool_)
+    rows, cols = total_e.shape
+    score = np.empty((rows, cols))
+    scores(array=Array(rows=rows, cols=cols), light=np.ascontiguousarray(total_e), score=score)
+    flat, count = score.reshape(-1), total_e.size
     if never is not None:
-        drawn[never] = False
-    flat = np.where(drawn, score.reshape(-1), 0.0)
-    mean = flat.sum() / max(np.count_nonzero(drawn), 1)
-    flat += np.where(drawn, mean if mean > 0 else 1.0, 0.0)
-    return np.asarray(flat.reshape(total_e.shape))
+        flat[never] = 0.0
+        count -= len(never)
+    mean = flat.sum() / max(count, 1)
+    flat += mean if mean > 0 else 1.0
+    if never is not None:
+        flat[never] = 0.0
+    return score

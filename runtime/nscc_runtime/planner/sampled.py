@@ -16,6 +16,7 @@ from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Respon
 from nscc_runtime.light import Light
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sample_loop import SIDES, Gathering, gather
 from nscc_runtime.planner.sums import sums_by_slot
 from nscc_runtime.planner.tables import Model
 
@@ -24,25 +25,37 @@ Frames = NDArray[np.float32]
 Lanes = NDArray[np.int32]
 
 _LEAK_STEP = 0.1
-_MOST_LIGHT = np.float32(1e30)
+_MOST_LIGHT = 1e30
 """Beyond it float32 has no room for what neighbours add."""
 
 
 class Beside(NamedTuple):
-    """The neighbours in one direction: 1 where a pixel has one, else 0; the place; the frames,
-    0 where there is none; the response.
+    """The neighbours above, below, left and right, (4, pixels) each: 1 where a pixel has one, else
+    0; the place; the response.
     """
 
-    there: Frames
+    there: Values
     place: NDArray[np.int64]
-    frames: Frames
-    response: Frames
+    response: Values
+
+
+class Gathered(NamedTuple):
+    """Frames (T, pixels) before a pixel responds to them; of its neighbours (T, 4, pixels); what
+    these count, in sum, and what they would if they all responded alike.
+    """
+
+    own: Frames
+    others: Frames
+    flow: Frames
+    even: Frames
 
 
 class SampledScene:
     """As `nscc_runtime.effects.field.Sampled` has it; arrays are (buckets, pixels of the sample).
 
-    `errors_cut` and `left_out` are for the planner's own account of its short cuts.
+    `errors_cut` and `left_out` are for the planner's own account of its short cuts. Exposures are
+    linear in light: every field is made of sums over the slots of a pixel's own light and of that
+    of its neighbours.
     """
 
     def __init__(self, program: Program, light: Light, sample: Sample, device_seed: int) -> None:
@@ -55,10 +68,8 @@ class SampledScene:
         self.moving = light.motion or light
         self.exchanged = self.all.the(Exchange).fraction(self.sensor)
         self.echo = 1.0 + self.all.the(Echo).fraction(self.sensor)
-        flat = light.frames.reshape(len(light.frames), -1)
-        self.frames: Frames = np.minimum(np.take(flat, self.places, axis=1), _MOST_LIGHT)
-        self.beside = self._beside() if self.exchanged > 0 else []
         self.slots = program.tables.weights(program.full).slots
+        self._used, self._local = _used(self.lanes)
 
     def on_device(self, make: OnDevice) -> Values:
         return self.device.fixed(make)[self.places]
@@ -74,69 +85,80 @@ class SampledScene:
 
     @cached_property
     def spilt(self) -> Values:
-        found, dark = np.zeros_like(self.dark), self.device.fixed(self.all.the(CountedDark).per_s)
-        for beside in self.beside:
-            found += beside.there * (dark[beside.place] - self.dark)
-        return self.exchanged * found
+        dark, beside = self.device.fixed(self.all.the(CountedDark).per_s), self._beside
+        return np.asarray(
+            self.exchanged * (beside.there * (dark[beside.place] - self.dark)).sum(axis=0)
+        )
 
-    def _beside(self) -> list[Beside]:
+    @cached_property
+    def _beside(self) -> Beside:
         rows, cols = self.shape
-        row, col = self.places // cols, self.places % cols
-        flat = self.scene.frames.reshape(len(self.scene.frames), -1)
-        response = self.device.fixed(self.all.the(Response).factor)
-        found = []
-        for inside, step in (
-            (row > 0, -cols), (row < rows - 1, cols), (col > 0, -1), (col < cols - 1, 1),
-        ):  # fmt: skip
-            there, place = inside.astype(np.float32), np.where(inside, self.places + step, 0)
-            frames = there * np.minimum(np.take(flat, place, axis=1), _MOST_LIGHT)
-            found.append(Beside(there, place, frames, response[place].astype(np.float32)))
-        return found
+        row, col = np.divmod(self.places, cols)
+        inside = np.stack([row > 0, row < rows - 1, col > 0, col < cols - 1])
+        steps = np.array([-cols, cols, -1, 1])[:, None]
+        place = np.where(inside, self.places + steps, 0)
+        response = self.device.fixed(self.all.the(Response).factor)[place]
+        return Beside(inside.astype(np.float64), place, response)
 
     @cached_property
-    def _own(self) -> Frames:
-        """Frames of the pixels' own light."""
-        return np.asarray(self.frames * self.response.astype(np.float32))
+    def _frames(self) -> Gathered:
+        beside, shape = self._beside, (len(self.scene.frames), len(self.places))
+        own, flow, even = (np.empty(shape, np.float32) for _ in range(3))
+        others = np.empty((shape[0], SIDES, shape[1]), np.float32)
+        frames = np.require(self.scene.frames, np.float32, ["C", "A"]).reshape(shape[0], -1)
+        gather(
+            gathering=Gathering(
+                count=shape[0], pixels=frames.shape[1], places=shape[1], most=_MOST_LIGHT
+            ),
+            frames=frames, chosen=self.places, beside=beside.place, there=beside.there,
+            response=beside.response, own=own, others=others, flow=flow, even=even,
+        )  # fmt: skip
+        return Gathered(own, others, flow, even)
 
     @cached_property
-    def _seen(self) -> tuple[Frames, Frames]:
-        """Frames of what falls on the pixels with their neighbours' light; the same as if all
-        pixels responded alike.
-        """
-        c = np.float32(self.exchanged)
-        seen, even = self._own.copy(), self.frames.copy()
-        for there, _, frames, part in self.beside:
-            seen += c * (frames * part - there * self._own)
-            even += c * (frames - there * self.frames)
-        return seen, even
+    def _own_part(self) -> Values:
+        """The part (pixels,) of a pixel's light that its neighbours do not take."""
+        return np.asarray(1.0 - self.exchanged * self._beside.there.sum(axis=0))
 
-    def sum(self, light: Light, weights: Sequence[Values], frames: Frames) -> Values:
-        """Sums (len(weights), pixels) of a light whose frames are replaced by others."""
-        return sums_by_slot(light, frames, self.lanes, weights)
+    def _by_bucket(self, slots: Values) -> list[Values]:
+        """Weights (N, lanes that occur) of each bucket."""
+        some = slots if len(self._used) == slots.shape[1] else slots[:, self._used]
+        return [np.ascontiguousarray(some[:, :, bucket]) for bucket in self.buckets]
 
-    def by_bucket(self, slots: Values) -> list[Values]:
-        """Weights (N, lanes, buckets) of each bucket."""
-        return [slots[:, :, bucket] for bucket in self.buckets]
-
-    def _weighed(self, light: Light, frames: Frames) -> Values:
-        return self.sum(light, self.by_bucket(self.slots), frames) * self.echo
+    def _sums(self, light: Light, frames: Frames, weights: Sequence[Values]) -> Values:
+        """Sums (.., buckets, pixels) of a light whose frames are replaced by others."""
+        found = sums_by_slot(light, frames, self._local, weights)
+        return found.reshape(-1, len(self.buckets), len(self.places))
 
     @cached_property
-    def _light(self) -> dict[Model, Values]:
-        """`light` by every model of the words that an effect may ask for, summed in one go."""
-        models = {self.program.full, self._faster, *self.program.less.values()}
-        known = list({self.program.tables.same(model): None for model in models})
-        weights = [
-            each
-            for model in known
-            for each in self.by_bucket(self.program.tables.weights(model).slots)
-        ]
-        summed = self.sum(self.moving, weights, self._seen[0])
-        return dict(zip(known, summed.reshape(len(known), len(self.buckets), -1), strict=True))
+    def _full(self) -> list[Values]:
+        return self._by_bucket(self.slots)
+
+    @cached_property
+    def _known(self) -> list[Model]:
+        """Every model of the words that an effect may ask for, each once, the full one first."""
+        models = [self.program.full, self._faster, *self.program.less.values()]
+        return list(dict.fromkeys(self.program.tables.same(model) for model in models))
+
+    @cached_property
+    def _light(self) -> tuple[Values, Values]:
+        """Sums (models and one, buckets, pixels) of the light before the pixels respond to it and
+        of what their neighbours count, by every model of the words and last by squared weights."""
+        tables = self.program.tables
+        weights = [w for m in self._known[1:] for w in self._by_bucket(tables.weights(m).slots)]
+        weights = [*self._full, *weights, *(each**2 for each in self._full)]
+        own, _, flow, _ = self._frames
+        return self._sums(self.moving, own, weights), self._sums(self.moving, flow, weights)
+
+    @cached_property
+    def _seen(self) -> Values:
+        """What falls on the pixels with their neighbours' light."""
+        own, flow = self._light
+        return np.asarray(self._own_part * self.response * own + self.exchanged * flow)
 
     def lit(self, model: Model) -> Values:
         """`light` as the words weigh it under a model."""
-        return self._light[self.program.tables.same(model)]
+        return np.asarray(self._seen[self._known.index(self.program.tables.same(model))])
 
     @property
     def _faster(self) -> Model:
@@ -156,15 +178,24 @@ class SampledScene:
 
     @cached_property
     def alone(self) -> Values:
-        return self._weighed(self.moving, self._own)
+        return np.asarray(self._light[0][0] * self.response * self.echo)
 
     @cached_property
     def alike(self) -> Values:
-        return self._weighed(self.moving, self._seen[1])
+        own, even = self._light[0][0], self._sums(self.moving, self._frames.even, self._full)[0]
+        return np.asarray((self._own_part * own + self.exchanged * even) * self.echo)
 
     @cached_property
     def still(self) -> Values | None:
-        return None if self.scene.motion is None else self._weighed(self.scene, self._seen[0])
+        if self.scene.motion is None:
+            return None
+        own, flow = (
+            self._sums(self.scene, each, self._full)[0]
+            for each in (self._frames.own, self._frames.flow)
+        )
+        return np.asarray(
+            (self._own_part * self.response * own + self.exchanged * flow) * self.echo
+        )
 
     @cached_property
     def pattern(self) -> Values:
@@ -197,20 +228,14 @@ class SampledScene:
         return np.asarray(np.einsum("n,nlb->bl", self.program.slot_s, weights)[:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
-        c = np.float32(self.exchanged)
-        flow = np.zeros_like(self.frames)
-        count = np.zeros(len(self.places), np.float32)
-        for there, _, frames, part in self.beside:
-            flow += frames * part
-            count += there
+        (*_, own), (*_, flow) = self._light
+        own = own * self.response
         if moved:
-            counts = count**2 * self._own + flow
-        else:
-            counts = (1 - c * count) ** 2 * self._own + c**2 * flow
-        return self.sum(self.moving, self.by_bucket(self.slots**2), counts) * self.echo
+            return np.asarray((self._beside.there.sum(axis=0) ** 2 * own + flow) * self.echo)
+        return np.asarray((self._own_part**2 * own + self.exchanged**2 * flow) * self.echo)
 
     def counted_alone(self) -> Values:
-        return self.sum(self.moving, self.by_bucket(self.slots**2), self._own) * self.echo
+        return np.asarray(self._light[0][-1] * self.response * self.echo)
 
     def errors(self, at: str, sigma_e: float) -> Values:
         factor, rest = self.program.tables.noise(at, self.program.full)
@@ -229,57 +254,73 @@ class SampledScene:
         """The variance that sums leave out because counts are not spread over the slots, with
         closed slots counted or not; the same of what neighbours exchange.
         """
-        program, (used, lanes) = self.program, _used(self.lanes)
-        means, full = program.mean_weights(program.full), self.by_bucket(self.slots[:, used])
-        shape = len(self.buckets), len(self.places)
-        thinning = {closed: np.zeros(shape) for closed in (False, True)}
-        neighbours = {closed: np.zeros(shape) for closed in (False, True)}
-        scale = self.echo * self.response
-        seen = [each * program.slot_s[:, None] for each in full]
-        for group in program.group_ids.tolist():
-            members = program.members(group, used)
-            weighed = [each * members for each in full]
-            # Of all buckets at once: every sum reads the light again.
-            weights = [members, *weighed, *(each**2 for each in weighed)]
-            sums = sums_by_slot(self.moving, self.frames, lanes, weights) * scale
-            rates, *moments = (
-                light + (program.slot_s @ each)[lanes] * self.dark
-                for light, each in zip(sums, weights, strict=True)
+        program, counted = self.program, self.program.group_ids > 0
+        rates, one, two = self._moments
+        means = program.mean_weights(program.full)
+        mean = np.stack([means[group][self.lanes].T for group in program.group_ids.tolist()])
+        spread = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
+        lit, overlap = self._exchanged
+        within = np.clip(overlap, 0.0, 1.0)
+        uneven = lit * within * (1.0 - within)
+        every = np.ones_like(counted)
+        thinning, neighbours = (
+            {
+                closed: np.where(known[:, None, None], rest, lost).sum(axis=0)
+                for closed, known in ((False, counted), (True, every))
+            }
+            for rest, lost in (
+                (spread, two), (uneven.sum(axis=1), (lit * within).sum(axis=1)),
             )
-            for bucket in self.buckets:
-                one, two = moments[bucket], moments[len(self.buckets) + bucket]
-                mean = means[group][self.lanes, bucket]
-                counted = np.maximum(two - 2 * mean * one + mean**2 * rates, 0.0)
-                thinning[True][bucket] += counted
-                thinning[False][bucket] += counted if group else two
-            for beside in self.beside:
-                lit, overlaps = self._exchanged(beside, group, [(each, lanes) for each in seen])
-                for bucket, overlap in enumerate(overlaps):
-                    within = np.clip(overlap, 0.0, 1.0)
-                    counted = lit * within * (1.0 - within)
-                    neighbours[True][bucket] += counted
-                    neighbours[False][bucket] += counted if group else lit * within
+        )  # fmt: skip
         return thinning, neighbours
 
-    def _exchanged(
-        self, beside: Beside, group: int, seen: Sequence[tuple[Values, Lanes]]
-    ) -> tuple[Values, list[Values]]:
-        """The variance of what neighbours' counts in a group of slots send over; by weights of the
-        pixels (N, lanes) and their lanes, the mean weight over the time of these slots."""
-        program, (used, lanes) = self.program, _used(self.program.lanes[beside.place])
-        members = program.members(group, used)
-        frames = beside.frames * beside.response
-        lit = sums_by_slot(self.moving, frames, lanes, [members])[0]
-        time = program.slot_s @ members
-        parts = np.divide(members, time, out=members, where=time > 0)
-        overlaps = [_overlap(each, own, parts, lanes) for each, own in seen]
-        return np.asarray(self.exchanged**2 * self.echo * lit), overlaps
+    @property
+    def _moments(self) -> tuple[Values, Values, Values]:
+        """Of the charge that is counted in each group of slots (groups, .., pixels): how much it
+        is, and its sums by weights and by squared weights of the buckets."""
+        program, full = self.program, self._full
+        weights = []
+        for group in program.group_ids.tolist():
+            members = program.members(group, self._used)
+            weighed = [each * members for each in full]
+            # Of all groups and buckets at once: every sum reads the light again.
+            weights += [members, *weighed, *(each**2 for each in weighed)]
+        found = sums_by_slot(self.moving, self._frames.own, self._local, weights)
+        found *= self.echo * self.response
+        seconds = np.stack([program.slot_s @ each for each in weights])
+        found += seconds[:, self._local] * self.dark
+        shape = len(program.group_ids), 1 + 2 * len(full), len(self.places)
+        rates, one, two = np.split(found.reshape(shape), [1, 1 + len(full)], axis=1)
+        return rates, one, two
+
+    @property
+    def _exchanged(self) -> tuple[Values, Values]:
+        """The variance (groups, 4, 1, pixels) of what neighbours' counts in each group of slots
+        send over, and the mean weight (groups, 4, buckets, pixels) of the pixel over the time of
+        these slots."""
+        program, beside = self.program, self._beside
+        used, others = _used(program.lanes[beside.place.reshape(-1)])
+        members = [program.members(group, used) for group in program.group_ids.tolist()]
+        frames = self._frames.others
+        lit = sums_by_slot(self.moving, frames.reshape(len(frames), -1), others, members)
+        lit = lit.reshape(len(members), *beside.there.shape) * beside.there * beside.response
+        seconds = [each * program.slot_s[:, None] for each in self._full]
+        lanes = np.broadcast_to(self._local, beside.place.shape).reshape(-1)
+        overlap = np.empty((len(members), len(seconds), len(others)))
+        for found, each in zip(overlap, members, strict=True):
+            time = program.slot_s @ each
+            parts = np.divide(each, time, out=each, where=time > 0)
+            for bucket, own in enumerate(seconds):
+                found[bucket] = _overlap(own, lanes, parts, others)
+        overlap = overlap.reshape(*overlap.shape[:2], *beside.place.shape).transpose(0, 2, 1, 3)
+        return np.asarray(self.exchanged**2 * self.echo * lit[:, :, None]), overlap
 
 
 def _used(lanes: Lanes) -> tuple[NDArray[np.int64], Lanes]:
     """The lanes that occur, and where each is among them: a sample has few of many."""
-    used, local = np.unique(lanes, return_inverse=True)
-    return used.astype(np.int64), local.astype(np.int32)
+    occurs = np.bincount(lanes) > 0
+    place = np.cumsum(occurs, dtype=np.int32) - 1
+    return np.flatnonzero(occurs), np.asarray(place[lanes], np.int32)
 
 
 def _overlap(seen: Values, lanes: Lanes, parts: Values, others: Lanes) -> Values:

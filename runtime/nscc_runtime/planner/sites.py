@@ -63,7 +63,9 @@ def sites_of(
     `Laying` that effects have.
     """
     pixels, count = lanes.size, len(places)
-    here, lane = np.unique(lanes.reshape(-1)[places], return_inverse=True)
+    at = lanes.reshape(-1)[places]
+    used = np.bincount(at, minlength=len(of_slot)) > 0
+    here, lane = np.flatnonzero(used), (np.cumsum(used) - 1)[at]
     apart = of_slot[here, None, :] == np.arange(groups)[:, None]
     even, row = is_even(light), groups * (light.slots + 1)
     own = len(here) if even else count

@@ -1,4 +1,4 @@
-"""Frames by weighted sums: what all of them have in common, laid out for the loops over pixels."""
+"""Frames by weighted sums: counts drawn and added up, pixel by pixel, and codes made of them."""
 
 from __future__ import annotations
 
@@ -10,42 +10,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.counts import LIGHT, WITHOUT_LIGHT, count_key
-from nscc_runtime.effects.parts import (
-    Codes,
-    Converter,
-    CountedDark,
-    CountedLight,
-    Exchange,
-    Soft,
-    Well,
-    WordGain,
-)
+from nscc_runtime.effects.counts import LIGHT, count_key
+from nscc_runtime.effects.parts import Codes, Converter
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
-from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.drawn import BLOCK, ROOM
-from nscc_runtime.planner.frame_loop import (
-    Adding,
-    Counting,
-    Reading,
-    add_up,
-    convert,
-    draw_counts,
-)
+from nscc_runtime.planner.frame_loop import Adding, Counting, Reading, convert, draw_counts
 from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.weighing import Weighing
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
 
 Values = NDArray[np.float64]
-Weights = NDArray[np.float32]
 
-ROUNDING = 1e-12
-"""Of sums of charge: the part by which a well that is just full may seem to hold more."""
 _IN_CACHE = 1 << 15
 """Counts that are drawn before they are added up."""
-_NONE, _NONE_32 = np.zeros((1, 1)), np.zeros(1, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +34,11 @@ class Summed:
     """A scene under a plan whose frames are weighted sums, with noise."""
 
     scene: Prepared
+
+    @cached_property
+    def weighing(self) -> Weighing:
+        """What it has in common with other scenes under the plan."""
+        return self.scene.chip.own(Weighing, self.scene.counted)
 
     def away(self, seed: int, frame: int) -> Values:
         """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
@@ -74,11 +60,12 @@ class Summed:
         (rows, cols), pixels = scene.light.shape, len(scene.places)
         buckets, groups = len(scene.program.container.buckets), len(scene.counted)
         found, marked = np.empty((buckets, pixels)), np.empty((buckets, pixels), np.uint8)
-        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in self.noise[0]]
+        sizes, draws = self.weighing.sizes, self.weighing.noise[0]
+        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in draws]
         noise_keys, keys = np.array(noise, np.uint64), self._keys(seed, frame)
         strip = rows if away is not None else max(1, _IN_CACHE // max(1, cols * groups))
         # Neighbours' counts are wanted, too.
-        more = 1 if self.sizes["exchanges"] else 0
+        more = 1 if sizes["exchanges"] else 0
 
         def run(begin: int, end: int) -> None:
             total, drawn = np.empty(BLOCK * buckets), np.empty(BLOCK)
@@ -90,12 +77,12 @@ class Summed:
                     from_, last = max(first - more, 0) * cols, min(stop + more, rows) * cols
                     counts = room[: groups * (last - from_)].reshape(groups, last - from_)
                     self._count(keys, from_, last, from_, counts)
-                self._adding(
+                self.weighing.adding(
                     adding=Adding(
-                        begin=first, end=stop, room=counts.shape[1], from_=from_, **self.sizes
+                        begin=first, end=stop, room=counts.shape[1], from_=from_, **sizes
                     ),
-                    noise_keys=noise_keys, away=counts, total=total, drawn=drawn, exposure=found,
-                    marked=marked,
+                    noise_keys=noise_keys, expected=scene.expected, away=counts, total=total,
+                    drawn=drawn, exposure=found, marked=marked,
                 )  # fmt: skip
 
         in_parts(run, rows, scene.threads)
@@ -106,7 +93,7 @@ class Summed:
         groups = self.scene.counted
         return [
             np.array([count_key(seed, stream, source, frame, group) for group in groups], np.uint64)
-            for stream, source, _ in self.counts
+            for stream, source in self.weighing.sources
         ]
 
     def _count(
@@ -115,13 +102,14 @@ class Summed:
         """away[:, p - from_] := how far the counts of pixels `begin` .. `end` - 1 are from their
         means."""
         groups, room = away.shape
-        for number, count in enumerate(self._drawing):
-            count(
+        for number, rates in enumerate(self.rates):
+            draw_counts(
                 counting=Counting(
                     begin=begin, end=end, pixels=len(self.scene.places), groups=groups,
                     room=room, from_=from_, more=number > 0, rate_cap=RATE_CAP,
                 ),
                 keys=keys[number],
+                rates=rates,
                 away=away,
                 values=np.empty(BLOCK),
                 scratch=np.empty(ROOM),
@@ -130,89 +118,13 @@ class Summed:
             )  # fmt: skip
 
     @cached_property
-    def counts(self) -> list[tuple[int, int, Values]]:
-        """What counts charge: the effect's stream, the source, the rates (groups, pixels)."""
+    def rates(self) -> list[Values]:
+        """The mean counts (counted groups, pixels) of each source."""
         scene = self.scene
-        kept = scene.kept
-        found = [(e.stream, LIGHT, scene.light_rates) for e, _ in kept.having(CountedLight)]
-        for effect, _ in kept.having(CountedDark):
-            found.append((effect.stream, WITHOUT_LIGHT, scene.chip.dark_rates(scene.counted)))
-        return found
-
-    @cached_property
-    def _drawing(self) -> list[Bound]:
-        """The loop that counts, with the rates of each source."""
-        return [draw_counts.bound(rates=rates) for _, _, rates in self.counts]
-
-    @cached_property
-    def noise(self) -> tuple[list[tuple[int, int]], Values]:
-        """The streams and draws of small errors, and how much (draws, buckets, lanes) each is."""
-        program, kept = self.scene.program, self.scene.kept
-        draws, sigmas = [], []
-        for effect, part in kept.errors():
-            factor = (
-                part.sigma_e(program.sensor) * program.tables.noise(part.at, self.scene.wanted)[0]
-            )
-            for draw in range(factor.shape[2]):
-                if factor[:, :, draw].any():
-                    draws.append((effect.stream, draw))
-                    sigmas.append(factor[:, :, draw].T)
-        shape = len(draws), len(program.container.buckets), len(program.container.encoding)
-        return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
-
-    @cached_property
-    def sizes(self) -> dict[str, Any]:
-        """Everything of `Adding` but the rows."""
-        scene, program = self.scene, self.scene.program
-        exchange, mark = scene.kept.part(Exchange), scene.kept.marking("well")
-        counts = bool(self.counts)
-        return {
-            "rows": scene.light.shape[0],
-            "cols": scene.light.shape[1],
-            "pixels": len(scene.places),
-            "buckets": len(program.container.buckets),
-            "lane_count": len(program.container.encoding),
-            "groups": len(scene.counted),
-            "sources": len(self.noise[0]),
-            "exchanges": counts and exchange is not None,
-            "clipped": scene.kept.part(Well) is not None and scene.kept.part(Soft) is None,
-            "patterned": scene.kept.part(WordGain) is not None,
-            "well_bit": mark.bit if mark else 0,
-            "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
-            "full": 1.0 + ROUNDING,
-        }
-
-    @cached_property
-    def weights(self) -> Values:
-        """Mean weights (groups, buckets, lanes) of the deviations of a group's counts."""
-        scene, program = self.scene, self.scene.program
-        means = program.mean_weights(program.model(scene.kept))
-        shape = len(scene.counted), len(program.container.buckets), len(program.container.encoding)
-        each = [means[group].T for group in scene.counted]
-        return np.ascontiguousarray(np.array(each).reshape(shape))
-
-    @cached_property
-    def overlap(self) -> tuple[Weights, Weights]:
-        """Where pixels exchange counts: weights of their own, and of their neighbours'."""
-        program = self.scene.program
-        found = program.overlap(program.model(self.scene.kept), self.scene.counted)
-        return found.own, found.neighbours
-
-    @cached_property
-    def _adding(self) -> Bound:
-        """The loop that adds up, with all that frames have in common."""
-        own, neighbours = self.overlap if self.sizes["exchanges"] else (_NONE_32, _NONE_32)
-        chip = self.scene.chip
-        return add_up.bound(
-            lanes=self.scene.program.lanes,
-            expected=self.scene.expected,
-            weights=self.weights,
-            own=own,
-            neighbours=neighbours,
-            limits=chip.limits if self.sizes["clipped"] else _NONE,
-            patterns=chip.patterns if self.sizes["patterned"] else _NONE,
-            sigma=self.noise[1],
-        )
+        return [
+            scene.light_rates if source == LIGHT else scene.chip.dark_rates(scene.counted)
+            for _, source in self.weighing.sources
+        ]
 
 
 @dataclass(frozen=True, eq=False)
@@ -225,10 +137,10 @@ class Readout:
     stream: int
 
     @classmethod
-    def of(cls, scene: Prepared) -> Readout | None:
+    def of(cls, chip: Chip) -> Readout | None:
         """None where an effect that is kept does something else after the exposure."""
-        kept, sensor = scene.kept, scene.program.sensor
-        target = scene.program.container.target
+        kept, sensor = chip.kept, chip.program.sensor
+        target = chip.program.container.target
         converters, codes = kept.having(Converter), kept.having(Codes)
         known = {effect.name for effect, _ in (*converters, *codes)}
         if not _after(kept) <= known:

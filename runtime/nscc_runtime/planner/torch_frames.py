@@ -18,6 +18,7 @@ from nscc_runtime.effects.counts import count_key
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.noise.on_torch import key_tensor, normals, poisson
 from nscc_runtime.planner.summed import Summed
+from nscc_runtime.planner.weighing import Weighing
 from nscc_runtime.reference.noise import SUM
 
 _MOST_BYTES = 1 << 29
@@ -47,7 +48,7 @@ class OnTorch:
 
     def expose(self, seed: int, frames: range) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """Exposures (frames, buckets, pixels), and what cut them off."""
-        summed, sizes = self.summed, self.summed.sizes
+        summed, weighing, sizes = self.summed, self._weighing, self._weighing.sizes
         found = self._expected + self._deviations(seed, frames)
         marked = torch.zeros(found.shape, dtype=torch.uint8, device=self.device)
         if sizes["clipped"]:
@@ -56,7 +57,7 @@ class OnTorch:
             found = torch.minimum(found, limits)
         if sizes["patterned"]:
             found = found + self._tensor(summed.scene.chip.patterns)
-        draws, sigmas = summed.noise
+        draws, sigmas = weighing.noise
         for (stream, draw), sigma in zip(draws, sigmas, strict=True):
             keys = [key(seed, stream, SUM, frame, draw) for frame in frames]
             z = normals(key_tensor(keys, self.device), self._places)
@@ -68,20 +69,21 @@ class OnTorch:
         groups = self.summed.scene.counted
         shape = len(frames), len(groups), len(self._places)
         away = torch.zeros(shape, dtype=torch.float64, device=self.device)
-        for stream, source, rates in self.summed.counts:
+        sources = zip(self._weighing.sources, self.summed.rates, strict=True)
+        for (stream, source), rates in sources:
             keys = [
                 count_key(seed, stream, source, frame, group)
                 for frame in frames for group in groups
             ]  # fmt: skip
             each, rate = key_tensor(keys, self.device).reshape(shape[:2]), self._tensor(rates)
             away += poisson(each, self._places, rate, RATE_CAP) - rate
-        if not self.summed.sizes["exchanges"]:
+        if not self._weighing.sizes["exchanges"]:
             return (self._weights[:, :, self._lanes] * away[:, :, None]).sum(dim=1)
         return self._exchanged(away)
 
     def _exchanged(self, away: torch.Tensor) -> torch.Tensor:
         """The same where pixels that touch exchange their counts."""
-        sizes, (own, neighbours) = self.summed.sizes, self.summed.overlap
+        sizes, (own, neighbours) = self._weighing.sizes, self._weighing.overlap
         plane = sizes["rows"], sizes["cols"]
         each = away.reshape(*away.shape[:2], 1, *plane)
         mine = self._tensor(own).reshape(*own.shape[:2], *plane) * each
@@ -95,9 +97,13 @@ class OnTorch:
     def _tensor(self, values: NDArray[np.floating]) -> torch.Tensor:
         return torch.from_numpy(np.ascontiguousarray(values)).to(self.device)
 
+    @property
+    def _weighing(self) -> Weighing:
+        return self.summed.weighing
+
     @cached_property
     def _places(self) -> torch.Tensor:
-        return torch.arange(self.summed.sizes["pixels"], device=self.device)
+        return torch.arange(self._weighing.sizes["pixels"], device=self.device)
 
     @cached_property
     def _lanes(self) -> torch.Tensor:
@@ -109,4 +115,4 @@ class OnTorch:
 
     @cached_property
     def _weights(self) -> torch.Tensor:
-        return self._tensor(self.summed.weights)
+        return self._tensor(self._weighing.weights)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtr
+from scipy.special import ndtr, ndtri
 
 Values = NDArray[np.float64]
 
@@ -25,6 +25,10 @@ _COMMONER = 10
 beyond it."""
 _TAIL = 10
 """Of so many errors that were measured the largest shows how the rest go on."""
+_SIGMAS = 9.0
+"""Standard deviations beyond which a pixel's error is not."""
+_RARELY = 50.0
+"""Times the share of the frame that passes an error: how likely a fiftieth of it is to pass it."""
 _STEPS = 40
 _PRECISE = 1e-3
 
@@ -52,11 +56,11 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     sigma = np.sqrt(np.maximum(variance, 1e-12))
     common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
     found = [Worst(0.0, 0.0)]
-    for each in zip(mean, sigma, strict=True):
+    for each in zip(np.abs(mean), sigma, strict=True):
         p999_e = _passed_by(common, *each, part)
         pace_e = (p999_e - _passed_by(_COMMONER * common, *each, part)) / math.log(_COMMONER)
         max_e = p999_e + pace_e * math.log(common / rare)
-        if _passing(max_e, *each) @ part > rare:
+        if _passing(max_e, *each, part) > rare:
             max_e = _passed_by(rare, *each, part)
         found.append(Worst(p999_e, max_e))
     return Worst(max(each.p999_e for each in found), max(each.max_e for each in found))
@@ -95,22 +99,26 @@ def largest(sizes: Values, weight: Values) -> Worst:
     return Worst(float(sizes[order[at]]), float(sizes[order[-1]]))
 
 
-def _passing(limit: float, mean: Values, sigma: Values) -> Values:
-    """How likely the error of each pixel is to pass a limit."""
-    size = np.abs(mean)
-    return np.asarray(ndtr((size - limit) / sigma) + ndtr((-size - limit) / sigma))
+def _passing(limit: float, size: Values, sigma: Values, part: Values) -> float:
+    """The share of the frame whose error passes a limit; `size` is that of each pixel's mean."""
+    may = size + _SIGMAS * sigma > limit
+    size, sigma = size[may], sigma[may]
+    return float(part[may] @ (ndtr((size - limit) / sigma) + ndtr((-size - limit) / sigma)))
 
 
-def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float:
-    """The size of error that this share of the frame passes."""
-    size = np.abs(mean)
-    low, high = 0.0, float((size + 8.0 * sigma).max())
-    if not math.isfinite(high):
-        return low
+def _passed_by(share: float, size: Values, sigma: Values, part: Values) -> float:
+    """The error that this share of the frame passes."""
+    if not math.isfinite(float((size + sigma).max())):
+        return 0.0
+    # So many pixels pass it with all but what `rarely` comes that these are enough; and the errors
+    # of all but half of the share stay that far below it that theirs are no more than the rest.
+    rarely = min(_RARELY * share, 0.5)
+    low = _quantile(share / rarely, size - sigma * ndtri(rarely), part)
+    high = _quantile(share / 2.0, size - sigma * ndtri(share / 4.0), part)
 
     def beyond(middle: float) -> float:
         """By how much more pixels pass it than should, as a logarithm."""
-        return math.log(max(float(part @ _passing(middle, mean, sigma)), 1e-300) / share)
+        return math.log(max(_passing(middle, size, sigma, part), 1e-300) / share)
 
     # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
     at_low, at_high = beyond(low), beyond(high)
@@ -124,3 +132,14 @@ def _passed_by(share: float, mean: Values, sigma: Values, part: Values) -> float
         else:
             high, at_high, at_low = middle, found, at_low / 2
     return high
+
+
+def _quantile(share: float, sizes: Values, part: Values) -> float:
+    """The least of these sizes that no more than this share of the frame is beyond; 0 at a share
+    of all."""
+    if share >= 1.0:
+        return 0.0
+    order = np.argsort(sizes)
+    upto = np.cumsum(part[order])
+    last = min(int(np.searchsorted(upto, 1.0 - share)), len(order) - 1)
+    return float(sizes[order[last]])

@@ -52,7 +52,7 @@ def demo(
     settings, listener = settings or Settings(), listener or Listener()
     clips = run_capture(Path("clip"))
     found = subject(scene, clips.slots, clips.slots * clips.slot_us * 1e-6)
-    if found.chosen:
+    if found.chosen and listener.say is not None:
         listener.say(f"{Path(scene.name).name}: {found.chosen}")
     made = exposed(found, settings, listener)
     name = "picture" if made.still else "clip"
