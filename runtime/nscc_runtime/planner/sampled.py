@@ -116,7 +116,7 @@ class SampledScene:
         return Gathered(own, others, flow, even)
 
     @cached_property
-    def _given(self) -> Values:
+    def _own_part(self) -> Values:
         """The part (pixels,) of a pixel's light that its neighbours do not take."""
         return np.asarray(1.0 - self.exchanged * self._beside.there.sum(axis=0))
 
@@ -154,7 +154,7 @@ class SampledScene:
     def _seen(self) -> Values:
         """What falls on the pixels with their neighbours' light."""
         own, flow = self._light
-        return np.asarray(self._given * self.response * own + self.exchanged * flow)
+        return np.asarray(self._own_part * self.response * own + self.exchanged * flow)
 
     def lit(self, model: Model) -> Values:
         """`light` as the words weigh it under a model."""
@@ -183,7 +183,7 @@ class SampledScene:
     @cached_property
     def alike(self) -> Values:
         own, even = self._light[0][0], self._sums(self.moving, self._frames.even, self._full)[0]
-        return np.asarray((self._given * own + self.exchanged * even) * self.echo)
+        return np.asarray((self._own_part * own + self.exchanged * even) * self.echo)
 
     @cached_property
     def still(self) -> Values | None:
@@ -193,7 +193,9 @@ class SampledScene:
             self._sums(self.scene, each, self._full)[0]
             for each in (self._frames.own, self._frames.flow)
         )
-        return np.asarray((self._given * self.response * own + self.exchanged * flow) * self.echo)
+        return np.asarray(
+            (self._own_part * self.response * own + self.exchanged * flow) * self.echo
+        )
 
     @cached_property
     def pattern(self) -> Values:
@@ -230,7 +232,7 @@ class SampledScene:
         own = own * self.response
         if moved:
             return np.asarray((self._beside.there.sum(axis=0) ** 2 * own + flow) * self.echo)
-        return np.asarray((self._given**2 * own + self.exchanged**2 * flow) * self.echo)
+        return np.asarray((self._own_part**2 * own + self.exchanged**2 * flow) * self.echo)
 
     def counted_alone(self) -> Values:
         return np.asarray(self._light[0][-1] * self.response * self.echo)
