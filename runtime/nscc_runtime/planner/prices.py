@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import Counted, Exchange, Leak, SlowWords
+from nscc_runtime.effects.parts import Counted, Exchange, SlowWords
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.pixels import Pixels
 from nscc_runtime.remembered import remembered
@@ -26,11 +26,10 @@ class Prices:
 
     `slot_of_reference`: the reference, a slot. Of the loop over words: `pixel` to begin one;
     `word`; `error`, one of a word's small errors; `slot`, the light of a slot at one site (a pixel
-    or a neighbour); `run`, that of a run of slots at a neighbour whose counts are given; `leak`,
-    what registers lose between two boundaries; `count`, the electrons of a group of slots drawn at
-    a site; `split`, one count halved. `summed`: a pixel by sums over slots, `light` one frame of
-    its light. `planned`: a pixel of the scene that is planned, beside the milliseconds `plan_ms`.
-    `looked`: a pixel that looks.
+    or a neighbour); `run`, that of a run of slots at a neighbour whose counts are given; `count`,
+    the electrons of a group of slots drawn at a site; `split`, one count halved. `summed`: a pixel
+    by sums over slots, `light` one frame of its light. `planned`: a pixel of the scene that is
+    planned, beside the milliseconds `plan_ms`. `looked`: a pixel that looks.
     """
 
     slot_of_reference: float
@@ -39,7 +38,6 @@ class Prices:
     error: float
     slot: float
     run: float
-    leak: float
     count: float
     split: float
     summed: float
@@ -51,7 +49,7 @@ class Prices:
 
 SHIPPED = Prices(
     slot_of_reference=450.0, pixel=300.0, word=40.0, error=10.0, slot=5.0, run=12.0,
-    leak=8.0, count=100.0, split=15.0, summed=90.0, light=0.5, planned=15.0, plan_ms=6.0,
+    count=100.0, split=15.0, summed=90.0, light=0.5, planned=15.0, plan_ms=6.0,
     looked=1200.0,
 )  # fmt: skip
 """Measured on a core of an x86 server at about 3 GHz; what they add up to is right to a factor of
@@ -92,7 +90,6 @@ class Work:
         neighbours' counts, among all pixels, or alone, where its neighbours' are its own affair."""
         errors = len(kept.errors()) * self.words
         own = prices.pixel + prices.word * self.words + prices.error * errors
-        own += prices.leak * self.boundaries * (kept.part(Leak) is not None)
         splits = self._nodes(beside != "sums" and kept.part(SlowWords) is not None)
         counted = self.groups * (prices.count + prices.split * splits)
         sources = len(kept.having(Counted))
