@@ -44,7 +44,10 @@ PAPER = {
     "paper_hdr_quad": ("2D U-Net, `b`, 2 x 2 pattern", "hdr_quad_0"),
     "paper_hdr_learned": ("2D U-Net, `b` **learned from random**", ""),
     "on/paper_hdr_quad_on": ("2D U-Net, `b`, 2 x 2 pattern, its run learning on", "hdr_quad_0"),
-    "on/paper_hdr_on": ("2D U-Net, `b` **learned on from the 2 x 2 pattern's run**", "hdr_learned_0"),
+    "on/paper_hdr_on": (
+        "2D U-Net, `b` **learned on from the 2 x 2 pattern's run**",
+        "hdr_learned_0",
+    ),
     "paper_fc_c": ("FC-net, `c`, 2 x 2 pattern", "fc_c_quad"),
     "paper_fc_e": ("FC-net, `e` random", "fc_e_random"),
     "paper_u3_c": ("3D U-Net, `c`, 2 x 2 pattern", "u3_c_quad"),
