@@ -18,6 +18,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import chip_of
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.pixels import Running
+from nscc_runtime.planner.near import reached
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import brightest, drawn_by
@@ -130,15 +131,15 @@ class Lacking:
         if not len(self.near):
             return Worst(0.0, 0.0)
         error = np.abs(self._held(self.forced_off | lacking) - self._held(frozenset()))
-        suns, pixels = len(self._suns), len(self.program.lanes)
-        rest, drawn = len(self.near) - suns, error.shape[1] - suns
-        weight = np.append(np.ones(suns), np.full(drawn, rest / max(drawn, 1)))
+        sure, pixels = len(self._surely), len(self.program.lanes)
+        rest, drawn = len(self.near) - sure, error.shape[1] - sure
+        weight = np.append(np.ones(sure), np.full(drawn, rest / max(drawn, 1)))
         # All others of the array lack nothing.
         sizes, weight = np.append(error.max(axis=0), 0.0), np.append(weight, pixels - weight.sum())
         found = largest(sizes, weight)
-        tails = [worst_measured(error[:, :suns], suns / pixels, pixels)]
+        tails = [worst_measured(error[:, :sure], sure / pixels, pixels)]
         if drawn:
-            tails.append(worst_measured(error[:, suns:], rest / pixels, pixels))
+            tails.append(worst_measured(error[:, sure:], rest / pixels, pixels))
         return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
     def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
@@ -154,29 +155,33 @@ class Lacking:
         full = self._held(frozenset())
         before = (full - self._held(self.forced_off)) ** 2 if self.forced_off else 0.0
         added = (full - self._held(self.forced_off | lacking)) ** 2 - before
-        suns = len(self._suns)
-        square, drawn = added[:, :suns].sum(axis=1), added[:, suns:]
+        sure = len(self._surely)
+        square, drawn = added[:, :sure].sum(axis=1), added[:, sure:]
         error = np.zeros_like(square)
         if drawn.size:
-            square = square + drawn.mean(axis=1) * (len(self.near) - suns)
-            error = drawn.std(axis=1) / np.sqrt(drawn.shape[1]) * (len(self.near) - suns)
+            square = square + drawn.mean(axis=1) * (len(self.near) - sure)
+            error = drawn.std(axis=1) / np.sqrt(drawn.shape[1]) * (len(self.near) - sure)
         pixels = len(self.program.lanes)
         return np.maximum(square, 0.0) / pixels, error / pixels
 
     @cached_property
-    def _suns(self) -> NDArray[np.int64]:
-        """The brightest of these pixels, which are all measured: suns, and those beside them."""
-        return self.near[brightest(self.seen_e)]
+    def _surely(self) -> NDArray[np.int64]:
+        """Those of these pixels that are measured in any case: the brightest, suns and what is
+        beside them, and those nearest to a full well, where a little decides on all the rest."""
+        every = everything()
+        full_e = chip_of(self.program, self.device_seed, every, every).full_e
+        sure = brightest(self.seen_e), brightest(-np.abs(reached(self.seen_e) - full_e))
+        return self.near[np.union1d(*sure)]
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
-        """The pixels that are measured: the brightest, and some of the rest."""
-        rest = np.setdiff1d(self.near, self._suns)
+        """The pixels that are measured: those for sure, and some of the rest."""
+        rest = np.setdiff1d(self.near, self._surely)
         if not len(rest):
-            return self._suns
-        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._suns)
+            return self._surely
+        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._surely)
         # In step with no tile of codes.
-        return np.append(self._suns, rest[np.unique(drawn_by(np.ones(len(rest)), wanted))])
+        return np.append(self._surely, rest[np.unique(drawn_by(np.ones(len(rest)), wanted))])
 
     @cached_property
     def _every(self) -> Selection:

@@ -70,7 +70,7 @@ def _charges(
         scale=chip.scale.reshape(light.shape),
         current=chip.current.reshape(light.shape),
         lanes=program.lanes.reshape(light.shape),
-        limit=_reached(_SLACK * chip.near_e),
+        limit=reached(_SLACK * chip.near_e),
         found=found,
         inflow=inflow,
     )  # fmt: skip
@@ -95,7 +95,7 @@ def _reaching(charge: Values) -> Values:
     return np.asarray(charge + _SIGMAS * np.sqrt(charge))
 
 
-def _reached(limit: Values) -> Values:
+def reached(limit: Values) -> Values:
     """The least charge that `_reaching` takes to a limit."""
     return ((np.sqrt(_SIGMAS**2 + 4.0 * np.maximum(limit, 0.0)) - _SIGMAS) / 2.0) ** 2
 
