@@ -17,8 +17,8 @@ from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import chip_of
 from nscc_runtime.planner.effect_fields import BOTH, Fields
-from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.near import reached
+from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import brightest, drawn_by
