@@ -20,6 +20,11 @@ def test_some_promises() -> None:
     check([each for seed in range(3) for each in promises(seed, plans=3, side=32)])
 
 
+def test_pixels_at_the_edge_of_a_full_well_are_foreseen() -> None:
+    """A sun beside whose neighbours one pixel is at the edge, and the worst of the frame by far."""
+    assert [each.said for each in promises(95130) if each.found.broken] == []
+
+
 @pytest.mark.slow
 def test_a_thousand_promises() -> None:
     check([each for seed in range(250) for each in promises(seed)])
