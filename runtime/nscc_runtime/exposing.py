@@ -43,7 +43,7 @@ from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.tolerance import Given, Tolerance
-from nscc_runtime.pool import processors
+from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
@@ -156,7 +156,7 @@ def captures(
         finally:
             plans.passed(number)
 
-    with ThreadPoolExecutor(threads or processors()) as pool:
+    with ThreadPoolExecutor(threads or processors(), thread_name_prefix=THREADS) as pool:
         each = islice(cycle(many_programs), count), cycle(many_lights)
         return [*pool.map(run, range(count), *each)]
 

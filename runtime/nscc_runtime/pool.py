@@ -11,6 +11,9 @@ from itertools import pairwise
 
 from nscc_runtime.machine_prices import best_threads
 
+THREADS = "nscc"
+"""How the names of threads begin that do a part of some work, and share it with no others."""
+
 
 def processors() -> int:
     """How many threads a run may use."""
@@ -27,19 +30,21 @@ def threads_of(asked: int | None) -> int:
 
 @cache
 def _pool(threads: int) -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(threads, thread_name_prefix="nscc")
+    return ThreadPoolExecutor(threads, thread_name_prefix=THREADS)
 
 
 def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
     """Call `run(begin, end)` for parts of 0 .. `count`, `threads` at a time.
 
     Parts begin at multiples of `multiple`. Called from a thread of this kind itself, it goes
-    through all of them there.
+    through all of them there. `run` must not wait for what waits for such threads: before Python
+    3.12 a `cached_property` makes one object's value at a time, so those that are made in parts
+    have to be there before.
     """
     name = threading.current_thread().name
     blocks = -(-count // multiple)
     threads = min(threads, blocks)
-    if threads <= 1 or name.startswith("nscc"):
+    if threads <= 1 or name.startswith(THREADS):
         run(0, count)
         return
     cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]

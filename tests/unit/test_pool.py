@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from threading import Lock
+from functools import cached_property
+from threading import Lock, current_thread
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
 from plan_cases import case, moving_light
+from promise import still
 from reference_programs import sensor_of
 
+from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
-from nscc_runtime.pool import in_strips
+from nscc_runtime.planner import capture as planned
+from nscc_runtime.planner.summed import Summed
+from nscc_runtime.pool import THREADS, in_strips
 from nscc_runtime.reference.capture import Reference, scene_of
 
 ROWS, COLS = 12, 16
@@ -51,3 +57,21 @@ def test_threads_change_no_bit_of_the_emulator() -> None:
     once = expose(program, light, device_seed=3, block=64, threads=1)
     again = expose(program, light, device_seed=3, block=64, threads=3)
     assert again.exposure_e.tobytes() == once.exposure_e.tobytes()
+
+
+def test_rates_are_made_before_the_threads_that_draw_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Made by one of these, they would wait for others of them that wait for rates."""
+    makers: list[str] = []
+
+    class Noted(Summed):
+        @cached_property
+        def rates(self) -> list[NDArray[np.float64]]:
+            makers.append(current_thread().name)
+            return super().rates
+
+    monkeypatch.setattr(planned, "Summed", Noted)
+    program = case("b edges", 8, rows=64, cols=64)
+    light = np.ascontiguousarray(still(8, 64, 64, 3000.0), np.float32)
+    capture(program, light, tolerance="5e", threads=4)
+    assert makers
+    assert not any(name.startswith(THREADS) for name in makers)

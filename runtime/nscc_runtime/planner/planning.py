@@ -151,5 +151,7 @@ class PlanningBySums:
 
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
         """See `Planning`."""
-        exposed = prepared(self._program, self.light, plan, device_seed=self.device_seed)
+        exposed = prepared(
+            self._program, self.light, plan, device_seed=self.device_seed, threads=self.threads
+        )
         return audit(exposed, seed, count)

@@ -44,9 +44,10 @@ class Summed:
         """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
         pixels = len(self.scene.places)
         found, keys = np.empty((len(self.scene.counted), pixels)), self._keys(seed, frame)
+        rates = self.rates  # made here: who makes them waits for the threads that run
 
         def run(begin: int, end: int) -> None:
-            self._count(keys, begin, end, 0, found)
+            self._count(rates, keys, begin, end, 0, found)
 
         in_parts(run, pixels, self.scene.threads, BLOCK)
         return found
@@ -64,6 +65,7 @@ class Summed:
         noise = [key(seed, stream, SUM, frame, draw) for stream, draw in draws]
         noise_keys, keys = np.array(noise, np.uint64), self._keys(seed, frame)
         strip = rows if away is not None else max(1, _IN_CACHE // max(1, cols * groups))
+        rates = self.rates if away is None else []
         # Neighbours' counts are wanted, too.
         more = 1 if sizes["exchanges"] else 0
 
@@ -76,7 +78,7 @@ class Summed:
                 if counts is None:
                     from_, last = max(first - more, 0) * cols, min(stop + more, rows) * cols
                     counts = room[: groups * (last - from_)].reshape(groups, last - from_)
-                    self._count(keys, from_, last, from_, counts)
+                    self._count(rates, keys, from_, last, from_, counts)
                 self.weighing.adding(
                     adding=Adding(
                         begin=first, end=stop, room=counts.shape[1], from_=from_, **sizes
@@ -97,12 +99,13 @@ class Summed:
         ]
 
     def _count(
-        self, keys: list[NDArray[np.uint64]], begin: int, end: int, from_: int, away: Values
-    ) -> None:
+        self, every: list[Values], keys: list[NDArray[np.uint64]], begin: int, end: int,
+        from_: int, away: Values,
+    ) -> None:  # fmt: skip
         """away[:, p - from_] := how far the counts of pixels `begin` .. `end` - 1 are from their
-        means."""
+        means, the rates of `every` source."""
         groups, room = away.shape
-        for number, rates in enumerate(self.rates):
+        for number, rates in enumerate(every):
             draw_counts(
                 counting=Counting(
                     begin=begin, end=end, pixels=len(self.scene.places), groups=groups,
