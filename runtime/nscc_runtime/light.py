@@ -167,7 +167,8 @@ class Light:
                 total = np.zeros(self.shape)
                 for each, frame in zip(weight, self.frames, strict=True):
                     total += each * frame
-        return np.asarray(np.minimum(total, _MOST_E, out=total))
+        # Frames may lie in memory in another order, and loops take rows.
+        return np.ascontiguousarray(np.minimum(total, _MOST_E, out=total))
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""

@@ -109,7 +109,7 @@ def chances(
     `never` are not, and the light of suns among them does not make the others all alike."""
     rows, cols = total_e.shape
     score = np.empty((rows, cols))
-    scores(array=Array(rows=rows, cols=cols), light=np.ascontiguousarray(total_e), score=score)
+    scores(array=Array(rows=rows, cols=cols), light=total_e, score=score)
     flat, count = score.reshape(-1), total_e.size
     if never is not None:
         flat[never] = 0.0
