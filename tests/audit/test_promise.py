@@ -18,6 +18,7 @@ from reference_programs import sensor_of
 from nscc_runtime.light import Light
 from nscc_runtime.scenes.timing import with_motion
 
+pytestmark = pytest.mark.filterwarnings("ignore:warning.NS0793")
 ROWS = COLS = 64
 
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from random_sensors import Draw, draws
 
+pytestmark = pytest.mark.filterwarnings("ignore:warning.NS0793")
+
 
 def check(found: list[Draw]) -> None:
     assert [each.said for each in found if not each.found.kept] == []

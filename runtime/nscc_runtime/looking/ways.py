@@ -27,7 +27,7 @@ from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
 from nscc_runtime.looking.paths import AnalogWord, Pathless, Paths
 from nscc_runtime.looking.way_loop import BLOCK, run_ways
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import most_destinations
+from nscc_runtime.reference.capture import most_destinations, readout_waits_s
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.film import Executed
 from nscc_runtime.reference.intervals import Intervals
@@ -179,9 +179,8 @@ class Laid:
         """What is the same whatever the effects."""
         container, paths = self.container, self.paths
         target = container.target
-        order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
-        readouts = [container.readouts[order[bucket]] for bucket in container.buckets]
-        waits = [order[bucket] * target.readout_us * 1e-6 for bucket in container.buckets]
+        of_bucket = {readout.bucket: readout for readout in container.readouts}
+        readouts = [of_bucket[bucket] for bucket in container.buckets]
         return {
             "operands": self.operands,
             "start": paths.start,
@@ -190,7 +189,7 @@ class Laid:
             "signs": np.array([error_sign(n, container) for n in target.analog_registers]),
             "readout_register": np.array([self.registers.index(r.register) for r in readouts]),
             "readout_gain": np.array([float(r.gain) for r in readouts]),
-            "readout_wait_s": np.array(waits, np.float64),
+            "readout_wait_s": readout_waits_s(container),
         }
 
     @cached_property

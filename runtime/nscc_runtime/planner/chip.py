@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, TypeVar, cast
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,7 @@ from nscc_runtime.effects.parts import (
     Well,
     WordGain,
 )
-from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.selection import Selection, everything
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.planner import leak_nodes
@@ -177,15 +177,10 @@ class Chip:
         program = self.program
         return Wired(program.words(effects), program.slot_s, effects, self.device_seed)
 
+    @remembered
     def own(self, make: Callable[..., T], *given: Hashable) -> T:
         """What else scenes have in common here, `make(self, *given)`: made once."""
-        if (make, given) not in self._own:
-            self._own[make, given] = make(self, *given)
-        return cast(T, self._own[make, given])
-
-    @cached_property
-    def _own(self) -> dict[tuple[Callable[..., Any], tuple[Hashable, ...]], Any]:
-        return {}
+        return make(self, *given)
 
 
 def chip_of(
@@ -194,3 +189,9 @@ def chip_of(
     """The chip with these effects, kept with the program for a while."""
     key = Chip, device_seed, kept.on, wanted.on, nodes
     return program.recent.of(key, lambda: Chip(program, device_seed, kept, wanted, nodes))
+
+
+def whole_chip(program: Program, device_seed: int) -> Chip:
+    """The chip with every effect, kept alike."""
+    every = everything()
+    return chip_of(program, device_seed, every, every)

@@ -26,7 +26,7 @@ from nscc_runtime.effects import (
 from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import Chip, chip_of
+from nscc_runtime.planner.chip import Chip, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
@@ -309,5 +309,4 @@ class _Near:
     @property
     def _chip(self) -> Chip:
         """The chip with every effect."""
-        every = everything()
-        return chip_of(self.scene.program, self.scene.device.device_seed, every, every)
+        return whole_chip(self.scene.program, self.scene.device.device_seed)

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import chip_of
+from nscc_runtime.planner.chip import whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.near import reached
 from nscc_runtime.planner.pixels import Running
@@ -168,8 +168,7 @@ class Lacking:
     def _surely(self) -> NDArray[np.int64]:
         """Those of these pixels that are measured in any case: the brightest, suns and what is
         beside them, and those nearest to a full well, where a little decides on all the rest."""
-        every = everything()
-        full_e = chip_of(self.program, self.device_seed, every, every).full_e
+        full_e = whole_chip(self.program, self.device_seed).full_e
         sure = brightest(self.seen_e), brightest(-np.abs(reached(self.seen_e) - full_e))
         return self.near[np.union1d(*sure)]
 
@@ -192,8 +191,7 @@ class Lacking:
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
-        every = everything()
-        chip = chip_of(self.program, self.device_seed, every, every)
+        chip = whole_chip(self.program, self.device_seed)
         found = np.empty((len(self.fields.expected), len(self._places)))
         beside = np.isin(self._places, self.spilt)
         for some, lost in (

@@ -38,7 +38,12 @@ from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
 from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import START, Reference, most_destinations
+from nscc_runtime.reference.capture import (
+    START,
+    Reference,
+    most_destinations,
+    readout_waits_s,
+)
 from nscc_runtime.reference.noise import PART, SUM
 
 _MOST_KEPT = 1 << 23
@@ -185,8 +190,6 @@ class Wired:
         names = (*container.target.analog_registers, "PIX")
         signs = np.array([-1.0 if n == container.target.analog_scratch else 1.0 for n in names])
         readouts = {readout.bucket: readout for readout in container.readouts}
-        order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
-        waited_s = container.target.readout_us * 1e-6
         return run_pixels.bound(
             numbers=self.numbers,
             lanes=self.lanes,
@@ -201,7 +204,7 @@ class Wired:
                 [names.index(readouts[b].register) for b in container.buckets], np.int64
             ),
             readout_gain=np.array([float(readouts[b].gain) for b in container.buckets]),
-            readout_wait_s=np.array([order[b] * waited_s for b in container.buckets], np.float64),
+            readout_wait_s=readout_waits_s(container),
         )
 
     def sizes(self, pixels: int, frame: int, given: bool) -> Sizes:

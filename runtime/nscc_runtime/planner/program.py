@@ -21,7 +21,7 @@ from nscc_runtime.planner.pixels import Pixels
 from nscc_runtime.planner.prices import Work
 from nscc_runtime.planner.reach import Reach, reach_of
 from nscc_runtime.planner.tables import Model, Tables
-from nscc_runtime.reference.capture import Reference
+from nscc_runtime.reference.capture import Reference, readout_waits_s
 from nscc_runtime.remembered import Recent, remembered
 
 Values = NDArray[np.float64]
@@ -112,12 +112,8 @@ class Program:
     def leak_error(self, count: int) -> Values:
         """The relative errors (buckets,) of sums at so many rates of leakage: values leak while
         they wait for their readout, too, which may take longer than the frame."""
-        leak, readouts = everything().the(Leak), self.container.readouts
-        order = {readout.bucket: i for i, readout in enumerate(readouts)}
-        waits = [order[b] * self.container.target.readout_us for b in self.container.buckets]
-        frame_s = float(self.slot_s.sum())
-        ages = [frame_s + 1e-6 * wait for wait in waits]
-        return np.array([leak_nodes.error(leak, self.sensor, count, age_s) for age_s in ages])
+        leak, ages_s = everything().the(Leak), self.slot_s.sum() + readout_waits_s(self.container)
+        return np.array([leak_nodes.error(leak, self.sensor, count, age_s) for age_s in ages_s])
 
     @cached_property
     def all_single(self) -> bool:

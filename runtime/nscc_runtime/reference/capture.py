@@ -43,6 +43,13 @@ START = 0
 """The stream of what registers hold when a frame starts; effects have streams from 1."""
 
 
+def readout_waits_s(container: Container) -> NDArray[np.float64]:
+    """How long values of buckets (buckets,) wait for their readouts, one after the other."""
+    order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
+    readout_us = container.target.readout_us
+    return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
+
+
 def most_destinations(target: Target) -> int:
     """By how much the numbers of the draws of two words differ: at least what a word writes.
 
