@@ -10,10 +10,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import everything
+from nscc_runtime.effects import CannotHave, everything
 from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Response, WordGain
 from nscc_runtime.light import Light
+from nscc_runtime.planner.chip import whole_chip
+from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sample_loop import SIDES, Gathering, gather
@@ -171,6 +173,19 @@ class SampledScene:
 
     def without(self, name: str) -> Values:
         return self.lit(self.program.less[name])
+
+    def by_words(self, name: str) -> Values:
+        slow = (each.name for each in self.all.effects if isinstance(each.words, CannotHave))
+        every = self.all.without(*slow)
+        kept, lost = (self.program.words(each) for each in (every, every.without(name)))
+        if kept is lost:
+            return np.zeros((len(self.buckets), len(self.places)))
+        chip = whole_chip(self.program, self.device.device_seed)
+        with_it, without = (
+            Running(chip.wired(each), self.scene, self.places, 1).expose(0, 0)[0]
+            for each in (every, every.without(name))
+        )
+        return with_it - without
 
     @cached_property
     def base(self) -> Values:
