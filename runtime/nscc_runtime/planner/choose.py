@@ -306,8 +306,9 @@ class Chooser(Promises):
         """The plan that leaves these effects out; pixels near saturation have those of them that
         are not `lacking` there and not forced off."""
         path = self._path(dropped)
-        square, most = self.squares(dropped, path != "sums")
-        most = most + _ERRORS * self.sampling_error(dropped, path != "sums")
+        square = self.squares(dropped, path != "sums")
+        error = self.sampling_error(dropped, path != "sums")
+        most = self.most(dropped, path != "sums") + _ERRORS * error
         added = self._lacking(self.state(dropped)).square(dropped, lacking) if lacking else _NOTHING
         worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
+from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.near import reached
@@ -70,12 +71,12 @@ class Lacking:
         # Words that take no time would leave nothing of black suns, which are told of.
         dropped -= everything().names(SlowWords) | everything().names(LitLevel)
         found: list[str] = []
-        price = partial(self._frame_ns, dropped)
+        price, guessed = partial(self._frame_ns, dropped), guesses(self.fields, self.running, dropped)
         while True:
             left = [
                 (price(frozenset([*found, name])), name)
                 for name in sorted(dropped.difference(found))
-                if self._guessed(frozenset([*found, name])) <= room
+                if guessed.square([*found, name], [*found, name]).max() <= room
             ]
             if not left or min(left)[0] >= price(frozenset(found)):
                 break
@@ -208,11 +209,6 @@ class Lacking:
         kept = self._every.without(*self.forced_off, *lacking)
         return self.program.work.words_ns(kept, SHIPPED, "sums")
 
-    def _guessed(self, lacking: frozenset[str]) -> float:
-        """The mean square that leaving effects out adds, by their fields."""
-        fixed, variance = guessed(self.fields, self.running, lacking)
-        return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
-
 
 def _alike(dropped: frozenset[str], lacking: frozenset[str]) -> bool:
     """Whether words count what sums do, so that these have counts for their neighbours."""
@@ -225,22 +221,21 @@ def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
     return lacking - everything().names(Exchange)
 
 
-def guessed(
+def guesses(
     fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
-) -> tuple[Values, Values]:
-    """Means and variances (buckets, pixels of a sample) of what pixels of it lack that run through
-    their words without some effects; nothing where saturation cuts it off."""
-    fixed, variance = np.zeros(fields.expected.shape), np.zeros(fields.expected.shape)
-    if not lacking:
-        return fixed, variance
-    cut = np.abs(fields.fixed.get(BOTH, fixed)) > _CUT_E  # absent where nothing saturates
+) -> Account:
+    """What pixels of a sample lack that run through their words without some effects, or any of
+    them; nothing where saturation cuts it off."""
+    fixed, random = {}, {}
+    # Absent where nothing saturates.
+    cut = np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E
     for name in sorted(lacking):
-        behind, runs = fields.after.get(name), running
-        if name not in by_spilt(lacking):
-            runs = running & ~fields.spilt
+        behind = fields.after.get(name)
+        runs = running if name in by_spilt(lacking) else running & ~fields.spilt
         if name in fields.fixed:
-            fixed += runs * np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+            kept = np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+            fixed[name] = runs * kept
         if name in fields.variance:
             here = fields.variance[name]
-            variance += runs * (np.where(cut, 0.0, here) if behind is None else here)
-    return fixed, variance
+            random[name] = runs * (np.where(cut, 0.0, here) if behind is None else here)
+    return Account(fields.sample, len(fields.expected), fixed, random)

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import Effect, everything
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.effect_fields import Fields
-from nscc_runtime.planner.lacking import guessed
+from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.predict import CLIP, Forecast
+from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.tolerance import (
     Given,
@@ -26,8 +26,7 @@ from nscc_runtime.planner.tolerance import (
 from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.remembered import remembered
 
-_UNDRAWN = ("thinning", "neighbours", "noise")
-"""Short cuts whose squares are variance that is not drawn."""
+_UNDRAWN = (THINNING, NEIGHBOURS, NOISE)
 _WORSE = 3.0
 _MATTERS = 0.01
 """Of the tolerance: what is smaller goes with what it hangs on."""
@@ -102,13 +101,9 @@ class Promises(Forecast):
         return worst_of(*found, self.fields.sample.weight, len(self.program.lanes))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
-        """The standard error (buckets,) of predicted mean squares: a sample is not the scene."""
+        """The standard error (buckets,) of predicted mean squares."""
         mean, variance = self.errors(dropped, everywhere)
-        sample, square = self.fields.sample, mean**2 + variance
-        # Chance has no part in a pixel that was sure to be drawn: it stands for itself alone.
-        chance = np.sqrt(1.0 - 1.0 / np.maximum(sample.weight, 1.0))
-        away = (square - sample.mean(square)[:, None]) * sample.weight * chance
-        return np.asarray(np.sqrt((away**2).sum(axis=1)) / sample.weight.sum())
+        return self.fields.sample.error(mean**2 + variance)
 
     @remembered
     def errors(
@@ -116,16 +111,13 @@ class Promises(Forecast):
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Means and variances (buckets, pixels of the sample) of what a plan leaves wrong."""
         state = self.state(dropped)
-        names = self.inside(dropped) & {*self.fields.fixed, CLIP}
-        blank = np.zeros(self.fields.expected.shape)
-        mean = sum((self.left(name, state) for name in sorted(names)), blank)
-        random = self.random(state)
-        variance = sum((random[name] for name in random if name in dropped), blank)
-        variance = variance + self.rounding_of(dropped)
-        if not everywhere:
-            variance = variance + sum((each for _, each in self.cuts(dropped)), blank)
-        near_mean, near_variance = guessed(self.fields, self.runs(state), lacking)
-        return mean + near_mean, variance + near_variance
+        lost = self.inside(dropped), self.lost(dropped, everywhere)
+        mean, variance = self.account(state).errors(*lost)
+        variance += self.rounding_of(dropped)
+        if lacking:
+            near = guesses(self.fields, self.runs(state), lacking).errors(lacking, lacking)
+            mean, variance = mean + near[0], variance + near[1]
+        return mean, variance
 
     def noise_ratio(
         self,
@@ -138,19 +130,22 @@ class Promises(Forecast):
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
         state = self.state(dropped)
-        undrawn = tuple(name for name in self._taken(dropped) if name in _UNDRAWN)
+        near_lost = dropped if everywhere else self.forced_off | lacking
         square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
             square += noise.all
             kept_e2 += 0.0 if name in dropped else noise.far
-            near_lost = dropped if everywhere else self.forced_off | lacking
             kept_e2 += 0.0 if name in near_lost else noise.near
         if not everywhere:
-            kept_e2 -= float(np.mean(self.cut_square(state, undrawn)))
+            kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
         if not square + added > 0:
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+
+    def _undrawn(self, dropped: frozenset[str]) -> list[str]:
+        """The short cuts of a plan whose squares are variance that is not drawn."""
+        return [name for name in self.taken(dropped) if name in _UNDRAWN]
 
     def noise_told(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
@@ -200,7 +195,7 @@ class Promises(Forecast):
             lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
             mine += np.where(lost, 0.0, each if state == "sums" else there)
         if not everywhere:
-            mine -= sum((each for name, each in self.cuts(dropped) if name in _UNDRAWN), 0.0)
+            mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine
 
     @remembered

@@ -10,6 +10,7 @@ drawn, so that means over the sample are those of the array.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +38,23 @@ class Sample:
 
     def mean(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """The mean over the whole array of values (.., pixels) at the places."""
-        return np.asarray(values @ self.weight / self.weight.sum())
+        return np.asarray(values @ self.weight / self._pixels)
+
+    def error(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The standard error of such a mean: a sample is not the scene."""
+        away = (values - self.mean(values)[..., None]) * self._by_chance
+        return np.asarray(np.sqrt((away**2).sum(axis=-1)) / self._pixels)
+
+    @cached_property
+    def _pixels(self) -> float:
+        """How many pixels the sample stands for."""
+        return float(self.weight.sum())
+
+    @cached_property
+    def _by_chance(self) -> NDArray[np.float64]:
+        """What pixels stand for as far as chance has a part in that: one that was sure to be drawn
+        stands for itself alone."""
+        return self.weight * np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
 
 
 def sample_of(
