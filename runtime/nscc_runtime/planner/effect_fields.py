@@ -60,7 +60,8 @@ class Fields:
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
     the mean leakage. All but what saturation loses is as if nothing saturated; `clipped`: where the
     full well is passed; `after`: the fields there of effects that act on what the well lets through
-    (0 where only their noise does).
+    (0 where only their noise does); `unfilled`: at most the part of the light there whose reads are
+    not full, as of a frame with many reads, 1 elsewhere.
     """
 
     sample: Sample
@@ -74,6 +75,7 @@ class Fields:
     noise_cut: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
+    unfilled: Values
     spilt: NDArray[np.bool_]
     """Which pixels of the sample neighbours' light brings near saturation."""
 
@@ -149,6 +151,7 @@ class SampledFields:
             noise_cut,
             np.zeros(expected.shape, np.bool_),
             {},
+            np.ones(expected.shape),
             np.isin(self.sample.places, self.spilt),
         )
 
@@ -240,15 +243,15 @@ class _Near:
     def added(self, fields: Fields, found: Mapping[str, Field], held: Held) -> Fields:
         """The fields with what the words make of these pixels."""
         near, (well, register) = self.scene.sample.near, self._saturation
+        near, (well, register) = self.scene.sample.near, self._saturation
         fixed, blank = dict(fields.fixed), np.zeros_like(fields.expected)
-        rare = self._rarely_lost(held[(register,)])
-        for name, lost, least in (
-            (well, held[()] - held[(well,)], 0.0),
-            (register, held[()] - held[(register,)], rare),
-            (BOTH, held[()] - held[(well, register)], self._rarely_lost(held[(well, register)])),
-        ):
+        for name, without in ((well, (well,)), (register, (register,)), (BOTH, (well, register))):
             fixed[name] = blank.copy()
-            fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)
+            fixed[name][:, near] = held[()] - held[without]
+        # What noise alone takes there: which way is not known, and it must not make up for others.
+        rare, told = self._rarely_lost(held[(register,)]), np.abs(fixed[register][:, near])
+        variance = {**fields.variance, register: blank.copy()}
+        variance[register][:, near] = np.where(told < rare, rare**2, 0.0)
         expected = fields.expected.copy()
         expected[:, near] = held[()]
         clipped = np.zeros(expected.shape, np.bool_)
@@ -262,7 +265,14 @@ class _Near:
             if each.behind_well is not None:
                 rest = 0.0 if each.fixed is None else (each.fixed - each.behind_well) * passed
                 after[name] = np.asarray(each.behind_well + rest)
-        return replace(fields, expected=expected, fixed=fixed, clipped=clipped, after=after)
+        program = self.scene.program
+        full_e = self._chip.full_e * program.tables.least_read(program.full).T[:, self.scene.lanes]
+        rest = np.clip(passed - full_e / np.maximum(fields.expected - pattern, 1.0), 0.0, 1.0)
+        unfilled = np.where(clipped, rest, 1.0)
+        return replace(
+            fields, expected=expected, fixed=fixed, variance=variance, clipped=clipped,
+            after=after, unfilled=unfilled,
+        )  # fmt: skip
 
     def forced(self, fields: Fields) -> Fields:
         """The fields with what these pixels lack because it is forced off."""

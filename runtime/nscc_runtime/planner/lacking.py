@@ -71,7 +71,10 @@ class Lacking:
         # Words that take no time would leave nothing of black suns, which are told of.
         dropped -= everything().names(SlowWords) | everything().names(LitLevel)
         found: list[str] = []
-        price, guessed = partial(self._frame_ns, dropped), guesses(self.fields, self.running, dropped)
+        price, guessed = (
+            partial(self._frame_ns, dropped),
+            guesses(self.fields, self.running, dropped),
+        )
         while True:
             left = [
                 (price(frozenset([*found, name])), name)
@@ -125,7 +128,7 @@ class Lacking:
         fields = self.fields
         if not beside & dropped or beside & lacking or not _alike(dropped, lacking):
             return np.zeros(len(fields.expected))
-        return fields.sample.mean(fields.neighbours[False] * (self.running & ~fields.clipped))
+        return fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
@@ -221,9 +224,7 @@ def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
     return lacking - everything().names(Exchange)
 
 
-def guesses(
-    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
-) -> Account:
+def guesses(fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]) -> Account:
     """What pixels of a sample lack that run through their words without some effects, or any of
     them; nothing where saturation cuts it off."""
     fixed, random = {}, {}

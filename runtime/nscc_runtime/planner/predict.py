@@ -268,7 +268,7 @@ class Forecast(ABC):
     def random(self, state: str) -> dict[str, Values]:
         """The variances (buckets, pixels) of random effects as far as a state does not simulate
         them."""
-        behind = self.fields.after if state == "clip" else ()
+        behind = self.saturation.union(self.fields.after if state == "clip" else ())
         return {
             name: variance if name in behind else variance * self._where(state, name)
             for name, variance in self.fields.variance.items()
@@ -339,7 +339,7 @@ class Forecast(ABC):
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
         # neighbours' from sums: of one that is full, these matter nothing.
-        beside = np.maximum(where, self.runs(state) & ~fields.clipped)
+        beside = np.maximum(where, self.runs(state) * fields.unfilled)
         return {
             THINNING: fields.thinning[self.closed] * where,
             FORMULA: np.full(where.shape, _FORMULA_E**2),
