@@ -15,7 +15,6 @@ from nscc_runtime.effects import (
     CannotHave,
     Effect,
     Selection,
-    everything,
     registered,
     selected,
 )
@@ -144,22 +143,25 @@ class Chooser(Promises):
             self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 
+    @cached_property
+    def _chosen_on(self) -> frozenset[str]:
+        """What may be left out."""
+        return frozenset(effect.name for effect in self.present if not self._forced(effect))
+
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
         """What may be left out next: an effect, saturation, or all that only the reference has."""
-        free = {
-            effect.name for effect in self.present
-            if effect.name not in dropped and not self._forced(effect)
-        }  # fmt: skip
+        free = self._chosen_on - dropped
         yield from (self.with_what_hangs_on_it(name, free, dropped) for name in sorted(free))
         if free >= self.saturation:
             yield self.saturation
-        slow = frozenset(free & self.slow)
+        slow = free & self.slow
         if len(slow) > 1:
             yield slow
 
+    @remembered
     def _square(self, dropped: frozenset[str]) -> float:
         """The predicted mean square error of the worst bucket, in square electrons."""
-        return self.square(dropped, self._path(dropped) != "sums")
+        return float(self.squares(dropped, self._path(dropped) != "sums").max())
 
     def _sure(self, dropped: frozenset[str], limit: float) -> bool:
         """Whether it fits with two standard errors of the sample, and keeps to its bounds."""
@@ -207,16 +209,20 @@ class Chooser(Promises):
         """What has all effects that are left: sums over slots, the loop over the words of single
         pixels for all of them, or the reference alone.
         """
-        left = [effect for effect in self.present if effect.name not in dropped]
-        summed = not (self._everywhere or any(isinstance(e.sums, CannotHave) for e in left))
+        summed = self._unsummed <= dropped and not self._everywhere
         if summed and not self.state(dropped).startswith(WORDS):
             return "sums"
-        if any(effect.name in self.slow for effect in left):
+        if not self.slow & self.here <= dropped:
             return "reference"
         if summed:
             return "sums"
         cheaper = self._all_words_ns(dropped) < self._reference_ns
         return "words" if cheaper else "reference"
+
+    @cached_property
+    def _unsummed(self) -> frozenset[str]:
+        """Effects that sums cannot have."""
+        return frozenset(e.name for e in self.present if isinstance(e.sums, CannotHave))
 
     @cached_property
     def _everywhere(self) -> bool:
@@ -232,19 +238,19 @@ class Chooser(Promises):
     def _forced(self, effect: Effect) -> bool:
         return not self.effects.auto or effect.name in self.effects.forced
 
-    @property
+    @cached_property
     def _reference_ns(self) -> float:
         return self.program.work.reference_ns(SHIPPED)
 
     @remembered
     def _all_words_ns(self, dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel of all pixels running through their words."""
-        return self.program.work.words_ns(everything().without(*dropped), SHIPPED, "all")
+        return self.program.work.words_ns(self.every.without(*dropped), SHIPPED, "all")
 
     @remembered
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
-        return self.program.work.words_ns(everything().without(*lacking), SHIPPED, "sums")
+        return self.program.work.words_ns(self.every.without(*lacking), SHIPPED, "sums")
 
     @remembered
     def _path_ns(self, dropped: frozenset[str]) -> float:
@@ -285,7 +291,7 @@ class Chooser(Promises):
 
     def _trying_ns(self) -> float:
         """Nanoseconds of running a sample of pixels near saturation through their words."""
-        work, every = self.program.work, everything()
+        work, every = self.program.work, self.every
         alone = every.without(*every.names(Exchange))
         quiet = alone.without(*every.names(Counted), *every.names(Errors))
         tried = len(self.near) and np.count_nonzero(self.fields.sample.near)

@@ -71,10 +71,8 @@ class Lacking:
         # Words that take no time would leave nothing of black suns, which are told of.
         dropped -= everything().names(SlowWords) | everything().names(LitLevel)
         found: list[str] = []
-        price, guessed = (
-            partial(self._frame_ns, dropped),
-            guesses(self.fields, self.running, dropped),
-        )
+        price = partial(self._frame_ns, dropped)
+        guessed = guesses(self.fields, self.running, dropped)
         while True:
             left = [
                 (price(frozenset([*found, name])), name)
@@ -195,16 +193,22 @@ class Lacking:
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
-        chip = whole_chip(self.program, self.device_seed)
+        by_choice = by_spilt(lacking) | lacking & self.forced_off
+        if by_choice == lacking or not self._beside.any():
+            return self._exposed(self._places, lacking)
         found = np.empty((len(self.fields.expected), len(self._places)))
-        beside = np.isin(self._places, self.spilt)
-        for some, lost in (
-            (~beside, lacking), (beside, by_spilt(lacking) | lacking & self.forced_off)
-        ):  # fmt: skip
-            running = Running(
-                chip.wired(self._every.without(*lost)), self.light, self._places[some], self.threads
-            )
-            found[:, some], _ = running.expose(0, 0)
+        for some, lost in ((~self._beside, lacking), (self._beside, by_choice)):
+            found[:, some] = self._exposed(self._places[some], lost)
+        return found
+
+    @cached_property
+    def _beside(self) -> NDArray[np.bool_]:
+        """Which of them neighbours' light brings near saturation."""
+        return np.isin(self._places, self.spilt)
+
+    def _exposed(self, places: NDArray[np.int64], lacking: frozenset[str]) -> Values:
+        wired = whole_chip(self.program, self.device_seed).wired(self._every.without(*lacking))
+        found, _ = Running(wired, self.light, places, self.threads).expose(0, 0)
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:

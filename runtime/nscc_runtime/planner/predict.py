@@ -120,10 +120,6 @@ class Forecast(ABC):
         """Whether all effects that have a part of a kind are left out."""
         return self.every.names(kind) <= dropped
 
-    def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
-        """Whether an effect that has a part of a kind, and does something here, is not."""
-        return not self.every.names(kind) & self.here <= dropped
-
     @cached_property
     def near(self) -> NDArray[np.int64]:
         """The pixels that may saturate with every effect on."""
@@ -162,16 +158,9 @@ class Forecast(ABC):
         """Their names."""
         return frozenset(effect.name for effect in self.present)
 
-    @remembered
-    def square(self, dropped: frozenset[str], everywhere: bool) -> float:
-        """The predicted mean square error of the worst bucket, in square electrons.
-
-        `everywhere`: all pixels run through their words.
-        """
-        return float(self.squares(dropped, everywhere).max())
-
     def squares(self, dropped: frozenset[str], everywhere: bool) -> Values:
-        """Predicted mean squares (buckets,)."""
+        """Predicted mean squares (buckets,), in square electrons; `everywhere`: all pixels run
+        through their words."""
         wrong = self.inside(dropped), self.lost(dropped, everywhere)
         return self.account(self.state(dropped)).square(*wrong) + self._rounding(dropped)
 
@@ -276,10 +265,10 @@ class Forecast(ABC):
 
     def _rounding(self, dropped: frozenset[str]) -> Values:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
-        shifting = frozenset(dropped & set(self.fields.shifts))
+        shifting = dropped & self.fields.shifts.keys()
         if not shifting or self._dropped(CountedLight, dropped):
             return _NOTHING
-        return self._rounded(shifting)
+        return self._rounded(frozenset(shifting))
 
     @remembered
     def _rounded(self, shifting: frozenset[str]) -> Values:
@@ -291,7 +280,8 @@ class Forecast(ABC):
         if self._dropped(CountedLight, dropped):
             return np.zeros(self.fields.expected.shape)
         part = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
-        part = np.abs(part) % 1.0
+        part = np.abs(part)
+        part -= np.floor(part)
         return np.broadcast_to(part * (1.0 - part), self.fields.expected.shape)
 
     @cached_property
@@ -321,16 +311,20 @@ class Forecast(ABC):
     @remembered
     def taken(self, dropped: frozenset[str]) -> tuple[str, ...]:
         """Which short cuts these are."""
-        found: list[str] = []
-        if not self._dropped(Counted, dropped):
-            found += [THINNING, FORMULA]
-            if self._stays(Exchange, dropped):
-                found.append(NEIGHBOURS)
-        if not self._dropped(Errors, dropped):
-            found.append(NOISE)
-        if self._stays(Leak, dropped):
-            found.append(LEAK)
-        return tuple(found)
+        return tuple(
+            name for name, needed in self._needed.items()
+            if not any(effects <= dropped for effects in needed)
+        )  # fmt: skip
+
+    @cached_property
+    def _needed(self) -> dict[str, tuple[frozenset[str], ...]]:
+        """The short cuts, and the effects without all of which they are none."""
+        names = self.every.names
+        beside, leaks = names(Exchange) & self.here, names(Leak) & self.here
+        return {
+            THINNING: (names(Counted),), FORMULA: (names(Counted),),
+            NEIGHBOURS: (names(Counted), beside), NOISE: (names(Errors),), LEAK: (leaks,),
+        }  # fmt: skip
 
     def _squares(self, state: str) -> dict[str, Values]:
         """The squares (buckets, pixels) that short cuts leave."""

@@ -50,7 +50,7 @@ class Program:
         slot_s = np.array(container.slot_us, np.float64) * 1e-6
         return cls(container, sensor, reference, Tables.of(reference), slot_s)
 
-    @property
+    @cached_property
     def full(self) -> Model:
         """The weights with every effect on."""
         return self.model(everything())

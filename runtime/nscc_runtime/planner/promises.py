@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Effect, everything
+from nscc_runtime.effects import Effect
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.effect_fields import Fields
 from nscc_runtime.planner.lacking import guesses
@@ -58,16 +58,17 @@ class Promises(Forecast):
         return self.allowed.electrons
 
     def with_what_hangs_on_it(
-        self, name: str, free: set[str], dropped: frozenset[str]
+        self, name: str, free: frozenset[str], dropped: frozenset[str]
     ) -> frozenset[str]:
         """What leaving an effect out takes along of the `free` ones, itself included: nothing is
         left of black suns where words take no time. Empty where some of that has to stay.
         """
-        if name not in everything().names(SlowWords):
+        if name not in self.every.names(SlowWords):
             return frozenset({name})
-        lit = frozenset(e.name for e in self.present if e.parts(LitLevel)) - dropped
+        lit = (self.every.names(LitLevel) & self.here) - dropped
         return lit | {name} if lit <= free else frozenset()
 
+    @remembered
     def price_ns(self, effect: Effect) -> float:
         """Nanoseconds a pixel that leaving an effect out of sums saves: dead time stays where black
         suns matter, which are told of."""
