@@ -139,7 +139,7 @@ class Chooser(Promises):
     @remembered
     def _lacking(self, state: str) -> Lacking:
         return Lacking(
-            self.program, self.light, self.running(state), self.most_e(state), self.spilt,
+            self.program, self.light, self.charges(state), self.spilt,
             self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 

@@ -43,6 +43,11 @@ class Charges:
     own_e: Values
     gained_e: Values
 
+    def at(self, places: Places) -> Charges:
+        """Those at some of the places, in order."""
+        some = np.searchsorted(self.places, places)
+        return Charges(places, self.most_e[some], self.own_e[some], self.gained_e[some])
+
 
 def charges(
     program: Program, light: Light, device_seed: int, wanted: Selection, threads: int

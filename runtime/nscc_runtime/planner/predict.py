@@ -32,6 +32,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
+from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
@@ -211,10 +212,9 @@ class Forecast(ABC):
         near = self._everything.near
         return replace(near, chip=replace(near.chip, kept=self.every.without(*lost))).places
 
-    def most_e(self, state: str) -> Values:
-        """The most charge that they see, what neighbours give them included."""
-        charges = self._everything.near.charges
-        return charges.most_e[np.searchsorted(charges.places, self.running(state))]
+    def charges(self, state: str) -> Charges:
+        """What they see."""
+        return self._everything.near.charges.at(self.running(state))
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
