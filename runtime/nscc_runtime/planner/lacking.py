@@ -189,11 +189,17 @@ class Lacking:
         return self.near[np.unique(np.concatenate([brightest(each) for each in sure]))]
 
     def _chances(self, seen: Charges) -> Values:
-        """How likely each is to be drawn: a third evenly, a third of those that are not full, a
-        third by what neighbours change below a full well."""
-        own_e, full_e = reached(seen.own_e), self._full_e
-        gained_e = np.minimum(own_e + seen.gained_e, full_e) - np.minimum(own_e, full_e)
-        scores = (own_e < full_e).astype(np.float64), np.abs(gained_e)
+        """How likely each is to be drawn: a quarter evenly, a quarter of those that are not full, a
+        quarter of those that may lack their neighbours, a quarter by what these change."""
+        own_e, most_e = reached(seen.own_e), np.inf
+        if self.program.all_single:
+            # A full pixel changes no more; one that is read many times may be full now and then.
+            own_e, most_e = np.minimum(own_e, self._full_e), self._full_e
+        scores = (
+            own_e < self._full_e,
+            np.isin(seen.places, self.spilt, invert=True),
+            np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e),
+        )
         return np.asarray(1.0 + sum(each / max(each.mean(), 1e-300) for each in scores))
 
     @property

@@ -88,11 +88,12 @@ def _charges(
     frames = np.take(light.frames.reshape(len(light.frames), -1), places, axis=1)
     seen_e = sums_by_slot(light, frames, lanes, [seen], threads)[0] * scale
     dark = chip.current[places] * (program.slot_s @ seen)[lanes]
-    given = inflow.reshape(-1)[places]
-    own = 1.0 - 4 * fraction
+    given, row, col = inflow.reshape(-1)[places], places // cols, places % cols
+    neighbours = 0 + (row > 0) + (row < rows - 1) + (col > 0) + (col < cols - 1)
+    taken = fraction * neighbours
     # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-    most = _reaching(np.maximum(seen_e, own * seen_e + given) + dark)
-    gained = given - 4 * fraction * light.sum_e.reshape(-1)[places] * scale
+    most = _reaching(np.maximum(seen_e, (1.0 - taken) * seen_e + given) + dark)
+    gained = given - taken * light.sum_e.reshape(-1)[places] * scale
     return Charges(places, most, _reaching(seen_e + dark), gained)
 
 
