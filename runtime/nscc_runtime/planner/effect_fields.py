@@ -23,7 +23,7 @@ from nscc_runtime.effects import (
     Selection,
     registered,
 )
-from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well
+from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well, WordGain
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, whole_chip
@@ -288,11 +288,14 @@ class _Near:
         their linear range: a few pixels in a frame, which no sample shows.
         """
         scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
-        lanes = scene.lanes[scene.sample.near]
-        # What a register held at most, before words and leakage took their part of it.
+        near = scene.sample.near
+        lanes = scene.lanes[near]
+        # What a register held at most of light, before words and leakage took their part of it, and
+        # the errors of these pixels' own words.
         gain = scene.slots.max(axis=0)[lanes].T
-        held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
-        size = held + reach.offset_e[lanes]
+        held = np.abs(expected - scene.pattern[:, near]) / np.where(gain > 0, gain, 1.0)
+        error_e = np.abs(scene.on_device(scene.all.the(WordGain).error_e)[near])
+        size = held + reach.offset_e[lanes] * (error_e / max(reach.word_e, 1e-300))
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
         found = np.zeros(size.shape)
         far = soft.lost_e(scene.sensor, size + _SIGMAS * sigma) > 0

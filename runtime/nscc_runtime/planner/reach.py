@@ -6,6 +6,7 @@ shows how often a register counts it; and with noise and offsets alone, drawn at
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,12 +30,14 @@ _SIGMAS = 7.0
 class Reach:
     """`light`: the largest part of the charge seen by PIX that a register holds (1 for programs
     that count nothing twice). `offset_e` and `sigma_e` (lanes,): mean and standard deviation of the
-    register that noise and offsets alone take farthest.
+    register that noise and offsets alone take farthest, every word with an error of `word_e`, more
+    than that of almost all pixels.
     """
 
     light: float
     offset_e: Values
     sigma_e: Values
+    word_e: float
 
     @property
     def noise_e(self) -> Values:
@@ -52,7 +55,16 @@ def reach_of(tables: Tables, kept: Selection) -> Reach:
     if len(some) < lanes:
         worst = int(np.argmax(offset + _SIGMAS * sigma))
         offset, sigma = np.full(lanes, offset[worst]), np.full(lanes, sigma[worst])
-    return Reach(max(1.0, float(light.max())), offset, sigma)
+    return Reach(max(1.0, float(light.max())), offset, sigma, abs(_word_e(tables, kept)))
+
+
+def _word_e(tables: Tables, kept: Selection) -> float:
+    """The fixed error of a word of the worst pixels."""
+    gain, sensor = kept.part(WordGain), tables.program.sensor
+    if gain is None:
+        return 0.0
+    mean_e = gain.mean_e(sensor)
+    return mean_e + _SIGMAS * gain.spread_e(sensor) * math.copysign(1.0, mean_e)
 
 
 def _peak(
@@ -67,10 +79,7 @@ def _peak(
     pix, level = np.zeros(shape), np.zeros(shape)
     slot = rng.integers(0, container.slots, shape)
     peak, sigma, at = np.zeros(len(some)), np.zeros(len(some)), 0
-    gain, offset = kept.part(WordGain) if kept else None, 0.0
-    if gain is not None:
-        mean_e, spread_e = gain.mean_e(sensor), gain.spread_e(sensor)
-        offset = mean_e + _SIGMAS * spread_e * np.sign(mean_e or 1.0)
+    offset = _word_e(tables, kept) if kept else 0.0
     errors: dict[str, list[float]] = {"reads": [], "resets": [], "words": []}
     for _, part in kept.errors() if kept else ():
         errors[part.at].append(part.sigma_e(sensor))
