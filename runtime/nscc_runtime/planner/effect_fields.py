@@ -162,7 +162,9 @@ def _field(effect: Effect, scene: SampledScene) -> Field:
     found, shape = effect.field(scene), (len(scene.buckets), len(scene.places))
 
     def whole(values: Values | float | None) -> Values | None:
-        return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
+        if values is None or (isinstance(values, np.ndarray) and values.shape == shape):
+            return values
+        return np.broadcast_to(np.asarray(values, np.float64), shape)
 
     try:
         noise = found.variance if found.noise is None else found.noise
@@ -280,7 +282,7 @@ class _Near:
         scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
         lanes = scene.lanes[scene.sample.near]
         # What a register held at most, before words and leakage took their part of it.
-        gain = scene.slots.max(axis=0)[lanes].T
+        gain = scene.by_lane.most[:, lanes]
         held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
         size = held + reach.offset_e[lanes]
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))

@@ -228,9 +228,7 @@ def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
     return lacking - everything().names(Exchange)
 
 
-def guesses(
-    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
-) -> Account:
+def guesses(fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]) -> Account:
     """What pixels of a sample lack that run through their words without some effects, or any of
     them; nothing where saturation cuts it off."""
     fixed, random = {}, {}
