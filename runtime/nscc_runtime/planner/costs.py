@@ -23,7 +23,6 @@ MARGIN = 0.9
 """Effects are left out while the prediction stays below this part of the tolerance."""
 _SHORT_CUTS = 0.6
 """Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
-_NOTHING = np.zeros(1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,9 +66,8 @@ class Costs(Promises):
     @cached_property
     def everywhere(self) -> bool:
         """Whether short cuts would cost too much, so that all pixels run through their words."""
-        cuts = self.short_cuts(self.forced_off)
-        total = sum((square for _, square in cuts), _NOTHING)
-        if math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e:
+        cuts = self.account(self.state(self.forced_off)).variance(self.taken(self.forced_off))
+        if math.sqrt(float(cuts.max())) > _SHORT_CUTS * self.tolerance_e:
             return True
         most = self.allowed_max
         # Their own part: what is forced off is beside it.

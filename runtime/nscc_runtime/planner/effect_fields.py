@@ -29,7 +29,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sample import Sample, among
 from nscc_runtime.planner.sampled import SampledScene
 from nscc_runtime.remembered import remembered
 
@@ -76,6 +76,21 @@ class Fields:
     after: dict[str, Values]
     spilt: NDArray[np.bool_]
     """Which pixels of the sample neighbours' light brings near saturation."""
+
+    @cached_property
+    def noise_left(self) -> dict[str, Values]:
+        """Of `noise` what the full well leaves."""
+        return {
+            name: each if name in self.after else np.where(self.clipped, 0.0, each)
+            for name, each in self.noise.items()
+        }
+
+    @cached_property
+    def noise_e2(self) -> float:
+        """The variance of exposures over frames with every effect, mean over pixels and buckets;
+        what is no number has none."""
+        left = np.array([*self.noise_left.values()])
+        return float(self.sample.mean(np.where(np.isfinite(left), left, 0.0)).sum(axis=0).mean())
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +164,7 @@ class SampledFields:
             noise_cut,
             np.zeros(expected.shape, np.bool_),
             {},
-            np.isin(self.sample.places, self.spilt),
+            among(self.sample.places, self.spilt, len(self.program.lanes)),
         )
 
 

@@ -22,7 +22,7 @@ from nscc_runtime.planner.near import reached
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import brightest, drawn_by
+from nscc_runtime.planner.sample import among, brightest, drawn_evenly
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
 from nscc_runtime.remembered import remembered
 
@@ -177,12 +177,12 @@ class Lacking:
     @cached_property
     def _places(self) -> NDArray[np.int64]:
         """The pixels that are measured: those for sure, and some of the rest."""
-        rest = np.setdiff1d(self.near, self._surely)
+        rest = self.near[~among(self.near, self._surely, len(self.program.lanes))]
         if not len(rest):
             return self._surely
         wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._surely)
         # In step with no tile of codes.
-        return np.append(self._surely, rest[np.unique(drawn_by(np.ones(len(rest)), wanted))])
+        return np.append(self._surely, drawn_evenly(rest, wanted))
 
     @cached_property
     def _every(self) -> Selection:
@@ -204,7 +204,7 @@ class Lacking:
     @cached_property
     def _beside(self) -> NDArray[np.bool_]:
         """Which of them neighbours' light brings near saturation."""
-        return np.isin(self._places, self.spilt)
+        return among(self._places, self.spilt, len(self.program.lanes))
 
     def _exposed(self, places: NDArray[np.int64], lacking: frozenset[str]) -> Values:
         wired = whole_chip(self.program, self.device_seed).wired(self._every.without(*lacking))

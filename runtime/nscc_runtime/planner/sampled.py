@@ -213,14 +213,26 @@ class SampledScene:
         return np.asarray(self.by_lane.seconds[1][:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
-        own, flow = self._light[-1]
-        own = own * self.response
-        if moved:
-            return np.asarray((self._beside.there.sum(axis=0) ** 2 * own + flow) * self.echo)
-        return np.asarray((self._own_part**2 * own + self.exchanged**2 * flow) * self.echo)
+        return self._moved if moved else self._counted
 
     def counted_alone(self) -> Values:
-        return np.asarray(self._light[-1, 0] * self.response * self.echo)
+        return self._by_squares[0]
+
+    @cached_property
+    def _by_squares(self) -> tuple[Values, Values]:
+        """The light by squared weights, and what neighbours count of theirs."""
+        own, flow = self._light[-1] * self.echo
+        return np.asarray(own * self.response), np.asarray(flow)
+
+    @cached_property
+    def _counted(self) -> Values:
+        own, flow = self._by_squares
+        return np.asarray(self._own_part**2 * own + self.exchanged**2 * flow)
+
+    @cached_property
+    def _moved(self) -> Values:
+        own, flow = self._by_squares
+        return np.asarray(self._beside.there.sum(axis=0) ** 2 * own + flow)
 
     def errors(self, at: str, sigma_e: float) -> Values:
         return np.asarray(sigma_e**2 * self.by_lane.errors(at)[:, self.lanes])
