@@ -109,10 +109,10 @@ class Chooser(Costs):
         now = self._square(dropped)
         found: list[tuple[float, list[str], frozenset[str]]] = []
         for names in moves:
-            then = self._square(dropped | names)
-            if then <= max(limit, now):
-                saved = self.saved_ns(names, dropped)
-                if saved > 0:
+            saved = self.saved_ns(names, dropped)
+            if saved > 0:
+                then = self._square(dropped | names)
+                if then <= max(limit, now):
                     found.append((saved / max(then - now, 1e-12), sorted(names), names))
         return [names for *_, names in sorted(found, reverse=True, key=lambda each: each[:2])]
 

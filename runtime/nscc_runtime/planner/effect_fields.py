@@ -323,7 +323,7 @@ class _Near:
             places = places[some]
         return Running(self._chip.wired(kept), self.scene.scene, places, self.threads)
 
-    @property
+    @cached_property
     def _chip(self) -> Chip:
         """The chip with every effect."""
         return whole_chip(self.scene.program, self.scene.device.device_seed)

@@ -16,7 +16,7 @@ from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
 from nscc_runtime.planner.accounts import Account
-from nscc_runtime.planner.chip import whole_chip
+from nscc_runtime.planner.chip import Chip, whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.near import reached
 from nscc_runtime.planner.pixels import Running
@@ -95,7 +95,7 @@ class Lacking:
     def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """Nanoseconds of all these pixels in a frame whose sums lack what is `dropped`."""
         words = self._every.without(*self.forced_off, *lacking)
-        beside: Beside = "sums" if _alike(dropped, lacking) else "nothing"
+        beside: Beside = "sums" if self._alike(dropped, lacking) else "nothing"
         return self.program.work.words_ns(words, SHIPPED, beside) * len(self.near)
 
     def _measuring_ns(self, lacking: frozenset[str]) -> float:
@@ -119,12 +119,17 @@ class Lacking:
         mean, _ = self._measured(lacking)
         return mean + self._evened(dropped, lacking)
 
+    def _alike(self, dropped: frozenset[str], lacking: frozenset[str]) -> bool:
+        """Whether words count what sums do, so that these have counts for their neighbours."""
+        counted = self._every.names(Counted)
+        return counted & dropped == counted & lacking
+
     def _evened(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
         """What it adds that neighbours' counts are those of sums now, taken as even over their
         slots; where sums have crosstalk, that is one of their short cuts."""
         beside = everything().names(Exchange)
         fields = self.fields
-        if not beside & dropped or beside & lacking or not _alike(dropped, lacking):
+        if not beside & dropped or beside & lacking or not self._alike(dropped, lacking):
             return np.zeros(len(fields.expected))
         return fields.sample.mean(fields.neighbours[False] * (self.running & ~fields.clipped))
 
@@ -167,11 +172,16 @@ class Lacking:
         return np.maximum(square, 0.0) / pixels, error / pixels
 
     @cached_property
+    def _chip(self) -> Chip:
+        """The chip with every effect."""
+        return whole_chip(self.program, self.device_seed)
+
+    @cached_property
     def _surely(self) -> NDArray[np.int64]:
         """Those of these pixels that are measured in any case: the brightest, suns and what is
         beside them, and those nearest to a full well, where a little decides on all the rest."""
-        full_e = whole_chip(self.program, self.device_seed).full_e
-        sure = brightest(self.seen_e), brightest(-np.abs(reached(self.seen_e) - full_e))
+        away_e = np.abs(reached(self.seen_e) - self._chip.full_e)
+        sure = brightest(self.seen_e), brightest(-away_e)
         return self.near[np.union1d(*sure)]
 
     @cached_property
@@ -207,7 +217,7 @@ class Lacking:
         return among(self._places, self.spilt, len(self.program.lanes))
 
     def _exposed(self, places: NDArray[np.int64], lacking: frozenset[str]) -> Values:
-        wired = whole_chip(self.program, self.device_seed).wired(self._every.without(*lacking))
+        wired = self._chip.wired(self._every.without(*lacking))
         found, _ = Running(wired, self.light, places, self.threads).expose(0, 0)
         return found
 
@@ -215,12 +225,6 @@ class Lacking:
         """Nanoseconds of a pixel."""
         kept = self._every.without(*self.forced_off, *lacking)
         return self.program.work.words_ns(kept, SHIPPED, "sums")
-
-
-def _alike(dropped: frozenset[str], lacking: frozenset[str]) -> bool:
-    """Whether words count what sums do, so that these have counts for their neighbours."""
-    counted = everything().names(Counted)
-    return counted & dropped == counted & lacking
 
 
 def by_spilt(lacking: frozenset[str]) -> frozenset[str]:

@@ -223,12 +223,9 @@ class Forecast(ABC):
         """Which pixels of the sample are among them."""
         return among(self.fields.sample.places, self.running(state), len(self.program.lanes))
 
-    def _where(self, state: str, name: str = "") -> Values:
-        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
-        return self._elsewhere("sums" if name in self.slow else state)
-
     @remembered
-    def _elsewhere(self, state: str) -> Values:
+    def _where(self, state: str) -> Values:
+        """The part (buckets, pixels) of effects that a state leaves: 0 where it simulates them."""
         fields = self.fields
         if state == "sums":
             return np.ones(fields.expected.shape)
@@ -246,20 +243,22 @@ class Forecast(ABC):
                     field += np.where(clipped, fixed[slow], 0.0)
             return field
         field = fixed[name]
-        if name == BOTH or name in self.saturation:
+        if name == FORCED:
+            return np.where(self.runs(state), field, 0.0)
+        if state == "sums" or name == BOTH or name in self.saturation:
             return field
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
-        if name == FORCED:
-            return np.where(self.runs(state), field, 0.0)
-        return field * self._where(state, name)
+        return field if name in self.slow else field * self._where(state)
 
     def random(self, state: str) -> dict[str, Values]:
         """The variances (buckets, pixels) of random effects as far as a state does not simulate
         them."""
-        behind = self.fields.after if state == "clip" else ()
+        if state == "sums":
+            return self.fields.variance
+        whole = self.slow.union(self.fields.after if state == "clip" else ())
         return {
-            name: variance if name in behind else variance * self._where(state, name)
+            name: variance if name in whole else variance * self._where(state)
             for name, variance in self.fields.variance.items()
         }
 
