@@ -17,19 +17,17 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import (
     AfterExposure,
     ByWords,
-    CannotHave,
     Effect,
     Field,
     Selection,
     registered,
 )
 from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well, WordGain
-from nscc_runtime.effects.selection import everything
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import Chip, whole_chip
+from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sample import Sample, among
 from nscc_runtime.planner.sampled import SampledScene
 from nscc_runtime.remembered import remembered
 
@@ -78,6 +76,21 @@ class Fields:
     unfilled: Values
     spilt: NDArray[np.bool_]
     """Which pixels of the sample neighbours' light brings near saturation."""
+
+    @cached_property
+    def noise_left(self) -> dict[str, Values]:
+        """Of `noise` what the full well leaves."""
+        return {
+            name: each if name in self.after else np.where(self.clipped, 0.0, each)
+            for name, each in self.noise.items()
+        }
+
+    @cached_property
+    def noise_e2(self) -> float:
+        """The variance of exposures over frames with every effect, mean over pixels and buckets;
+        what is no number has none."""
+        left = np.array([*self.noise_left.values()])
+        return float(self.sample.mean(np.where(np.isfinite(left), left, 0.0)).sum(axis=0).mean())
 
 
 @dataclass(frozen=True, eq=False)
@@ -152,7 +165,7 @@ class SampledFields:
             np.zeros(expected.shape, np.bool_),
             {},
             np.ones(expected.shape),
-            np.isin(self.sample.places, self.spilt),
+            among(self.sample.places, self.spilt, len(self.program.lanes)),
         )
 
 
@@ -165,7 +178,9 @@ def _field(effect: Effect, scene: SampledScene) -> Field:
     found, shape = effect.field(scene), (len(scene.buckets), len(scene.places))
 
     def whole(values: Values | float | None) -> Values | None:
-        return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
+        if values is None or (isinstance(values, np.ndarray) and values.shape == shape):
+            return values
+        return np.broadcast_to(np.asarray(values, np.float64), shape)
 
     try:
         noise = found.variance if found.noise is None else found.noise
@@ -187,8 +202,7 @@ class _Near:
     @cached_property
     def _every(self) -> Selection:
         """All that the loop over words can have."""
-        every = everything()
-        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+        return all_by_words()
 
     @cached_property
     def _saturation(self) -> tuple[str, str]:
@@ -292,7 +306,7 @@ class _Near:
         lanes = scene.lanes[near]
         # What a register held at most of light, before words and leakage took their part of it, and
         # the errors of these pixels' own words.
-        gain = scene.slots.max(axis=0)[lanes].T
+        gain = scene.by_lane.most[:, lanes]
         held = np.abs(expected - scene.pattern[:, near]) / np.where(gain > 0, gain, 1.0)
         error_e = np.abs(scene.on_device(scene.all.the(WordGain).error_e)[near])
         size = held + reach.offset_e[lanes] * (error_e / max(reach.word_e, 1e-300))
@@ -319,7 +333,7 @@ class _Near:
             places = places[some]
         return Running(self._chip.wired(kept), self.scene.scene, places, self.threads)
 
-    @property
+    @cached_property
     def _chip(self) -> Chip:
         """The chip with every effect."""
         return whole_chip(self.scene.program, self.scene.device.device_seed)

@@ -12,17 +12,17 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import CannotHave, Selection, everything
+from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
 from nscc_runtime.planner.accounts import Account
-from nscc_runtime.planner.chip import whole_chip
+from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.near import Charges, reached
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import Sample, brightest, drawn_by
+from nscc_runtime.planner.sample import Sample, among, brightest, drawn_by
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
 from nscc_runtime.remembered import remembered
 
@@ -99,7 +99,7 @@ class Lacking:
     def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """Nanoseconds of all these pixels in a frame whose sums lack what is `dropped`."""
         words = self._every.without(*self.forced_off, *lacking)
-        beside: Beside = "sums" if _alike(dropped, lacking) else "nothing"
+        beside: Beside = "sums" if self._alike(dropped, lacking) else "nothing"
         return self.program.work.words_ns(words, SHIPPED, beside) * len(self.near)
 
     def _measuring_ns(self, lacking: frozenset[str]) -> float:
@@ -123,12 +123,17 @@ class Lacking:
         mean, _ = self._measured(lacking)
         return mean + self._evened(dropped, lacking)
 
+    def _alike(self, dropped: frozenset[str], lacking: frozenset[str]) -> bool:
+        """Whether words count what sums do, so that these have counts for their neighbours."""
+        counted = self._every.names(Counted)
+        return counted & dropped == counted & lacking
+
     def _evened(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
         """What it adds that neighbours' counts are those of sums now, taken as even over their
         slots; where sums have crosstalk, that is one of their short cuts."""
         beside = everything().names(Exchange)
         fields = self.fields
-        if not beside & dropped or beside & lacking or not _alike(dropped, lacking):
+        if not beside & dropped or beside & lacking or not self._alike(dropped, lacking):
             return np.zeros(len(fields.expected))
         return fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
 
@@ -167,7 +172,7 @@ class Lacking:
     @cached_property
     def _sample(self) -> Sample:
         """The pixels that are measured: those for sure, then some of the rest."""
-        rest = self.seen.at(np.setdiff1d(self.near, self._surely))
+        rest = self.seen.at(self.near[~among(self.near, self._surely, len(self.program.lanes))])
         wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST, len(rest.places))
         places, weight = self._surely, np.ones(len(self._surely))
         if wanted:
@@ -177,6 +182,11 @@ class Lacking:
             weight = np.append(weight, each * (len(rest.places) / each.sum()))
             places = np.append(places, rest.places[drawn])
         return Sample(places, weight, np.ones(len(places), np.bool_))
+
+    @cached_property
+    def _chip(self) -> Chip:
+        """The chip with every effect."""
+        return whole_chip(self.program, self.device_seed)
 
     @cached_property
     def _surely(self) -> NDArray[np.int64]:
@@ -197,19 +207,18 @@ class Lacking:
             own_e, most_e = np.minimum(own_e, self._full_e), self._full_e
         scores = (
             own_e < self._full_e,
-            np.isin(seen.places, self.spilt, invert=True),
+            ~among(seen.places, self.spilt, len(self.program.lanes)),
             np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e),
         )
         return np.asarray(1.0 + sum(each / max(each.mean(), 1e-300) for each in scores))
 
     @property
     def _full_e(self) -> float:
-        return whole_chip(self.program, self.device_seed).full_e
+        return self._chip.full_e
 
     @cached_property
     def _every(self) -> Selection:
-        every = everything()
-        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+        return all_by_words()
 
     @remembered
     def _held(self, lacking: frozenset[str]) -> Values:
@@ -226,10 +235,10 @@ class Lacking:
     @cached_property
     def _beside(self) -> NDArray[np.bool_]:
         """Which of them neighbours' light brings near saturation."""
-        return np.isin(self._sample.places, self.spilt)
+        return among(self._sample.places, self.spilt, len(self.program.lanes))
 
     def _exposed(self, places: NDArray[np.int64], lacking: frozenset[str]) -> Values:
-        wired = whole_chip(self.program, self.device_seed).wired(self._every.without(*lacking))
+        wired = self._chip.wired(self._every.without(*lacking))
         found, _ = Running(wired, self.light, places, self.threads).expose(0, 0)
         return found
 
@@ -237,12 +246,6 @@ class Lacking:
         """Nanoseconds of a pixel."""
         kept = self._every.without(*self.forced_off, *lacking)
         return self.program.work.words_ns(kept, SHIPPED, "sums")
-
-
-def _alike(dropped: frozenset[str], lacking: frozenset[str]) -> bool:
-    """Whether words count what sums do, so that these have counts for their neighbours."""
-    counted = everything().names(Counted)
-    return counted & dropped == counted & lacking
 
 
 def by_spilt(lacking: frozenset[str]) -> frozenset[str]:

@@ -31,12 +31,13 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.accounts import Account
+from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
 from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.sample import among, sample_of
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
@@ -99,8 +100,8 @@ class Forecast(ABC):
     def total_e(self) -> Values:
         """All the charge (rows, cols) of each pixel; a few may have most of the dark one, as lamps
         have most of the light."""
-        dark_e = self._everything.chip.current * self.program.slot_s.sum()
-        return np.asarray((self._everything.total + dark_e).reshape(self.light.shape))
+        found = self._everything.total + self._everything.chip.own(_dark_e)
+        return np.asarray(found.reshape(self.light.shape))
 
     @cached_property
     def every(self) -> Selection:
@@ -149,7 +150,8 @@ class Forecast(ABC):
             effect for effect in registered()
             if (effect.kind != "after"
             and any(
-                np.any(found.get(effect.name, 0.0)) for found in (fields.fixed, fields.variance)
+                effect.name in found and found[effect.name].any()
+                for found in (fields.fixed, fields.variance)
             ))
             or (effect.name in self.saturation and len(self.near))
         ]  # fmt: skip
@@ -219,16 +221,11 @@ class Forecast(ABC):
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
         """Which pixels of the sample are among them."""
-        run = np.zeros(len(self.program.lanes), np.bool_)
-        run[self.running(state)] = True
-        return np.asarray(run[self.fields.sample.places])
-
-    def _where(self, state: str, name: str = "") -> Values:
-        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
-        return self._elsewhere("sums" if name in self.slow else state)
+        return among(self.fields.sample.places, self.running(state), len(self.program.lanes))
 
     @remembered
-    def _elsewhere(self, state: str) -> Values:
+    def _where(self, state: str) -> Values:
+        """The part (buckets, pixels) of effects that a state leaves: 0 where it simulates them."""
         fields = self.fields
         if state == "sums":
             return np.ones(fields.expected.shape)
@@ -246,20 +243,23 @@ class Forecast(ABC):
                     field += np.where(clipped, fixed[slow], 0.0)
             return field
         field = fixed[name]
-        if name == BOTH or name in self.saturation:
+        if name == FORCED:
+            return np.where(self.runs(state), field, 0.0)
+        if state == "sums" or name == BOTH or name in self.saturation:
             return field
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
-        if name == FORCED:
-            return np.where(self.runs(state), field, 0.0)
-        return field * self._where(state, name)
+        return field if name in self.slow else field * self._where(state)
 
     def random(self, state: str) -> dict[str, Values]:
         """The variances (buckets, pixels) of random effects as far as a state does not simulate
         them."""
-        behind = self.saturation.union(self.fields.after if state == "clip" else ())
+        if state == "sums":
+            return self.fields.variance
+        whole = self.slow | self.saturation
+        whole = whole.union(self.fields.after if state == "clip" else ())
         return {
-            name: variance if name in behind else variance * self._where(state, name)
+            name: variance if name in whole else variance * self._where(state)
             for name, variance in self.fields.variance.items()
         }
 
@@ -350,3 +350,8 @@ class Forecast(ABC):
         square, bias = self.account("sums" if all_of_it else WORDS).own(effect.name)
         worst = int(square.argmax())
         return math.sqrt(float(square[worst])), float(bias[worst])
+
+
+def _dark_e(chip: Chip) -> Values:
+    """The dark charge (pixels,) of a frame."""
+    return np.asarray(chip.current * chip.program.slot_s.sum())

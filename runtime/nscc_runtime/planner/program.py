@@ -15,6 +15,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.by_lane import ByLane
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.overlap import Overlap
 from nscc_runtime.planner.pixels import Pixels
@@ -71,6 +72,11 @@ class Program:
         """The weights with every effect on but one, by its name."""
         names = (effect.name for effect in everything().effects)
         return {name: self.model(everything().without(name)) for name in names}
+
+    @cached_property
+    def by_lane(self) -> ByLane:
+        """What the fields of effects are made of."""
+        return ByLane(self.tables, self.slot_s, self.full, self.less)
 
     @cached_property
     def pixels(self) -> Pixels:

@@ -11,7 +11,6 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Effect
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
-from nscc_runtime.planner.effect_fields import Fields
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
@@ -85,13 +84,13 @@ class Promises(Forecast):
     def noise_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`. Where the full well is passed, charge is
         not random."""
-        return with_readout_e(math.sqrt(_noise_e2(self.sampled.rough)), self.program.sensor)
+        return with_readout_e(math.sqrt(self.sampled.rough.noise_e2), self.program.sensor)
 
     @property
     def coarse(self) -> bool:
         """Whether errors may be larger than the noise of exposures. Where they are, effects are
         left out that squeeze the noise as well, and no prediction of it is a promise."""
-        return self.tolerance_e**2 > _noise_e2(self.fields)
+        return self.tolerance_e**2 > self.fields.noise_e2
 
     def worst(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
@@ -190,11 +189,10 @@ class Promises(Forecast):
         found, state = self.fields, self.state(dropped)
         runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
         full, mine = (np.zeros(found.expected.shape) for _ in range(2))
-        for name, each in found.noise.items():
-            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+        for name, there in found.noise_left.items():
             full += there
             lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
-            mine += np.where(lost, 0.0, each if state == "sums" else there)
+            mine += np.where(lost, 0.0, found.noise[name] if state == "sums" else there)
         if not everywhere:
             mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine
@@ -203,18 +201,11 @@ class Promises(Forecast):
     def _noise(self, state: str) -> dict[str, _Noise]:
         """What each effect adds to the noise in a state of the pixels that may saturate."""
         found, runs = self.fields, self.runs(state)
-
-        def mean(values: NDArray[np.float64]) -> float:
-            return float(np.mean(found.sample.mean(values)))
-
-        parts = {}
-        for name, each in found.noise.items():
-            there = each if name in found.after else np.where(found.clipped, 0.0, each)
-            kept = each if state == "sums" else there
-            parts[name] = _Noise(
-                mean(there), mean(np.where(runs, 0.0, kept)), mean(np.where(runs, kept, 0.0))
-            )
-        return parts
+        left = np.array([*found.noise_left.values()])
+        kept = np.array([*found.noise.values()]) if state == "sums" else left
+        parts = (left, np.where(runs, 0.0, kept), np.where(runs, kept, 0.0))
+        means = np.stack([found.sample.mean(each).mean(axis=1) for each in parts], axis=1)
+        return {name: _Noise(*each) for name, each in zip(found.noise, means.tolist(), strict=True)}
 
 
 @dataclass(frozen=True)
@@ -225,15 +216,3 @@ class _Noise:
     all: float
     far: float
     near: float
-
-
-def _noise_e2(fields: Fields) -> float:
-    """The variance of exposures over frames with every effect, mean over pixels and buckets; what
-    is no number has none."""
-    square = np.zeros(len(fields.expected))
-    for name, each in fields.noise.items():
-        random = np.isfinite(each)
-        if name not in fields.after:
-            random &= ~fields.clipped
-        square += fields.sample.mean(np.where(random, each, 0.0))
-    return float(np.mean(square))
