@@ -196,7 +196,7 @@ class Lacking:
         rest."""
         most_e = reached(self.seen.most_e)
         sure = most_e, -most_e, -np.abs(most_e - self._full_e)
-        return self.near[np.unique(np.concatenate([brightest(each) for each in sure]))]
+        return np.asarray(self.near[np.unique(np.concatenate([brightest(each) for each in sure]))])
 
     def _chances(self, seen: Charges) -> Values:
         """How likely each is to be drawn: a quarter evenly, a quarter of those that are not full, a
