@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.remembered import remembered
+from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
 
 _MOST_E = 1e36
 """Sums of float32 may have no end."""
@@ -154,21 +155,26 @@ class Light:
         count = np.bincount(self.frame_index, self.weight, len(self.frames))
         return np.asarray(count, np.float64)
 
-    @cached_property
+    @property
     def sum_e(self) -> NDArray[np.float64]:
         """The all-open sum of all slots (rows, cols), to float32 and at most 1e36; not to be
         written to. Adds up frames, not slots: `total_e` is exact, and slower.
         """
-        weight = self.frame_weight
-        with np.errstate(over="ignore"):
-            if (weight == weight[0]).all():
-                total = self.frames.sum(axis=0) * weight[0]
-            else:
-                total = np.zeros(self.shape)
-                for each, frame in zip(weight, self.frames, strict=True):
-                    total += each * frame
-        # Frames may lie in memory in another order, and loops take rows.
-        return np.ascontiguousarray(np.minimum(total, _MOST_E, out=total))
+        return self._summed[0]
+
+    @cached_property
+    def _summed(self) -> tuple[NDArray[np.float64], bool]:
+        """See `sum_e`; and whether some pixel would have had more."""
+        weight, count = self.frame_weight, len(self.frames)
+        total, capped = np.empty(self.shape), np.empty(1, np.int64)
+        sum_light(
+            size=Frames(
+                count=count, pixels=total.size, even=bool((weight == weight[0]).all()), most=_MOST_E
+            ),
+            frames=np.require(self.frames, np.float32, ["C", "A"]).reshape(count, -1),
+            weight=weight, part=np.empty(BLOCK, np.float32), out=total.reshape(-1), capped=capped,
+        )  # fmt: skip
+        return total, bool(capped[0])
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""
@@ -182,7 +188,7 @@ class Light:
     def ended(self) -> NDArray[np.float32]:
         """The frames, light without end as so much that no count tells it from more: a closed slot
         makes nothing of that, where it makes no number of infinity."""
-        if self.frame_weight.min() > 0 and self.sum_e.max(initial=0) < _MOST_E:
+        if self.frame_weight.min() > 0 and not self._summed[1]:
             return self.frames
         if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
             return self.frames

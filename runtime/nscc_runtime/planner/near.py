@@ -18,7 +18,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
 from nscc_runtime.planner.near_loop import Asked, may_saturate
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sums import sums_by_slot
+from nscc_runtime.planner.sums import on_frames
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -44,59 +44,46 @@ class Charges:
     gained_e: Values
 
 
-def charges(
-    program: Program, light: Light, device_seed: int, wanted: Selection, threads: int
-) -> Charges:
+def charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     """Of a scene under all effects that are wanted; kept for as long as the light is."""
     key = Charges, device_seed, wanted.on
     kept: WeakKeyDictionary[Light, Charges] = program.recent.of(key, WeakKeyDictionary)
     if light not in kept:
-        kept[light] = _charges(program, light, device_seed, wanted, threads)
+        kept[light] = _charges(program, light, device_seed, wanted)
     return kept[light]
 
 
-def _charges(
-    program: Program, light: Light, device_seed: int, wanted: Selection, threads: int
-) -> Charges:
+def _charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     chip, exchange = chip_of(program, device_seed, wanted, wanted), wanted.part(Exchange)
-    fraction = 0.0 if exchange is None else exchange.fraction(program.sensor)
-    rows, cols = light.shape
-    found, inflow = np.empty(light.shape, np.uint8), np.empty(light.shape)
+    seen, dark_s, limit = chip.own(_of_lanes)
+    shape, count = light.shape, len(light.frames)
+    pixels = shape[0] * shape[1]
+    found, places = np.empty(1, np.int64), np.empty(pixels, np.int64)
+    most, own, gained = (np.empty(pixels) for _ in range(3))
     may_saturate(
         asked=Asked(
-            rows=rows, cols=cols, fraction=fraction, frame_s=float(program.slot_s.sum())
+            rows=shape[0], cols=shape[1], count=count, lane_count=len(limit),
+            fraction=0.0 if exchange is None else exchange.fraction(program.sensor),
+            frame_s=float(program.slot_s.sum()), sigmas=_SIGMAS,
         ),
-        total=light.sum_e,
-        scale=chip.scale.reshape(light.shape),
-        current=chip.current.reshape(light.shape),
-        lanes=program.lanes.reshape(light.shape),
-        limit=reached(_SLACK * chip.near_e),
-        found=found,
-        inflow=inflow,
+        total=light.sum_e, scale=chip.scale.reshape(shape), current=chip.current.reshape(shape),
+        lanes=program.lanes.reshape(shape), frames=np.require(light.ended, np.float32, ["C", "A"]),
+        weights=on_frames(light, seen), dark_s=dark_s, limit=limit, inflow=np.empty(shape[1]),
+        found=found, places=places, most=most, own=own, gained=gained,
     )  # fmt: skip
-    places = np.flatnonzero(found.view(np.bool_))
-    if not len(places):
-        none = np.empty(0)
-        return Charges(places, none, none, none)
-    scale, lanes = chip.scale[places], program.lanes[places]
+    return Charges(*(each[: found[0]].copy() for each in (places, most, own, gained)))
+
+
+def _of_lanes(chip: Chip) -> tuple[Values, Values, Values]:
+    """Which slots (N, lanes) each lane sees; for how long, in seconds; and the least charge of a
+    frame with which it may saturate."""
+    program = chip.program
     seen = program.tables.seen().astype(np.float64)
-    frames = np.take(light.frames.reshape(len(light.frames), -1), places, axis=1)
-    seen_e = sums_by_slot(light, frames, lanes, [seen], threads)[0] * scale
-    dark = chip.current[places] * (program.slot_s @ seen)[lanes]
-    given = inflow.reshape(-1)[places]
-    own = 1.0 - 4 * fraction
-    # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-    most = _reaching(np.maximum(seen_e, own * seen_e + given) + dark)
-    gained = given - 4 * fraction * light.sum_e.reshape(-1)[places] * scale
-    return Charges(places, most, _reaching(seen_e + dark), gained)
-
-
-def _reaching(charge: Values) -> Values:
-    return np.asarray(charge + _SIGMAS * np.sqrt(charge))
+    return seen, program.slot_s @ seen, reached(_SLACK * chip.near_e)
 
 
 def reached(limit: Values) -> Values:
-    """The least charge that `_reaching` takes to a limit."""
+    """The least charge that noise takes to a limit."""
     return ((np.sqrt(_SIGMAS**2 + 4.0 * np.maximum(limit, 0.0)) - _SIGMAS) / 2.0) ** 2
 
 

@@ -111,7 +111,7 @@ class Prepared:
         """The pixels that may saturate in a way that sums do not know."""
         # These pixels run with all effects, so all effects say which they are.
         wanted = self.plan.wanted
-        found = charges(self.program, self.source, self.device_seed, wanted, self.threads)
+        found = charges(self.program, self.source, self.device_seed, wanted)
         return Near(self.chip, found)
 
     @cached_property
