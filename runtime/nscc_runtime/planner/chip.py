@@ -157,18 +157,19 @@ class Chip:
 
     @cached_property
     def near_e(self) -> Values:
-        """The least charge (lanes,) with which a pixel may saturate in a way that sums do not know;
-        infinite where none does."""
+        """The least charge (kinds, lanes) with which a pixel may saturate in a way that sums do not
+        know, infinite where none does: of what PIX sees, and of each kind of what registers hold
+        (`nscc_runtime.planner.reach`)."""
         program, well, soft = self.program, self.kept.part(Well), self.kept.part(Soft)
-        found = np.full(len(program.container.encoding), np.inf)
+        least_e = program.reach.least_e
+        found = np.full((1 + len(least_e), len(program.container.encoding)), np.inf)
         if well is not None:
             # Of what is left out by choice the words of these pixels know.
             single = not np.isnan(program.tables.single(program.model(self.wanted))).any()
             if soft is not None or not single:
-                found[:] = self.full_e
+                found[0] = self.full_e
         if soft is not None:
-            room = soft.linear_e(program.sensor) - program.reach.noise_e
-            found = np.minimum(found, room / program.reach.light)
+            found[1:] = least_e
         return found
 
     @remembered

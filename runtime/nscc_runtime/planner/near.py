@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -16,7 +17,7 @@ from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
-from nscc_runtime.planner.near_loop import Asked, may_saturate
+from nscc_runtime.planner.near_loop import Asked, charges_at, may_saturate
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import on_frames
 
@@ -33,15 +34,21 @@ _SPILT = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Charges:
-    """Pixels (count,) that see much light: their places, in order; the most charge that each is
-    taken to see at a read, and without what its neighbours give; what these give more than they
-    take, of a frame's light. No other pixel may saturate.
+    """Pixels (count,) that see much light: their places, in order; the most charge (kinds, count)
+    that PIX of each is taken to see at a read and that registers are taken to hold, and without
+    what its neighbours give; what these give more than they take, of a frame's light. No other
+    pixel may saturate.
     """
 
     places: Places
-    most_e: Values
-    own_e: Values
+    most: Values
+    own: Values
     gained_e: Values
+
+    @property
+    def most_e(self) -> Values:
+        """The most charge (count,) that each is taken to see at a read."""
+        return self.most[0]
 
 
 def charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
@@ -55,31 +62,42 @@ def charges(program: Program, light: Light, device_seed: int, wanted: Selection)
 
 def _charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     chip, exchange = chip_of(program, device_seed, wanted, wanted), wanted.part(Exchange)
-    seen, dark_s, limit = chip.own(_of_lanes)
-    shape, count = light.shape, len(light.frames)
-    pixels = shape[0] * shape[1]
-    found, places = np.empty(1, np.int64), np.empty(pixels, np.int64)
-    most, own, gained = (np.empty(pixels) for _ in range(3))
+    weights, dark_s, limit = chip.own(_of_lanes)
+    shape, count, kinds = light.shape, len(light.frames), len(weights)
+    sizes: dict[str, Any] = {
+        "rows": shape[0], "cols": shape[1], "count": count, "lane_count": len(limit),
+        "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
+        "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
+    }  # fmt: skip
+    arrays = {
+        "total": light.sum_e, "scale": chip.scale.reshape(shape),
+        "current": chip.current.reshape(shape), "lanes": program.lanes.reshape(shape),
+    }  # fmt: skip
+    found, places = np.empty(1, np.int64), np.empty(shape[0] * shape[1], np.int64)
     may_saturate(
-        asked=Asked(
-            rows=shape[0], cols=shape[1], count=count, lane_count=len(limit),
-            fraction=0.0 if exchange is None else exchange.fraction(program.sensor),
-            frame_s=float(program.slot_s.sum()), sigmas=_SIGMAS,
-        ),
-        total=light.sum_e, scale=chip.scale.reshape(shape), current=chip.current.reshape(shape),
-        lanes=program.lanes.reshape(shape), frames=np.require(light.ended, np.float32, ["C", "A"]),
-        weights=on_frames(light, seen), dark_s=dark_s, limit=limit, inflow=np.empty(shape[1]),
-        found=found, places=places, most=most, own=own, gained=gained,
+        asked=Asked(places=0, **sizes), limit=limit, inflow=np.empty(shape[1]), found=found,
+        places=places, **arrays,
     )  # fmt: skip
-    return Charges(*(each[: found[0]].copy() for each in (places, most, own, gained)))
+    many = int(found[0])
+    places, gained = places[:many].copy(), np.empty(many)
+    most, own = np.empty((2, kinds, many))
+    if many:
+        charges_at(
+            asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
+            frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
+            weights=np.stack([on_frames(light, each) for each in weights]), **arrays,
+        )  # fmt: skip
+    return Charges(places, most, own, gained)
 
 
 def _of_lanes(chip: Chip) -> tuple[Values, Values, Values]:
-    """Which slots (N, lanes) each lane sees; for how long, in seconds; and the least charge of a
-    frame with which it may saturate."""
+    """How much of each slot (kinds, N, lanes) PIX sees, and registers hold; for how long these
+    gather dark charge, in seconds; and the least charge of a frame with which a lane may saturate.
+    """
     program = chip.program
-    seen = program.tables.seen().astype(np.float64)
-    return seen, program.slot_s @ seen, reached(_SLACK * chip.near_e)
+    weights = np.stack([program.tables.seen(), *program.reach.held]).astype(np.float64)
+    least_e = (chip.near_e / np.maximum(weights.max(axis=1), 1.0)).min(axis=0)
+    return weights, program.slot_s @ weights, reached(_SLACK * least_e)
 
 
 def reached(limit: Values) -> Values:
@@ -97,18 +115,18 @@ class Near:
     @property
     def places(self) -> Places:
         """Where they are, in order."""
-        return self.charges.places[self._reach(self.charges.most_e)]
+        return self.charges.places[self._reach(self.charges.most)]
 
     @property
     def spilt(self) -> Places:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        alone = self._reach(self.charges.own_e)
+        alone = self._reach(self.charges.own)
         alone &= self.charges.gained_e <= _SPILT * self.chip.full_e
-        return self.charges.places[self._reach(self.charges.most_e) & ~alone]
+        return self.charges.places[self._reach(self.charges.most) & ~alone]
 
     @cached_property
     def _limit(self) -> Values:
-        return self.chip.near_e[self.chip.program.lanes[self.charges.places]]
+        return self.chip.near_e[:, self.chip.program.lanes[self.charges.places]]
 
     def _reach(self, charge: Values) -> NDArray[np.bool_]:
-        return np.asarray(charge >= self._limit)
+        return np.asarray((charge >= self._limit).any(axis=0))

@@ -17,16 +17,22 @@ from nscc_runtime.loop import (
     record,
 )
 
+_TOGETHER = 256
+"""Pixels whose sums stay in the cache while the frames go by."""
+
 
 @record
 class Asked:
     """The array: `fraction` of each pixel's light goes to each of its neighbours, `frame_s` seconds
-    of dark current are added; the light has `count` frames."""
+    of dark current are added; the light has `count` frames. There are `kinds` of charge,
+    which `places` are asked for."""
 
     rows: int
     cols: int
     count: int
     lane_count: int
+    kinds: int
+    places: int
     fraction: float
     frame_s: float
     sigmas: float
@@ -34,38 +40,15 @@ class Asked:
 
 @inlined
 def _inflow(
-    asked: Asked, total: Floats, scale: Floats, p: int, up: int, down: int, left: int, right: int,
-    inflow: Floats, first: int,
-) -> None:  # fmt: skip
+    asked: Asked, total: Floats, scale: Floats, p: int, up: int, down: int, left: int, right: int
+) -> float:
     """What comes to pixel p from its neighbours, so many places away; from itself where there is
     none."""
     beside = total[p + up] * scale[p + up] + total[p + down] * scale[p + down]
     beside += total[p + left] * scale[p + left] + total[p + right] * scale[p + right]
     missing = (1.0 if up == 0 else 0.0) + (1.0 if down == 0 else 0.0)
     missing += (1.0 if left == 0 else 0.0) + (1.0 if right == 0 else 0.0)
-    inflow[p - first] = asked.fraction * (beside - missing * (total[p] * scale[p]))
-
-
-@compiled
-def _see(
-    asked: Asked, frames: Floats32, weights: Floats, scale: Floats, lanes: Ints32, places: Ints,
-    first: int, stop: int, seen: Floats,
-) -> None:  # fmt: skip
-    """seen[i] := the light that the pixels places[i] see, from number `first` on."""
-    for i in range(first, stop):
-        seen[i] = 0.0
-    for k in range(asked.count):
-        frame, row = k * asked.rows * asked.cols, k * asked.lane_count
-        for i in range(first, stop):
-            seen[i] += weights[row + lanes[places[i]]] * frames[frame + places[i]]
-    for i in range(first, stop):
-        seen[i] *= scale[places[i]]
-
-
-@compiled
-def _reaching(charge: float, sigmas: float) -> float:
-    """How far a count of this mean may go."""
-    return charge + sigmas * math.sqrt(charge)
+    return asked.fraction * (beside - missing * (total[p] * scale[p]))
 
 
 @loop
@@ -75,53 +58,101 @@ def may_saturate(
     scale: Annotated[Floats, "rows cols"],
     current: Annotated[Floats, "rows cols"],
     lanes: Annotated[Ints32, "rows cols"],
-    frames: Annotated[Floats32, "count rows cols"],
-    weights: Annotated[Floats, "count lane_count"],
-    dark_s: Annotated[Floats, "lane_count"],
     limit: Annotated[Floats, "lane_count"],
     inflow: Written[Annotated[Floats, "cols"]],
     found: Written[Ints],
     places: Written[Ints],
-    most: Written[Floats],
-    own: Written[Floats],
-    gained: Written[Floats],
 ) -> None:
     """places := where all of a frame's charge is at least the limit of the pixel's lane, in order;
-    `found`: how many these are.
-
-    Of each of them `most` := what it may see at a read: the light of its open slots, weighed by
-    `weights`, or that with what neighbours give, and the dark charge of `dark_s` seconds, `sigmas`
-    standard deviations above their mean; `own`: without neighbours. `gained` := what neighbours
-    give of the frame's light, `total` times `scale`, less what they take. `inflow` is scratch; what
-    is written has room for all pixels.
+    `found`: how many these are. The charge is the light, `total` times `scale`, with what
+    neighbours give of theirs, and dark current. `inflow` is scratch; `places` has room for all.
     """
     rows, cols, count = asked.rows, asked.cols, 0
-    kept = 1.0 - 4.0 * asked.fraction
     for row in range(rows):
         first, last = row * cols, (row + 1) * cols - 1
         up, down = -cols if row > 0 else 0, cols if row + 1 < rows else 0
+        left, right = -1 if cols > 1 else 0, 1 if cols > 1 else 0
         # Those inside have neighbours on both sides: no branch, so LLVM makes vectors.
         for p in range(first + 1, last):
-            _inflow(asked, total, scale, p, up, down, -1, 1, inflow, first)
-        _inflow(asked, total, scale, first, up, down, 0, 1 if last > first else 0, inflow, first)
-        _inflow(asked, total, scale, last, up, down, -1 if last > first else 0, 0, inflow, first)
+            inflow[p - first] = _inflow(asked, total, scale, p, up, down, -1, 1)
+        inflow[0] = _inflow(asked, total, scale, first, up, down, 0, right)
+        inflow[cols - 1] = _inflow(asked, total, scale, last, up, down, left, 0)
         many = 0
         for p in range(first, last + 1):
             charge = total[p] * scale[p] + inflow[p - first] + current[p] * asked.frame_s
             many += 1 if charge >= limit[lanes[p]] else 0
-        begin = count
         for p in range(first, last + 1 if many else first):
             charge = total[p] * scale[p] + inflow[p - first] + current[p] * asked.frame_s
             if charge >= limit[lanes[p]]:
                 places[count] = p
                 count += 1
-        _see(asked, frames, weights, scale, lanes, places, begin, count, own)
-        for i in range(begin, count):
-            p = places[i]
-            given, dark = inflow[p - first], current[p] * dark_s[lanes[p]]
-            # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-            lit = kept * own[i] + given
-            most[i] = _reaching((own[i] if own[i] > lit else lit) + dark, asked.sigmas)
-            own[i] = _reaching(own[i] + dark, asked.sigmas)
-            gained[i] = given - 4.0 * asked.fraction * total[p] * scale[p]
     found[0] = count
+
+
+@compiled
+def _see(
+    asked: Asked, frames: Floats32, weights: Floats, scale: Floats, lanes: Ints32, places: Ints,
+    seen: Floats,
+) -> None:  # fmt: skip
+    """seen[kind, i] := the light of a kind at the pixels places[i]; each frame passes once."""
+    pixels, count, step = asked.rows * asked.cols, asked.places, asked.count * asked.lane_count
+    for i in range(asked.kinds * count):
+        seen[i] = 0.0
+    for first in range(0, count, _TOGETHER):
+        for k in range(asked.count):
+            for i in range(first, min(first + _TOGETHER, count)):
+                light, row = frames[k * pixels + places[i]], k * asked.lane_count + lanes[places[i]]
+                for kind in range(asked.kinds):
+                    seen[kind * count + i] += weights[kind * step + row] * light
+    for kind in range(asked.kinds):
+        for i in range(count):
+            seen[kind * count + i] *= scale[places[i]]
+
+
+@compiled
+def _reaching(charge: float, sigmas: float) -> float:
+    """How far a count of this mean may go."""
+    return charge + sigmas * math.sqrt(charge)
+
+
+@loop
+def charges_at(
+    asked: Asked,
+    places: Annotated[Ints, "places"],
+    total: Annotated[Floats, "rows cols"],
+    scale: Annotated[Floats, "rows cols"],
+    current: Annotated[Floats, "rows cols"],
+    lanes: Annotated[Ints32, "rows cols"],
+    frames: Annotated[Floats32, "count rows cols"],
+    weights: Annotated[Floats, "kinds count lane_count"],
+    dark_s: Annotated[Floats, "kinds lane_count"],
+    most: Written[Annotated[Floats, "kinds places"]],
+    own: Written[Annotated[Floats, "kinds places"]],
+    gained: Written[Annotated[Floats, "places"]],
+) -> None:
+    """Of some places and each kind of charge `most` := how much it may be: the light of the slots,
+    weighed by `weights`, or that with what neighbours give, and the dark charge of `dark_s`
+    seconds, `sigmas` standard deviations above their mean; `own`: without neighbours. `gained` :=
+    what neighbours give of the frame's light less what they take.
+    """
+    rows, cols = asked.rows, asked.cols
+    kept = 1.0 - 4.0 * asked.fraction
+    for i in range(asked.places):
+        p = places[i]
+        row, col = p // cols, p % cols
+        up, down = -cols if row > 0 else 0, cols if row + 1 < rows else 0
+        left, right = -1 if col > 0 else 0, 1 if col + 1 < cols else 0
+        gained[i] = _inflow(asked, total, scale, p, up, down, left, right)
+    _see(asked, frames, weights, scale, lanes, places, own)
+    for kind in range(asked.kinds):
+        at = kind * asked.places
+        for i in range(asked.places):
+            p = places[i]
+            dark = current[p] * dark_s[kind * asked.lane_count + lanes[p]]
+            # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
+            seen_e, lit = own[at + i], kept * own[at + i] + gained[i]
+            most[at + i] = _reaching((seen_e if seen_e > lit else lit) + dark, asked.sigmas)
+            own[at + i] = _reaching(seen_e + dark, asked.sigmas)
+    for i in range(asked.places):
+        p = places[i]
+        gained[i] -= 4.0 * asked.fraction * total[p] * scale[p]
