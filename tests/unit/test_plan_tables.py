@@ -153,6 +153,7 @@ def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
     made = Program.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
     most = [[brute_force(made.tables, lane, slot) for lane in lanes] for slot in slots]
+    assert made.reach.held is not None
     np.testing.assert_array_equal(made.reach.held.max(axis=0), most)
 
 
@@ -184,7 +185,7 @@ def test_many_lanes_share_the_reach_of_the_worst() -> None:
     reach = noise_e(made.reach)
     assert len(reach) == len(container.encoding) > 64
     assert np.ptp(reach) == np.ptp(made.reach.least_e) == 0
-    assert (made.reach.held == made.tables.seen()).all()
+    assert made.reach.held is None
     few = case("b accumulate", rows=ROWS, cols=COLS)
     assert np.ptp(noise_e(Program.of(few, sensor_of(few)).reach)) > 0
 

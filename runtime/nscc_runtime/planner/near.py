@@ -95,7 +95,8 @@ def _of_lanes(chip: Chip) -> tuple[Values, Values, Values]:
     gather dark charge, in seconds; and the least charge of a frame with which a lane may saturate.
     """
     program = chip.program
-    weights = np.stack([program.tables.seen(), *program.reach.held]).astype(np.float64)
+    held = () if program.reach.held is None else program.reach.held
+    weights = np.stack([program.tables.seen(), *held]).astype(np.float64)
     least_e = (chip.near_e / np.maximum(weights.max(axis=1), 1.0)).min(axis=0)
     return weights, program.slot_s @ weights, reached(_SLACK * least_e)
 
@@ -125,8 +126,12 @@ class Near:
         return self.charges.places[self._reach(self.charges.most) & ~alone]
 
     @cached_property
-    def _limit(self) -> Values:
-        return self.chip.near_e[:, self.chip.program.lanes[self.charges.places]]
+    def _lanes(self) -> NDArray[np.int32]:
+        return self.chip.program.lanes[self.charges.places]
 
     def _reach(self, charge: Values) -> NDArray[np.bool_]:
-        return np.asarray((charge >= self._limit).any(axis=0))
+        lanes, found = self._lanes, np.zeros(charge.shape[1], np.bool_)
+        for each, limit in zip(charge, self.chip.near_e, strict=True):
+            if limit.min() < np.inf:
+                found |= each >= limit[lanes]
+        return found

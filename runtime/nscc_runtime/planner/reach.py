@@ -32,11 +32,12 @@ _ROUNDING = 1e-9
 class Reach:
     """What registers hold is at most what one of the `held` (kinds, N, lanes) makes of the slots'
     charge, and they stay in their linear range as long as each of these is below its `least_e`
-    (kinds, lanes); 0 where noise alone may take them out of it. `offset_e` and `sigma_e` (lanes,):
-    mean and standard deviation of the register that noise and offsets alone take farthest.
+    (kinds, lanes), 0 where noise alone may take them out of it; without `held` as long as what PIX
+    has seen is below it. `offset_e` and `sigma_e` (lanes,): mean and standard deviation of the
+    register that noise and offsets alone take farthest.
     """
 
-    held: Values
+    held: Values | None
     least_e: Values
     offset_e: Values
     sigma_e: Values
@@ -55,9 +56,9 @@ def reach_of(tables: Tables, kept: Selection, linear_e: float) -> Reach:
         worst = int(np.argmax(offset + _SIGMAS * sigma))
         offset, sigma = np.full(lanes, offset[worst]), np.full(lanes, sigma[worst])
     if len(some) < lanes or len(shown) < len(ends):
-        # Of some lanes or stretches only: no more is known than that PIX has seen it.
-        seen = found.most * tables.seen()[None]
-        return Reach(seen, np.full((1, lanes), found.least.min()), offset, sigma)
+        # Only some lanes or stretches are known.
+        least = np.full((1, lanes), found.least.min() / found.most)
+        return Reach(None, least, offset, sigma)
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(found.held, np.zeros((*found.least.shape, 1)), axis=2)
     return Reach(np.moveaxis(weights[:, :, of_slot], 1, 2), found.least, offset, sigma)
