@@ -132,12 +132,7 @@ def _alike(one: Light, other: Light) -> bool:
     """Whether frames of these lights fall in the same slots."""
     if one.shape != other.shape or (one.motion is None) != (other.motion is None):
         return False
-    pairs = (
-        (one.row_start, other.row_start), (one.frame_index, other.frame_index),
-        (one.weight, other.weight),
-    )  # fmt: skip
-    alike = len(one.frames) == len(other.frames) and all(np.array_equal(*pair) for pair in pairs)
-    return alike and (
+    return one.timing.same(other.timing) and (
         one.motion is None or other.motion is None or _alike(one.motion, other.motion)
     )
 

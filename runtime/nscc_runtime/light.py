@@ -18,6 +18,29 @@ _MOST_E = 1e36
 """Sums of float32 may have no end."""
 
 
+@dataclass(frozen=True, eq=False)
+class Timing:
+    """How much of which frames falls in each slot: the matrix of a `Light` of so many frames."""
+
+    frames: int
+    row_start: NDArray[np.int64]
+    frame_index: NDArray[np.int32]
+    weight: NDArray[np.float64]
+
+    def same(self, other: Timing) -> bool:
+        """Whether frames fall in the same slots."""
+        pairs = (
+            (self.row_start, other.row_start), (self.frame_index, other.frame_index),
+            (self.weight, other.weight),
+        )  # fmt: skip
+        return self.frames == other.frames and all(np.array_equal(*pair) for pair in pairs)
+
+    def copy(self) -> Timing:
+        """The same in arrays that nobody else writes to."""
+        arrays = (self.row_start, self.frame_index, self.weight)
+        return Timing(self.frames, *(each.copy() for each in arrays))
+
+
 @dataclass(frozen=True, eq=False, repr=False)
 class Light:
     """Electrons that each pixel collects in each of N slots, if its shutter is open throughout.
@@ -79,6 +102,11 @@ class Light:
     def shape(self) -> tuple[int, int]:
         """(rows, cols)."""
         return self.frames.shape[1], self.frames.shape[2]
+
+    @property
+    def timing(self) -> Timing:
+        """When its frames fall."""
+        return Timing(len(self.frames), self.row_start, self.frame_index, self.weight)
 
     def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
         """Electrons of slot n (rows, cols): what is integrated and what `--keep light` writes.

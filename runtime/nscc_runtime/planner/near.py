@@ -19,7 +19,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
 from nscc_runtime.planner.near_loop import Asked, charges_at, may_saturate
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sums import on_frames
+from nscc_runtime.planner.sums import Weights
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -63,7 +63,7 @@ def charges(program: Program, light: Light, device_seed: int, wanted: Selection)
 def _charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     chip, exchange = chip_of(program, device_seed, wanted, wanted), wanted.part(Exchange)
     weights, dark_s, limit = chip.own(_of_lanes)
-    shape, count, kinds = light.shape, len(light.frames), len(weights)
+    shape, count, kinds = light.shape, len(light.frames), len(weights.slots)
     sizes: dict[str, Any] = {
         "rows": shape[0], "cols": shape[1], "count": count, "lane_count": len(limit),
         "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
@@ -85,12 +85,12 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         charges_at(
             asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
             frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
-            weights=np.stack([on_frames(light, each) for each in weights]), **arrays,
+            weights=weights.of_frames(light), **arrays,
         )  # fmt: skip
     return Charges(places, most, own, gained)
 
 
-def _of_lanes(chip: Chip) -> tuple[Values, Values, Values]:
+def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
     """How much of each slot (kinds, N, lanes) PIX sees, and registers hold; for how long these
     gather dark charge, in seconds; and the least charge of a frame with which a lane may saturate.
     """
@@ -98,7 +98,7 @@ def _of_lanes(chip: Chip) -> tuple[Values, Values, Values]:
     held = () if program.reach.held is None else program.reach.held
     weights = np.stack([program.tables.seen(), *held]).astype(np.float64)
     least_e = (chip.near_e / np.maximum(weights.max(axis=1), 1.0)).min(axis=0)
-    return weights, program.slot_s @ weights, reached(_SLACK * least_e)
+    return Weights(weights), program.slot_s @ weights, reached(_SLACK * least_e)
 
 
 def reached(limit: Values) -> Values:
