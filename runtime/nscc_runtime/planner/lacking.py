@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
+from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords, Soft
 from nscc_runtime.light import Light
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import Chip, whole_chip
@@ -30,6 +30,9 @@ Values = NDArray[np.float64]
 
 _FEWEST, _MOST = 48, 512
 """Pixels on which it is measured."""
+_FEWEST_DRAWN = 24
+"""Of them those that are not chosen for sure: of fewer one stands for many, whatever it happens to
+lack."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
 _PART = 8
@@ -179,10 +182,14 @@ class Lacking:
     @cached_property
     def _surely(self) -> NDArray[np.int64]:
         """Those of these pixels that are measured in any case: the brightest, suns and what is
-        beside them, and those nearest to a full well, where a little decides on all the rest."""
-        away_e = np.abs(reached(self.seen_e) - self._chip.full_e)
-        sure = brightest(self.seen_e), brightest(-away_e)
-        return self.near[np.union1d(*sure)]
+        beside them, and those that take PIX, or registers, nearest to the most that they hold,
+        where a little decides on all the rest."""
+        program, seen_e = self.program, reached(self.seen_e)
+        held_e = seen_e * program.by_lane.in_registers[:, program.lanes[self.near]]
+        room_e = np.abs(held_e - everything().the(Soft).linear_e(program.sensor)).min(axis=0)
+        well_e = np.abs(seen_e - self._chip.full_e)
+        sure = [brightest(each) for each in (self.seen_e, -well_e, -room_e)]
+        return self.near[np.unique(np.concatenate(sure))]
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
@@ -191,6 +198,7 @@ class Lacking:
         if not len(rest):
             return self._surely
         wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._surely)
+        wanted = max(wanted, _FEWEST_DRAWN)
         # In step with no tile of codes.
         return np.append(self._surely, drawn_evenly(rest, wanted))
 
