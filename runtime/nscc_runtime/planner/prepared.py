@@ -40,10 +40,10 @@ class Prepared:
         """The effects that are simulated."""
         return self.plan.kept
 
-    @cached_property
+    @property
     def places(self) -> NDArray[np.int64]:
         """Every pixel's place."""
-        return np.arange(len(self.program.lanes), dtype=np.int64)
+        return self.program.places
 
     @cached_property
     def source(self) -> Light:
