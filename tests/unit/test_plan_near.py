@@ -15,7 +15,8 @@ def test_neighbours_give_a_part_and_the_border_gets_less(shape: tuple[int, int])
     total, current = frames.sum(axis=0, dtype=np.float64), rng.uniform(0.0, 3.0, shape)
     scale, lanes = rng.uniform(0.5, 2.0, shape), rng.integers(0, 3, shape).astype(np.int32)
     weights, dark_s = rng.uniform(0.0, 1.0, (2, 3, 3)), rng.uniform(0.0, 1.0, (2, 3))
-    limit, fraction, frame_s, sigmas = np.array([4.0, 9.0, np.inf]), 0.05, 0.5, 3.0
+    part = np.array([1.0, 0.5, 0.7])
+    limit, fraction, frame_s, sigmas = np.array([4.0, 3.0, np.inf]), 0.05, 0.5, 3.0
     sizes = {
         "rows": shape[0], "cols": shape[1], "count": 3, "lane_count": 3, "kinds": 2,
         "fraction": fraction, "frame_s": frame_s, "sigmas": sigmas,
@@ -23,8 +24,8 @@ def test_neighbours_give_a_part_and_the_border_gets_less(shape: tuple[int, int])
     arrays = {"total": total, "scale": scale, "current": current, "lanes": lanes}
     found, places = np.empty(1, np.int64), np.empty(total.size, np.int64)
     may_saturate(
-        asked=Asked(places=0, **sizes), limit=limit, inflow=np.empty(shape[1]), found=found,
-        places=places, **arrays,
+        asked=Asked(places=0, **sizes), part=part, limit=limit, inflow=np.empty(shape[1]),
+        found=found, places=places, **arrays,
     )  # fmt: skip
     places = places[: found[0]]
     gained, (most, own) = np.empty(len(places)), np.empty((2, 2, len(places)))
@@ -36,7 +37,7 @@ def test_neighbours_give_a_part_and_the_border_gets_less(shape: tuple[int, int])
     framed = np.pad(lit, 1)
     beside = framed[:-2, 1:-1] + framed[2:, 1:-1] + framed[1:-1, :-2] + framed[1:-1, 2:]
     given = fraction * beside
-    charge = lit + given + current * frame_s
+    charge = part[lanes] * lit + given + current * frame_s
     near = np.flatnonzero(charge >= limit[lanes])
     assert places.tolist() == near.tolist()
 

@@ -59,10 +59,10 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
     light = Light.of_clip(frames) if clip else Light.of_still(frames[0], rng.random(slots))
     lanes = rng.integers(0, 3, pixels).astype(np.int32)
     scale = rng.uniform(0.5, 1.5, pixels)
-    weights = rng.uniform(-1, 1, (4, slots, 3))
+    scales, weights = (scale, scale.astype(np.float32)), rng.uniform(-1, 1, (4, slots, 3))
     # Weights that are none, and the same for all lanes.
     weights[0, 1], weights[1, 2], weights[3, 0] = 0.0, 0.25, 0.5
-    found = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 2, fraction)
+    found = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 2, fraction)
     dense = light.dense().astype(np.float64) * scale.reshape(shape)
     flow = np.zeros_like(dense)
     for axis in (1, 2):
@@ -74,7 +74,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
         wanted = (weight[:, lanes] * slot.reshape(slots, -1)).sum(axis=0)
         np.testing.assert_allclose(each, wanted, rtol=1e-5, atol=1e-5)
     for threads in (2, 5):
-        again = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 2, fraction, threads)
+        again = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 2, fraction, threads)
         assert again.tobytes() == found.tobytes()
 
 
@@ -82,10 +82,10 @@ def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> Non
     rng = np.random.default_rng(4)
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
-    weights = rng.random((5, 6, 3))
-    whole = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 3, 0.02)
+    scales, weights = (scale, scale.astype(np.float32)), rng.random((5, 6, 3))
+    whole = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 3, 0.02)
     monkeypatch.setattr(sums, "_MOST_ENTRIES", 6 * 3 * 2)
-    parts = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 3, 0.02)
+    parts = sums.scene_sums(light, lanes, scales, sums.Weights(weights), 3, 0.02)
     assert parts.tobytes() == whole.tobytes()
 
 

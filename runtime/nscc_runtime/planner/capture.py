@@ -55,18 +55,23 @@ class Planned(Prepared):
                 scene_of(self.program.container, self.light), seed, self.device_seed, frame,
                 self.threads,
             )  # fmt: skip
+        return self._exposure(*self._exposed(seed, frame))
+
+    def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:
+        """Exposures (buckets, pixels) of frame number `frame` by sums and by the loop over words,
+        and what cut them off."""
         if self.plan.slot_loop == "all":
             shape = len(self.program.container.buckets), len(self.places)
             found, marked = np.empty(shape), np.empty(shape, np.uint8)
             for places, pixels in self._running:
                 found[:, places], marked[:, places] = pixels.expose(seed, frame)
-            return self._exposure(found, marked)
+            return found, marked
         if not self._running:
-            return self._exposure(*self._summed.expose(seed, frame))
+            return self._summed.expose(seed, frame)
         away = self._summed.away(seed, frame)
         found, marked = self._summed.expose(seed, frame, away)
         self._run(found, marked, away, seed, frame)
-        return self._exposure(found, marked)
+        return found, marked
 
     def _run(self, found: Values, marked: Marked, away: Values, seed: int, frame: int) -> None:
         """Have pixels that may saturate run through their words: their neighbours' counts are those
@@ -115,17 +120,22 @@ class Planned(Prepared):
             for number, found, marked in zip(numbers, *exposed, strict=True):
                 if len(self.saturating):
                     self._run(found, marked, self._summed.away(seed, number), seed, number)
-                yield self._read_out(self._exposure(found, marked), seed, number)
+                yield self._read_out(found, marked, seed, number)
 
     def frame(self, seed: int, frame: int) -> Frame:
         """Frame number `frame`, read out."""
         if self.fused is not None:
             return self.fused.expose(seed, frame, read_out=True)
-        return self._read_out(self.expose(seed, frame), seed, frame)
+        if self.plan.slot_loop == "reference":
+            return self._converted(self.expose(seed, frame), seed, frame)
+        return self._read_out(*self._exposed(seed, frame), seed, frame)
 
-    def _read_out(self, exposure: Exposure, seed: int, frame: int) -> Frame:
-        if self._readout is not None and self.plan.slot_loop != "reference":
-            return self._readout.frame(exposure, seed, frame, self.threads)
+    def _read_out(self, found: Values, marked: Marked, seed: int, frame: int) -> Frame:
+        if self._readout is None:
+            return self._converted(self._exposure(found, marked), seed, frame)
+        return self._readout.frame(found, marked, self.light.shape, (seed, frame), self.threads)
+
+    def _converted(self, exposure: Exposure, seed: int, frame: int) -> Frame:
         target, seeds = self.program.container.target, (seed, self.device_seed)
         return converted(exposure, target, self.program.sensor, self.kept, seeds, frame)
 

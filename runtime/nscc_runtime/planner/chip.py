@@ -85,6 +85,11 @@ class Chip:
         return np.full(len(self.program.lanes), self.factor)
 
     @cached_property
+    def scale_32(self) -> NDArray[np.float32]:
+        """The same in float32, for light that is smeared."""
+        return self.scale.astype(np.float32)
+
+    @cached_property
     def current(self) -> Values:
         """The dark current of each pixel, 0 where there is none."""
         part = self.kept.part(CountedDark)

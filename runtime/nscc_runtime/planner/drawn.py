@@ -134,6 +134,16 @@ def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
         scratch[out + i] = x if x > least else least
 
 
+@inlined
+def drawn_normals(stream: np.uint64, first: int, count: int, out: Floats) -> None:
+    """out[i] := the normal number of pixel first + i: step by step, as a loop that does both at
+    once runs out of registers."""
+    for i in range(count):
+        out[i] = unit(bits(stream, first + i, FIRST_LANE))
+    for i in range(count):
+        out[i] = float(normal_fast(out[i]))
+
+
 @compiled
 def counted(
     stream: np.uint64, top: float, first: int, stop: int, values: Floats, scratch: Floats,
@@ -150,6 +160,12 @@ def counted(
         low += 1 if values[i] < SETTLED_ABOVE else 0
         middle += 1 if values[i] >= FORMULA_FROM and values[i] < SETTLED_ABOVE else 0
         high += 1 if values[i] >= SEARCH_BELOW else 0
+    if not low:
+        drawn_normals(stream, first, count, scratch)
+        for i in range(count):
+            x = np.floor(quantile(scratch[i], values[i]))
+            values[i] = x if x > 0.0 else 0.0
+        return
     uniforms, normals, counts = BLOCK, 0, 2 * BLOCK
     for i in range(count):
         scratch[uniforms + i] = unit(bits(stream, first + i, FIRST_LANE))
@@ -165,7 +181,7 @@ def counted(
             more = values[i] < SETTLED_ABOVE and scratch[uniforms + i] > 1.0 - values[i]
             scratch[counts + i] = _UNSURE if more else 0.0
     unsure = 0
-    for i in range(count if low else 0):
+    for i in range(count):
         places[unsure] = i
         unsure += 1 if scratch[counts + i] < 0.0 else 0
     for j in range(unsure):
@@ -185,16 +201,6 @@ def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> 
     code = np.rint(value / lsb + noise) + offset
     code = code if code > 0.0 else 0.0
     return float(np.rint(code if code < top else top))
-
-
-@inlined
-def drawn_normals(stream: np.uint64, first: int, count: int, out: Floats) -> None:
-    """out[i] := the normal number of pixel first + i: step by step, as a loop that does both at
-    once runs out of registers."""
-    for i in range(count):
-        out[i] = unit(bits(stream, first + i, FIRST_LANE))
-    for i in range(count):
-        out[i] = float(normal_fast(out[i]))
 
 
 @inlined

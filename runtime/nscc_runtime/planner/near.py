@@ -73,9 +73,10 @@ def charges(program: Program, light: Light, device_seed: int, wanted: Selection)
 def _charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     chip, exchange = chip_of(program, device_seed, wanted, wanted), wanted.part(Exchange)
     weights, dark_s, limit = chip.own(_of_lanes)
-    shape, count, kinds = light.shape, len(light.frames), len(weights.slots)
+    shape, of_frames = light.shape, weights.of_frames(light)
+    kinds, count, lane_count = of_frames.shape
     sizes: dict[str, Any] = {
-        "rows": shape[0], "cols": shape[1], "count": count, "lane_count": len(limit),
+        "rows": shape[0], "cols": shape[1], "count": count, "lane_count": lane_count,
         "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
         "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
     }  # fmt: skip
@@ -85,8 +86,8 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
     }  # fmt: skip
     found, places = np.empty(1, np.int64), np.empty(shape[0] * shape[1], np.int64)
     may_saturate(
-        asked=Asked(places=0, **sizes), limit=limit, inflow=np.empty(shape[1]), found=found,
-        places=places, **arrays,
+        asked=Asked(places=0, **sizes), part=_part(light, of_frames), limit=limit,
+        inflow=np.empty(shape[1]), found=found, places=places, **arrays,
     )  # fmt: skip
     many = int(found[0])
     places, gained = places[:many].copy(), np.empty(many)
@@ -95,20 +96,27 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         charges_at(
             asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
             frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
-            weights=weights.of_frames(light), **arrays,
+            weights=of_frames, **arrays,
         )  # fmt: skip
     return Charges(places, most, own, gained)
 
 
 def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
     """How much of each slot (kinds, N, lanes) PIX sees, and registers hold; for how long these
-    gather dark charge, in seconds; and the least charge of a frame with which a lane may saturate.
+    gather dark charge, in seconds; and the least of it with which a lane may saturate.
     """
     program = chip.program
     held = () if program.reach.held is None else program.reach.held
     weights = np.stack([program.tables.seen(), *held]).astype(np.float64)
-    least_e = (chip.near_e / np.maximum(weights.max(axis=1), 1.0)).min(axis=0)
-    return Weights(weights), program.slot_s @ weights, reached(_SLACK * least_e)
+    return Weights(weights), program.slot_s @ weights, reached(_SLACK * chip.near_e.min(axis=0))
+
+
+def _part(light: Light, of_frames: Values) -> Values:
+    """The most of a light that any kind may be in each lane."""
+    found = np.zeros(of_frames.shape)
+    weight = light.frame_weight[:, None]
+    np.divide(of_frames, weight, out=found, where=weight > 0)
+    return np.asarray(found.max(axis=(0, 1)))
 
 
 def reached(limit: Values) -> Values:

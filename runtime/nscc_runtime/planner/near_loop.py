@@ -51,6 +51,16 @@ def _inflow(
     return asked.fraction * (beside - missing * (total[p] * scale[p]))
 
 
+@inlined
+def _most(
+    asked: Asked, total: Floats, scale: Floats, current: Floats, part: Floats, lanes: Ints32,
+    inflow: Floats, first: int, p: int,
+) -> float:  # fmt: skip
+    """What pixel p sees at most; `inflow` is that of the row that begins with pixel `first`."""
+    light = part[lanes[p]] * (total[p] * scale[p])
+    return light + inflow[p - first] + current[p] * asked.frame_s
+
+
 @loop
 def may_saturate(
     asked: Asked,
@@ -58,14 +68,16 @@ def may_saturate(
     scale: Annotated[Floats, "rows cols"],
     current: Annotated[Floats, "rows cols"],
     lanes: Annotated[Ints32, "rows cols"],
+    part: Annotated[Floats, "lane_count"],
     limit: Annotated[Floats, "lane_count"],
     inflow: Written[Annotated[Floats, "cols"]],
     found: Written[Ints],
     places: Written[Ints],
 ) -> None:
-    """places := where all of a frame's charge is at least the limit of the pixel's lane, in order;
-    `found`: how many these are. The charge is the light, `total` times `scale`, with what
-    neighbours give of theirs, and dark current. `inflow` is scratch; `places` has room for all.
+    """places := where charge is at least the limit of the pixel's lane, in order; `found`: how many
+    these are. The charge is the lane's part of the light, `total` times `scale`, with all that
+    neighbours give of theirs, and the frame's dark current. `inflow` is scratch; `places` has room
+    for all.
     """
     rows, cols, count = asked.rows, asked.cols, 0
     for row in range(rows):
@@ -79,10 +91,10 @@ def may_saturate(
         inflow[cols - 1] = _inflow(asked, total, scale, last, up, down, left, 0)
         many = 0
         for p in range(first, last + 1):
-            charge = total[p] * scale[p] + inflow[p - first] + current[p] * asked.frame_s
+            charge = _most(asked, total, scale, current, part, lanes, inflow, first, p)
             many += 1 if charge >= limit[lanes[p]] else 0
         for p in range(first, last + 1 if many else first):
-            charge = total[p] * scale[p] + inflow[p - first] + current[p] * asked.frame_s
+            charge = _most(asked, total, scale, current, part, lanes, inflow, first, p)
             if charge >= limit[lanes[p]]:
                 places[count] = p
                 count += 1

@@ -40,10 +40,10 @@ class Prepared:
         """The effects that are simulated."""
         return self.plan.kept
 
-    @cached_property
+    @property
     def places(self) -> NDArray[np.int64]:
         """Every pixel's place."""
-        return np.arange(len(self.program.lanes), dtype=np.int64)
+        return self.program.places
 
     @cached_property
     def source(self) -> Light:
@@ -80,13 +80,13 @@ class Prepared:
         """
         exchange = self.kept.part(Exchange)
         lit = self.counted if self.kept.part(CountedLight) is not None else ()
-        weights, nodes = self.chip.own(_weights, lit), len(self.chip.leaks[0])
+        chip, weights = self.chip, self.chip.own(_weights, lit)
         found = scene_sums(
-            self.source, self.program.lanes, self.chip.scale, weights,
+            self.source, self.program.lanes, (chip.scale, chip.scale_32), weights,
             len(weights.slots) if exchange is None else len(lit),
             0.0 if exchange is None else exchange.fraction(self.program.sensor), self.threads,
         )  # fmt: skip
-        return found[: len(lit)], found[len(lit) :].reshape(-1, nodes, found.shape[1])
+        return found[: len(lit)], found[len(lit) :].reshape(-1, len(chip.leaks[0]), found.shape[1])
 
     @property
     def light_rates(self) -> Values:

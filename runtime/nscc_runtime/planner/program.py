@@ -110,6 +110,11 @@ class Program:
         return self.reference.groups.lane.reshape(-1).astype(np.int32)
 
     @cached_property
+    def places(self) -> NDArray[np.int64]:
+        """Every pixel's place; not to be written to."""
+        return np.arange(len(self.lanes), dtype=np.int64)
+
+    @cached_property
     def open_part(self) -> NDArray[np.float32]:
         """The part (rows, cols) of the frame whose light each pixel sees."""
         part = self.slot_s @ self.tables.seen() / max(float(self.slot_s.sum()), 1e-300)
@@ -141,9 +146,8 @@ class Program:
         """What is fixed on a chip; the last one asked for is kept."""
         if device_seed not in self._devices:
             self._devices.clear()
-            places = np.arange(len(self.lanes), dtype=np.int64)
             self._devices[device_seed] = Device(
-                sensor=self.sensor, device_seed=device_seed, places=places
+                sensor=self.sensor, device_seed=device_seed, places=self.places
             )
         return self._devices[device_seed]
 

@@ -13,7 +13,6 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.counts import LIGHT, count_key
 from nscc_runtime.effects.parts import Codes, Converter
 from nscc_runtime.frame_file import Frame
-from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.drawn import BLOCK, ROOM
@@ -160,21 +159,15 @@ class Readout:
         }
         return cls(given, converters[0][0].stream if converters else 0)
 
-    def frame(self, exposure: Exposure, seed: int, number: int, threads: int) -> Frame:
-        """The codes of frame number `number`."""
-        values, marked = exposure.exposure_e, exposure.saturated_by
-        assert marked is not None  # plans mark what they cut off
-        buckets = len(values)
+    def frame(
+        self, values: Values, marked: NDArray[np.uint8], shape: tuple[int, int],
+        seed_and_number: tuple[int, int], threads: int,
+    ) -> Frame:  # fmt: skip
+        """The codes of exposures (buckets, pixels) of an array, in the frame of a seed with a
+        number; what they are marked with is added to."""
+        (buckets, pixels), (seed, number) = values.shape, seed_and_number
         frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
-        flat: dict[str, NDArray[Any]] = {
-            "exposure": values,
-            "frame": frame,
-            "valid": valid.view(np.uint8),
-            "marked": marked,
-        }
-        filled = {name: each.reshape(buckets, -1) for name, each in flat.items()}
         keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]
-        pixels = values[0].size
 
         def run(begin: int, end: int) -> None:
             convert(
@@ -182,12 +175,15 @@ class Readout:
                     begin=begin, end=end, pixels=pixels, buckets=buckets, **self.given
                 ),
                 keys=np.array(keys, np.uint64),
+                exposure=values,
                 scratch=np.empty(BLOCK),
-                **filled,
+                frame=frame,
+                valid=valid.view(np.uint8),
+                marked=marked,
             )  # fmt: skip
 
         in_parts(run, pixels, threads, BLOCK)
-        return Frame(frame, values, valid, marked)
+        return Frame(*(each.reshape(buckets, *shape) for each in (frame, values, valid, marked)))
 
 
 def _after(kept: Selection) -> set[str]:

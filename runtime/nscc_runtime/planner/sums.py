@@ -120,7 +120,7 @@ class Weights:
 def scene_sums(
     light: Light,
     lanes: NDArray[np.int32],
-    scale: NDArray[np.float64],
+    scale: tuple[NDArray[np.float64], NDArray[np.float32]],
     weights: Weights,
     smeared: int,
     fraction: float,
@@ -128,22 +128,21 @@ def scene_sums(
 ) -> NDArray[np.float64]:
     """The sums (of each of the weights, pixels) of a light's slots, each weighted by slot and lane.
 
-    `lanes` and `scale`, a factor on the light, are (pixels,). Those from number `smeared` on weigh
-    what is there after `fraction` of each pixel's light has gone to each of its neighbours. Threads
-    change no bit.
+    `lanes` and `scale`, a factor on the light, also in float32, are (pixels,). Those from number
+    `smeared` on weigh what is there after `fraction` of each pixel's light has gone to each of its
+    neighbours. Threads change no bit.
     """
     shape, count = light.shape, len(weights.slots)
     if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")
     out = np.empty((count, *shape))
     frames = np.require(light.ended, np.float32, ["C", "A"])
-    share = scale.astype(np.float32) if smeared < count else np.ones(1, np.float32)
     for part, tables in weights.tables(light):
         bound = sum_loop.scene_sums.bound(
             frames=frames,
-            scale=np.require(scale.reshape(shape), np.float64, ["C", "A"]),
+            scale=np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
             lanes=np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
-            share=share,
+            share=scale[1],
             table=tables.table,
             kinds=tables.kinds,
             alike=tables.alike,

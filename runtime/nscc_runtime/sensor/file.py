@@ -7,15 +7,16 @@ from __future__ import annotations
 
 import textwrap
 from collections.abc import Mapping, Sequence
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
 from nscc.toml.files import WIDTH, file_bytes, file_text, file_values
 from nscc.toml.schema import Codes, Schema
+from nscc_runtime.effects.effect import Effect
 from nscc_runtime.effects.parameters import HEADINGS, Parameter
-from nscc_runtime.effects.registry import parameters
+from nscc_runtime.effects.registry import parameters, registered
 from nscc_runtime.effects.sensor import Sensor
 
 
@@ -66,6 +67,11 @@ def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] 
 
 def default_sensor(target: Target) -> Sensor:
     """The sensor of a target, every parameter at its default."""
+    return _default(target, registered())
+
+
+@lru_cache(16)
+def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
     return completed({}, target)
 
 
