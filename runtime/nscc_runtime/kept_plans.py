@@ -22,7 +22,17 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.light import Light
-from nscc_runtime.sizes_loop import EIGHTH, KINDS, LARGEST, OPEN, SQUARE, STEPS, Pixels, sizes_of
+from nscc_runtime.sizes_loop import (
+    EIGHTH,
+    KINDS,
+    LARGEST,
+    OPEN,
+    ROWS,
+    SQUARE,
+    STEPS,
+    Pixels,
+    sizes_of,
+)
 
 if TYPE_CHECKING:  # captures without effects start without the planner
     from nscc_runtime.planner.plan import Plan
@@ -60,11 +70,7 @@ class Statistics:
     def of(cls, light: Light, open_part: NDArray[np.float32]) -> Statistics:
         """Of a scene, in one pass over its frames; `open_part` (rows, cols): how much of the frame
         each pixel is open."""
-        weight, frames = light.frame_weight, light.frames
-        with np.errstate(over="ignore", invalid="ignore"):
-            course = np.cumsum(weight * frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
-            course /= course[-1] if len(course) and course[-1] > 0 else 1.0
-        return cls(light, _sizes(light.sum_e, open_part), course)
+        return cls(light, _sizes(light.sum_e, open_part), _course(light))
 
     def resembles(
         self, other: Statistics, *, saturating: bool = True, least: float = _LESS
@@ -94,12 +100,23 @@ class Statistics:
         return self.resembles(other, saturating=not dropped, least=least)
 
 
+def _course(light: Light) -> Values:
+    """See `Statistics.course`."""
+    weight, frames = light.frame_weight, light.frames
+    if len(frames) == 1:
+        return np.ones(1)
+    with np.errstate(over="ignore", invalid="ignore"):
+        course = np.cumsum(weight * frames[:, ::_SOME, ::_SOME].mean(axis=(1, 2)))
+        course /= course[-1] if len(course) and course[-1] > 0 else 1.0
+    return course
+
+
 def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
     """See `Statistics.sizes`."""
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
-        pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part, lit=np.empty(cols),
-        found=columns,
+        pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part,
+        lit=np.empty(ROWS * cols), found=columns,
     )  # fmt: skip
     found: Values = columns.sum(axis=1)
     for first in (0, OPEN):
@@ -115,12 +132,7 @@ def _alike(one: Light, other: Light) -> bool:
     """Whether frames of these lights fall in the same slots."""
     if one.shape != other.shape or (one.motion is None) != (other.motion is None):
         return False
-    pairs = (
-        (one.row_start, other.row_start), (one.frame_index, other.frame_index),
-        (one.weight, other.weight),
-    )  # fmt: skip
-    alike = len(one.frames) == len(other.frames) and all(np.array_equal(*pair) for pair in pairs)
-    return alike and (
+    return one.timing.same(other.timing) and (
         one.motion is None or other.motion is None or _alike(one.motion, other.motion)
     )
 

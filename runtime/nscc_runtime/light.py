@@ -12,9 +12,33 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.remembered import remembered
+from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
 
 _MOST_E = 1e36
 """Sums of float32 may have no end."""
+
+
+@dataclass(frozen=True, eq=False)
+class Timing:
+    """How much of which frames falls in each slot: the matrix of a `Light` of so many frames."""
+
+    frames: int
+    row_start: NDArray[np.int64]
+    frame_index: NDArray[np.int32]
+    weight: NDArray[np.float64]
+
+    def same(self, other: Timing) -> bool:
+        """Whether frames fall in the same slots."""
+        pairs = (
+            (self.row_start, other.row_start), (self.frame_index, other.frame_index),
+            (self.weight, other.weight),
+        )  # fmt: skip
+        return self.frames == other.frames and all(np.array_equal(*pair) for pair in pairs)
+
+    def copy(self) -> Timing:
+        """The same in arrays that nobody else writes to."""
+        arrays = (self.row_start, self.frame_index, self.weight)
+        return Timing(self.frames, *(each.copy() for each in arrays))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -78,6 +102,11 @@ class Light:
     def shape(self) -> tuple[int, int]:
         """(rows, cols)."""
         return self.frames.shape[1], self.frames.shape[2]
+
+    @property
+    def timing(self) -> Timing:
+        """When its frames fall."""
+        return Timing(len(self.frames), self.row_start, self.frame_index, self.weight)
 
     def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
         """Electrons of slot n (rows, cols): what is integrated and what `--keep light` writes.
@@ -154,21 +183,26 @@ class Light:
         count = np.bincount(self.frame_index, self.weight, len(self.frames))
         return np.asarray(count, np.float64)
 
-    @cached_property
+    @property
     def sum_e(self) -> NDArray[np.float64]:
         """The all-open sum of all slots (rows, cols), to float32 and at most 1e36; not to be
         written to. Adds up frames, not slots: `total_e` is exact, and slower.
         """
-        weight = self.frame_weight
-        with np.errstate(over="ignore"):
-            if (weight == weight[0]).all():
-                total = self.frames.sum(axis=0) * weight[0]
-            else:
-                total = np.zeros(self.shape)
-                for each, frame in zip(weight, self.frames, strict=True):
-                    total += each * frame
-        # Frames may lie in memory in another order, and loops take rows.
-        return np.ascontiguousarray(np.minimum(total, _MOST_E, out=total))
+        return self._summed[0]
+
+    @cached_property
+    def _summed(self) -> tuple[NDArray[np.float64], bool]:
+        """See `sum_e`; and whether some pixel would have had more."""
+        weight, count = self.frame_weight, len(self.frames)
+        total, capped = np.empty(self.shape), np.empty(1, np.int64)
+        sum_light(
+            size=Frames(
+                count=count, pixels=total.size, even=bool((weight == weight[0]).all()), most=_MOST_E
+            ),
+            frames=np.require(self.frames, np.float32, ["C", "A"]).reshape(count, -1),
+            weight=weight, part=np.empty(BLOCK, np.float32), out=total.reshape(-1), capped=capped,
+        )  # fmt: skip
+        return total, bool(capped[0])
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""
@@ -182,7 +216,7 @@ class Light:
     def ended(self) -> NDArray[np.float32]:
         """The frames, light without end as so much that no count tells it from more: a closed slot
         makes nothing of that, where it makes no number of infinity."""
-        if self.frame_weight.min() > 0 and self.sum_e.max(initial=0) < _MOST_E:
+        if self.frame_weight.min() > 0 and not self._summed[1]:
             return self.frames
         if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
             return self.frames

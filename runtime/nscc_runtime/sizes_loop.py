@@ -1,17 +1,21 @@
-"""The loop that finds how large the light of a scene is, for `nscc_runtime.kept_plans`."""
+"""The loops that add up the light of a scene, and find how large it is."""
 
 from __future__ import annotations
 
 from typing import Annotated
 
-from nscc_runtime.loop import Floats, Floats32, Written, compiled, loop, record
+from nscc_runtime.loop import Floats, Floats32, Ints, Written, compiled, loop, record
 
 MEAN, SQUARE, EIGHTH, LARGEST, STEPS = 0, 1, 2, 3, 8
 OPEN = 4
 """Where the first four of the light while pixels are open begin."""
 KINDS = 9
+ROWS = 4
+"""Rows that are added for one time through what is found."""
 _LEAST = 1e-30
 """Squares of light that is less count as that: the powers of smaller numbers are slow."""
+BLOCK = 2048
+"""Pixels whose sums stay in the cache while the frames go by."""
 
 
 @record
@@ -22,20 +26,128 @@ class Pixels:
     cols: int
 
 
+@record
+class Frames:
+    """`count` frames of so many pixels, of which no sum is more than `most`; `even`: whether all
+    have one weight."""
+
+    count: int
+    pixels: int
+    even: int
+    most: float
+
+
+@compiled
+def _gather(frames: Floats32, step: int, count: int, first: int, stop: int, part: Floats32) -> None:
+    """part[i] := what the frames, `step` apart, have at pixel first + i, one after the other."""
+    for i in range(stop - first):
+        part[i] = frames[first + i]
+    k = 1
+    while k + 2 < count:
+        at = k * step + first
+        for i in range(stop - first):
+            total = part[i] + frames[at + i]
+            total += frames[at + step + i]
+            part[i] = total + frames[at + 2 * step + i]
+        k += 3
+    for last in range(k, count):
+        at = last * step + first
+        for i in range(stop - first):
+            part[i] += frames[at + i]
+
+
+@compiled
+def _gather_weighted(
+    frames: Floats32, step: int, weight: Floats, count: int, first: int, stop: int, out: Floats
+) -> None:
+    """out[p] := the same of frames with weights, in float64."""
+    for p in range(first, stop):
+        out[p] = 0.0
+    k = 0
+    while k + 2 < count:
+        at, a, b, c = k * step, weight[k], weight[k + 1], weight[k + 2]
+        for p in range(first, stop):
+            total = out[p] + a * float(frames[at + p])
+            total += b * float(frames[at + step + p])
+            out[p] = total + c * float(frames[at + 2 * step + p])
+        k += 3
+    for last in range(k, count):
+        for p in range(first, stop):
+            out[p] += weight[last] * float(frames[last * step + p])
+
+
+@loop
+def sum_light(
+    size: Frames,
+    frames: Annotated[Floats32, "count pixels"],
+    weight: Annotated[Floats, "count"],
+    part: Written[Floats32],
+    out: Written[Annotated[Floats, "pixels"]],
+    capped: Written[Ints],
+) -> None:
+    """out[p] := the sum over k of weight[k] * frames[k, p], at most `most`: of frames with one
+    weight in float32. `capped`: how many would be more. `part`: scratch for `BLOCK` pixels."""
+    capped[0] = 0
+    for first in range(0, size.pixels, BLOCK):
+        stop = min(first + BLOCK, size.pixels)
+        if size.even:
+            _gather(frames, size.pixels, size.count, first, stop, part)
+            for p in range(first, stop):
+                out[p] = float(part[p - first]) * weight[0]
+        else:
+            _gather_weighted(frames, size.pixels, weight, size.count, first, stop, out)
+        more = 0
+        for p in range(first, stop):
+            more += 1 if out[p] > size.most else 0
+            out[p] = size.most if out[p] > size.most else out[p]
+        capped[0] += more
+
+
 @compiled
 def _powers(lit: Floats, cols: int, at: int, found: Floats) -> None:
-    """Add a row: each column by itself, and each kind, so that LLVM makes vectors."""
+    """Add `ROWS` rows: each column by itself, and each kind, so that LLVM makes vectors."""
+    b, c, d = cols, 2 * cols, 3 * cols
     for col in range(cols):
-        found[at + MEAN * cols + col] += lit[col]
+        total = found[at + MEAN * cols + col] + lit[col]
+        total += lit[b + col]
+        total += lit[c + col]
+        found[at + MEAN * cols + col] = total + lit[d + col]
     for col in range(cols):
-        found[at + SQUARE * cols + col] += lit[col] * lit[col]
-    for col in range(cols):
-        square = lit[col] * lit[col]
-        square = square if square > _LEAST else _LEAST
-        found[at + EIGHTH * cols + col] += square * square * (square * square)
+        total = found[at + SQUARE * cols + col] + lit[col] * lit[col]
+        total += lit[b + col] * lit[b + col]
+        total += lit[c + col] * lit[c + col]
+        found[at + SQUARE * cols + col] = total + lit[d + col] * lit[d + col]
     for col in range(cols):
         most = found[at + LARGEST * cols + col]
-        found[at + LARGEST * cols + col] = lit[col] if lit[col] > most else most
+        most = lit[col] if lit[col] > most else most
+        most = lit[b + col] if lit[b + col] > most else most
+        most = lit[c + col] if lit[c + col] > most else most
+        found[at + LARGEST * cols + col] = lit[d + col] if lit[d + col] > most else most
+    for i in range(ROWS * cols):
+        square = lit[i] * lit[i]
+        square = square if square > _LEAST else _LEAST
+        lit[i] = square * square * (square * square)
+    for col in range(cols):
+        total = found[at + EIGHTH * cols + col] + lit[col]
+        total += lit[b + col]
+        total += lit[c + col]
+        found[at + EIGHTH * cols + col] = total + lit[d + col]
+
+
+@compiled
+def _steps(total: Floats, first: int, cols: int, last: bool, found: Floats) -> None:
+    """Add the squares of the steps to the right and, but of the last row, down."""
+    if last:
+        for col in range(cols - 1):
+            right = total[first + col + 1] - total[first + col]
+            found[STEPS * cols + col] += right * right
+        return
+    for col in range(cols - 1):
+        right = total[first + col + 1] - total[first + col]
+        down = total[first + cols + col] - total[first + col]
+        found[STEPS * cols + col] += right * right + down * down
+    down = total[first + 2 * cols - 1] - total[first + cols - 1]
+    found[STEPS * cols + cols - 1] += down * down
 
 
 @loop
@@ -43,27 +155,28 @@ def sizes_of(
     pixels: Pixels,
     total: Annotated[Floats, "rows cols"],
     part: Annotated[Floats32, "rows cols"],
-    lit: Written[Annotated[Floats, "cols"]],
+    lit: Written[Floats],
     found: Written[Annotated[Floats, "kinds cols"]],
 ) -> None:
     """found (9, cols) := for each column, of `total` its sum, the sums of its squares and of its
     eighth powers, and the largest; these of `total` times `part`; the sum of squares of steps
-    between neighbours. Light is at most 1e36, whose powers have room. `lit` is scratch.
+    between neighbours. Light is at most 1e36, whose powers have room. `lit`: scratch for `ROWS`
+    rows.
     """
-    cols = pixels.cols
+    rows, cols = pixels.rows, pixels.cols
     for i in range(KINDS * cols):
         found[i] = 0.0
-    for row in range(pixels.rows):
-        first = row * cols
-        for col in range(cols):
-            lit[col] = total[first + col]
-        _powers(lit, cols, 0, found)
-        for col in range(cols):
-            lit[col] = total[first + col] * part[first + col]
-        _powers(lit, cols, OPEN * cols, found)
-        for col in range(cols - 1):
-            right = total[first + col + 1] - total[first + col]
-            found[STEPS * cols + col] += right * right
-        for col in range(cols if row + 1 < pixels.rows else 0):
-            down = total[first + cols + col] - total[first + col]
-            found[STEPS * cols + col] += down * down
+    for row in range(0, rows, ROWS):
+        first, count = row * cols, min(ROWS, rows - row) * cols
+        for opened in range(2):
+            for i in range(count, ROWS * cols):
+                lit[i] = 0.0
+            if opened:
+                for i in range(count):
+                    lit[i] = total[first + i] * part[first + i]
+            else:
+                for i in range(count):
+                    lit[i] = total[first + i]
+            _powers(lit, cols, OPEN * cols if opened else 0, found)
+        for each in range(row, min(row + ROWS, rows)):
+            _steps(total, each * cols, cols, each + 1 == rows, found)

@@ -62,7 +62,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
     weights = rng.uniform(-1, 1, (4, slots, 3))
     # Weights that are none, and the same for all lanes.
     weights[0, 1], weights[1, 2], weights[3, 0] = 0.0, 0.25, 0.5
-    found = sums.scene_sums(light, lanes, scale, weights[:2], weights[2:], fraction)
+    found = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 2, fraction)
     dense = light.dense().astype(np.float64) * scale.reshape(shape)
     flow = np.zeros_like(dense)
     for axis in (1, 2):
@@ -74,7 +74,7 @@ def test_sums_of_a_scene_are_weighted_sums_of_what_crosstalk_leaves(
         wanted = (weight[:, lanes] * slot.reshape(slots, -1)).sum(axis=0)
         np.testing.assert_allclose(each, wanted, rtol=1e-5, atol=1e-5)
     for threads in (2, 5):
-        again = sums.scene_sums(light, lanes, scale, weights[:2], weights[2:], fraction, threads)
+        again = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 2, fraction, threads)
         assert again.tobytes() == found.tobytes()
 
 
@@ -83,10 +83,24 @@ def test_large_tables_are_taken_in_turns(monkeypatch: pytest.MonkeyPatch) -> Non
     light = Light.of_clip(rng.random((6, 4, 5), dtype=np.float32))
     lanes, scale = rng.integers(0, 3, 20).astype(np.int32), rng.random(20)
     weights = rng.random((5, 6, 3))
-    whole = sums.scene_sums(light, lanes, scale, weights[:3], weights[3:], 0.02)
+    whole = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 3, 0.02)
     monkeypatch.setattr(sums, "_MOST_ENTRIES", 6 * 3 * 2)
-    parts = sums.scene_sums(light, lanes, scale, weights[:3], weights[3:], 0.02)
+    parts = sums.scene_sums(light, lanes, scale, sums.Weights(weights), 3, 0.02)
     assert parts.tobytes() == whole.tobytes()
+
+
+def test_weights_are_those_of_the_light_that_is_asked_for() -> None:
+    """Also where its matrix is what another's was, and has been written to since."""
+    rng = np.random.default_rng(5)
+    weights, matrix = sums.Weights([rng.random((4, 3)), rng.random((4, 3))]), rng.random(4)
+    frame = rng.random((2, 3), dtype=np.float32)
+    for _ in range(3):
+        light = Light.of_still(frame, matrix)
+        for found in (weights.of_frames(light), weights.of_frames(Light.of_still(frame, matrix))):
+            np.testing.assert_allclose(found[:, 0], [matrix @ each for each in weights.slots])
+        clip = Light.of_clip(rng.random((4, 2, 3), dtype=np.float32))
+        np.testing.assert_array_equal(weights.of_frames(clip), weights.slots)
+        matrix += 1.0
 
 
 def test_threads_change_no_bit_and_views_are_read_as_they_are() -> None:

@@ -12,7 +12,7 @@ from nscc_runtime.effects import named, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.light import Light
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.reach import reach_of
+from nscc_runtime.planner.reach import Reach, reach_of
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference import expose
 from nscc_runtime.sensor import Sensor
@@ -152,8 +152,14 @@ def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
     container = case(name, rows=ROWS, cols=COLS)
     made = Program.of(container, sensor_of(container))
     lanes, slots = range(len(container.encoding)), range(container.slots)
-    most = max(brute_force(made.tables, lane, slot) for lane in lanes for slot in slots)
-    assert made.reach.light == max(1.0, most)
+    most = [[brute_force(made.tables, lane, slot) for lane in lanes] for slot in slots]
+    assert made.reach.held is not None
+    np.testing.assert_array_equal(made.reach.held.max(axis=0), most)
+
+
+def noise_e(reach: Reach) -> np.ndarray:
+    """How far (lanes,) noise and offsets alone may take a register."""
+    return reach.offset_e + 6.0 * reach.sigma_e
 
 
 @pytest.mark.parametrize("name", CASES)
@@ -166,7 +172,7 @@ def test_noise_and_offsets_alone_stay_within_their_reach(name: str, bias: float)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
     names = selected("read,reset,analog")
     found = np.abs(expose(container, dark, sensor, names).exposure_e).max(axis=0).reshape(-1)
-    reach = reach_of(made.tables, selected("all")).noise_e
+    reach = noise_e(reach_of(made.tables, selected("all"), 1e9))
     for lane in np.unique(made.lanes):
         most = found[made.lanes == lane].max()
         assert most <= reach[lane] <= 8 * most + 200
@@ -176,11 +182,12 @@ def test_many_lanes_share_the_reach_of_the_worst() -> None:
     text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
     container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
     made = Program.of(container, sensor_of(container))
-    reach = made.reach.noise_e
+    reach = noise_e(made.reach)
     assert len(reach) == len(container.encoding) > 64
-    assert np.ptp(reach) == 0
+    assert np.ptp(reach) == np.ptp(made.reach.least_e) == 0
+    assert made.reach.held is None
     few = case("b accumulate", rows=ROWS, cols=COLS)
-    assert np.ptp(Program.of(few, sensor_of(few)).reach.noise_e) > 0
+    assert np.ptp(noise_e(Program.of(few, sensor_of(few)).reach)) > 0
 
 
 def test_a_program_made_ready_knows_its_groups() -> None:

@@ -71,14 +71,6 @@ class ByLane:
         """The largest weight (buckets, lanes) of a slot."""
         return np.ascontiguousarray(self.tables.weights(self.full).slots.max(axis=0).T)
 
-    @cached_property
-    def in_registers(self) -> Values:
-        """The part (buckets, lanes) of the charge that a pixel sees, of light that is the same in
-        all slots, that registers hold in the end, before words and leakage took theirs."""
-        held_s = np.abs(self.seconds[0]) / np.maximum(self.most, 1e-300)
-        seen_s = self.slot_s @ self.tables.seen()
-        return np.divide(held_s, seen_s, out=np.zeros_like(held_s), where=seen_s > 0)
-
     @remembered
     def errors(self, at: str) -> Values:
         """The variance (buckets, lanes) of small errors at `at`, for unit errors."""

@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.effects.effect import CannotHave
 from nscc_runtime.effects.parts import (
     CountedDark,
     Echo,
@@ -157,18 +158,23 @@ class Chip:
 
     @cached_property
     def near_e(self) -> Values:
-        """The least charge (lanes,) with which a pixel may saturate in a way that sums do not know;
-        infinite where none does."""
-        program, well, soft = self.program, self.kept.part(Well), self.kept.part(Soft)
-        found = np.full(len(program.container.encoding), np.inf)
+        """The least charge (kinds, lanes) with which a pixel may saturate in a way that sums do not
+        know, infinite where none does: of what PIX sees, and of each kind of what registers hold
+        (`nscc_runtime.planner.reach`)."""
+        program, soft = self.program, self.kept.part(Soft)
+        # Beside registers the well is never left out by itself: it says what took the light.
+        well, reach = (self.kept if soft is None else self.wanted).part(Well), program.reach
+        kinds = 1 if reach.held is None else 1 + len(reach.held)
+        found = np.full((kinds, len(program.container.encoding)), np.inf)
         if well is not None:
             # Of what is left out by choice the words of these pixels know.
             single = not np.isnan(program.tables.single(program.model(self.wanted))).any()
             if soft is not None or not single:
-                found[:] = self.full_e
-        if soft is not None:
-            room = soft.linear_e(program.sensor) - program.reach.noise_e
-            found = np.minimum(found, room / program.reach.light)
+                found[0] = well.full_e(program.sensor)
+        if soft is not None and reach.held is None:
+            np.minimum(found, reach.least_e, out=found)
+        elif soft is not None:
+            found[1:] = reach.least_e
         return found
 
     @remembered
@@ -195,3 +201,9 @@ def whole_chip(program: Program, device_seed: int) -> Chip:
     """The chip with every effect, kept alike."""
     every = everything()
     return chip_of(program, device_seed, every, every)
+
+
+def all_by_words() -> Selection:
+    """All effects that the loop over words can have."""
+    every = everything()
+    return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))

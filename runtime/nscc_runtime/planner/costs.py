@@ -77,7 +77,7 @@ class Costs(Promises):
     def lacking(self, state: str) -> Lacking:
         """What pixels can do without that run through their words in a state."""
         return Lacking(
-            self.program, self.light, self.running(state), self.most_e(state), self.spilt,
+            self.program, self.light, self.charges(state), self.spilt,
             self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
         )  # fmt: skip
 

@@ -188,6 +188,16 @@ def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> 
 
 
 @inlined
+def drawn_normals(stream: np.uint64, first: int, count: int, out: Floats) -> None:
+    """out[i] := the normal number of pixel first + i: step by step, as a loop that does both at
+    once runs out of registers."""
+    for i in range(count):
+        out[i] = unit(bits(stream, first + i, FIRST_LANE))
+    for i in range(count):
+        out[i] = float(normal_fast(out[i]))
+
+
+@inlined
 def read_out(
     noisy: int, noise: float, stream: np.uint64, lsb: float, offset: float, top: float, first: int,
     count: int, values: Floats, at: int, scratch: Floats, codes: Bytes, out: int,
@@ -195,8 +205,9 @@ def read_out(
     """codes[out + i] := the code of values[at + i], the exposure of pixel first + i; 0 where that
     is no number."""
     if noisy:
+        drawn_normals(stream, first, count, scratch)
         for i in range(count):
-            scratch[i] = noise * float(normal_fast(unit(bits(stream, first + i, FIRST_LANE))))
+            scratch[i] *= noise
     else:
         for i in range(count):
             scratch[i] = 0.0

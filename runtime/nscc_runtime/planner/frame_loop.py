@@ -20,9 +20,7 @@ from nscc_runtime.loop import (
     loop,
     record,
 )
-from nscc_runtime.noise.counter import bits, unit
-from nscc_runtime.noise.gaussian_fast import normal_fast
-from nscc_runtime.planner.drawn import BLOCK, FIRST_LANE, counted, read_out
+from nscc_runtime.planner.drawn import BLOCK, counted, drawn_normals, read_out
 
 UP, DOWN, LEFT, RIGHT = range(4)
 """Neighbours, in the order of `nscc_runtime.planner.overlap`."""
@@ -212,9 +210,7 @@ def add_up(
                     for i in range(stop - first):
                         total[at + i] += patterns[here + i]
             for source in range(adding.sources):
-                key = noise_keys[source]
-                for i in range(stop - first):
-                    drawn[i] = float(normal_fast(unit(bits(key, first + i, FIRST_LANE))))
+                drawn_normals(noise_keys[source], first, stop - first, drawn)
                 for bucket in range(adding.buckets):
                     at = bucket * BLOCK
                     size = (source * adding.buckets + bucket) * adding.lane_count

@@ -23,9 +23,7 @@ from nscc_runtime.loop import (
     loop,
     record,
 )
-from nscc_runtime.noise.counter import bits, unit
-from nscc_runtime.noise.gaussian_fast import normal_fast
-from nscc_runtime.planner.drawn import BLOCK, FIRST_LANE, counted, read_out
+from nscc_runtime.planner.drawn import BLOCK, counted, drawn_normals, read_out
 from nscc_runtime.planner.masks import Masks
 
 _EXACT_SLOTS = 8
@@ -112,8 +110,7 @@ def _noisy(
     values: Floats, scratch: Floats,
 ) -> None:  # fmt: skip
     """values[i] += a normal number times the lane's sigma."""
-    for i in range(stop - first):
-        scratch[i] = float(normal_fast(unit(bits(stream, first + i, FIRST_LANE))))
+    drawn_normals(stream, first, stop - first, scratch)
     for i in range(stop - first):
         values[i] += sigma[row + lanes[first + i]] * scratch[i]
 

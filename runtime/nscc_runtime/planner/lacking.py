@@ -12,27 +12,24 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords, Soft
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
 from nscc_runtime.light import Light
 from nscc_runtime.planner.accounts import Account
-from nscc_runtime.planner.chip import Chip, whole_chip
+from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
-from nscc_runtime.planner.near import reached
+from nscc_runtime.planner.near import Charges, reached
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import among, brightest, drawn_evenly
+from nscc_runtime.planner.sample import Sample, among, brightest, drawn_by
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
 _FEWEST, _MOST = 48, 512
-"""Pixels on which it is measured."""
-_FEWEST_DRAWN = 24
-"""Of them those that are not chosen for sure: of fewer one stands for many, whatever it happens to
-lack."""
+"""Pixels on which it is measured, beside those for sure."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
 _PART = 8
@@ -45,24 +42,28 @@ _SIGMAS = 2.0
 
 @dataclass(frozen=True, eq=False)
 class Lacking:
-    """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
+    """Pixels that run through their words; they lack `forced_off` in any case.
 
-    `seen_e` is the most charge that they see, what neighbours give them included. Those at `spilt`,
-    which neighbours' light brings there, never lack that by choice: without it they are nothing.
+    `seen` is what they see. Those at `spilt`, which neighbours' light brings there, never lack that
+    by choice: without it they are nothing.
     `fields` are predictions on a sample of the scene, `running`: which of it are such pixels.
     Threads change no bit.
     """
 
     program: Program
     light: Light
-    near: NDArray[np.int64]
-    seen_e: Values
+    seen: Charges
     spilt: NDArray[np.int64]
     fields: Fields
     running: NDArray[np.bool_]
     forced_off: frozenset[str]
     device_seed: int
     threads: int
+
+    @property
+    def near(self) -> NDArray[np.int64]:
+        """Their places, in order."""
+        return self.seen.places
 
     def chosen(self, dropped: frozenset[str], room: float) -> frozenset[str]:
         """Of the effects in `dropped`, which a plan leaves out elsewhere, those that these pixels
@@ -104,12 +105,12 @@ class Lacking:
     def _measuring_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of finding what leaving effects out does."""
         each_ns = self._words_ns(frozenset()) + self._words_ns(lacking)
-        return each_ns * len(self._places)
+        return each_ns * len(self._sample.places)
 
     @property
     def tried_ns(self) -> float:
         """Nanoseconds that measuring has taken."""
-        return sum(self._words_ns(lacking) * len(self._places) for lacking in self._tried)
+        return sum(self._words_ns(lacking) * len(self._sample.places) for lacking in self._tried)
 
     @cached_property
     def _tried(self) -> list[frozenset[str]]:
@@ -134,7 +135,7 @@ class Lacking:
         fields = self.fields
         if not beside & dropped or beside & lacking or not self._alike(dropped, lacking):
             return np.zeros(len(fields.expected))
-        return fields.sample.mean(fields.neighbours[False] * (self.running & ~fields.clipped))
+        return fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
@@ -142,14 +143,13 @@ class Lacking:
             return Worst(0.0, 0.0)
         error = np.abs(self._held(self.forced_off | lacking) - self._held(frozenset()))
         sure, pixels = len(self._surely), len(self.program.lanes)
-        rest, drawn = len(self.near) - sure, error.shape[1] - sure
-        weight = np.append(np.ones(sure), np.full(drawn, rest / max(drawn, 1)))
         # All others of the array lack nothing.
-        sizes, weight = np.append(error.max(axis=0), 0.0), np.append(weight, pixels - weight.sum())
-        found = largest(sizes, weight)
+        sizes = np.append(error.max(axis=0), 0.0)
+        found = largest(sizes, np.append(self._sample.weight, pixels - len(self.near)))
         tails = [worst_measured(error[:, :sure], sure / pixels, pixels)]
-        if drawn:
-            tails.append(worst_measured(error[:, sure:], rest / pixels, pixels))
+        if error.shape[1] > sure:
+            part = (len(self.near) - sure) / pixels
+            tails.append(worst_measured(error[:, sure:], part, pixels))
         return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
     def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
@@ -165,14 +165,23 @@ class Lacking:
         full = self._held(frozenset())
         before = (full - self._held(self.forced_off)) ** 2 if self.forced_off else 0.0
         added = (full - self._held(self.forced_off | lacking)) ** 2 - before
-        sure = len(self._surely)
-        square, drawn = added[:, :sure].sum(axis=1), added[:, sure:]
-        error = np.zeros_like(square)
-        if drawn.size:
-            square = square + drawn.mean(axis=1) * (len(self.near) - sure)
-            error = drawn.std(axis=1) / np.sqrt(drawn.shape[1]) * (len(self.near) - sure)
-        pixels = len(self.program.lanes)
-        return np.maximum(square, 0.0) / pixels, error / pixels
+        part = len(self.near) / len(self.program.lanes)
+        square, error = self._sample.mean(added), self._sample.error(added)
+        return np.maximum(square, 0.0) * part, error * part
+
+    @cached_property
+    def _sample(self) -> Sample:
+        """The pixels that are measured: those for sure, then some of the rest."""
+        rest = self.seen.at(self.near[~among(self.near, self._surely, len(self.program.lanes))])
+        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST, len(rest.places))
+        places, weight = self._surely, np.ones(len(self._surely))
+        if wanted:
+            chance = self._chances(rest)
+            drawn, count = np.unique(drawn_by(chance, wanted), return_counts=True)
+            each = count / chance[drawn]
+            weight = np.append(weight, each * (len(rest.places) / each.sum()))
+            places = np.append(places, rest.places[drawn])
+        return Sample(places, weight, np.ones(len(places), np.bool_))
 
     @cached_property
     def _chip(self) -> Chip:
@@ -181,31 +190,35 @@ class Lacking:
 
     @cached_property
     def _surely(self) -> NDArray[np.int64]:
-        """Those of these pixels that are measured in any case: the brightest, suns and what is
-        beside them, and those that take PIX, or registers, nearest to the most that they hold,
-        where a little decides on all the rest."""
-        program, seen_e = self.program, reached(self.seen_e)
-        held_e = seen_e * program.by_lane.in_registers[:, program.lanes[self.near]]
-        room_e = np.abs(held_e - everything().the(Soft).linear_e(program.sensor)).min(axis=0)
-        well_e = np.abs(seen_e - self._chip.full_e)
-        sure = [brightest(each) for each in (self.seen_e, -well_e, -room_e)]
-        return self.near[np.unique(np.concatenate(sure))]
+        """Those of these pixels that are measured in any case, as few of them may have most of what
+        is lost: the brightest, suns and what is beside them; the darkest, which may be the only
+        ones that are not full; and those nearest to a full well, where a little decides on all the
+        rest."""
+        most_e = reached(self.seen.most_e)
+        sure = most_e, -most_e, -np.abs(most_e - self._full_e)
+        return np.asarray(self.near[np.unique(np.concatenate([brightest(each) for each in sure]))])
 
-    @cached_property
-    def _places(self) -> NDArray[np.int64]:
-        """The pixels that are measured: those for sure, and some of the rest."""
-        rest = self.near[~among(self.near, self._surely, len(self.program.lanes))]
-        if not len(rest):
-            return self._surely
-        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._surely)
-        wanted = max(wanted, _FEWEST_DRAWN)
-        # In step with no tile of codes.
-        return np.append(self._surely, drawn_evenly(rest, wanted))
+    def _chances(self, seen: Charges) -> Values:
+        """How likely each is to be drawn: a quarter evenly, a quarter of those that are not full, a
+        quarter of those that may lack their neighbours, a quarter by what these change."""
+        own_e, most_e = reached(seen.own_e), np.inf
+        if self.program.all_single:
+            # A full pixel changes no more; one that is read many times may be full now and then.
+            own_e, most_e = np.minimum(own_e, self._full_e), self._full_e
+        scores = (
+            own_e < self._full_e,
+            ~among(seen.places, self.spilt, len(self.program.lanes)),
+            np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e),
+        )
+        return np.asarray(1.0 + sum(each / max(each.mean(), 1e-300) for each in scores))
+
+    @property
+    def _full_e(self) -> float:
+        return self._chip.full_e
 
     @cached_property
     def _every(self) -> Selection:
-        every = everything()
-        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+        return all_by_words()
 
     @remembered
     def _held(self, lacking: frozenset[str]) -> Values:
@@ -213,16 +226,16 @@ class Lacking:
         self._tried.append(lacking)
         by_choice = by_spilt(lacking) | lacking & self.forced_off
         if by_choice == lacking or not self._beside.any():
-            return self._exposed(self._places, lacking)
-        found = np.empty((len(self.fields.expected), len(self._places)))
+            return self._exposed(self._sample.places, lacking)
+        found = np.empty((len(self.fields.expected), len(self._sample.places)))
         for some, lost in ((~self._beside, lacking), (self._beside, by_choice)):
-            found[:, some] = self._exposed(self._places[some], lost)
+            found[:, some] = self._exposed(self._sample.places[some], lost)
         return found
 
     @cached_property
     def _beside(self) -> NDArray[np.bool_]:
         """Which of them neighbours' light brings near saturation."""
-        return among(self._places, self.spilt, len(self.program.lanes))
+        return among(self._sample.places, self.spilt, len(self.program.lanes))
 
     def _exposed(self, places: NDArray[np.int64], lacking: frozenset[str]) -> Values:
         wired = self._chip.wired(self._every.without(*lacking))

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 from weakref import WeakKeyDictionary
 
 import numpy as np
@@ -16,9 +17,9 @@ from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
-from nscc_runtime.planner.near_loop import Asked, may_saturate
+from nscc_runtime.planner.near_loop import Asked, charges_at, may_saturate
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sums import sums_by_slot
+from nscc_runtime.planner.sums import Weights
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
@@ -33,70 +34,85 @@ _SPILT = 0.02
 
 @dataclass(frozen=True, eq=False)
 class Charges:
-    """Pixels (count,) that see much light: their places, in order; the most charge that each is
-    taken to see at a read, and without what its neighbours give; what these give more than they
-    take, of a frame's light. No other pixel may saturate.
+    """Pixels (count,) that see much light: their places, in order; the most charge (kinds, count)
+    that PIX of each is taken to see at a read and that registers are taken to hold, and without
+    what its neighbours give; what these give more than they take, of a frame's light. No other
+    pixel may saturate.
     """
 
     places: Places
-    most_e: Values
-    own_e: Values
+    most: Values
+    own: Values
     gained_e: Values
 
+    @property
+    def most_e(self) -> Values:
+        """The most charge (count,) that each is taken to see at a read."""
+        return self.most[0]
 
-def charges(
-    program: Program, light: Light, device_seed: int, wanted: Selection, threads: int
-) -> Charges:
+    @property
+    def own_e(self) -> Values:
+        """The same without what its neighbours give."""
+        return self.own[0]
+
+    def at(self, places: Places) -> Charges:
+        """Those at some of the places, in order."""
+        some = np.searchsorted(self.places, places)
+        return Charges(places, self.most[:, some], self.own[:, some], self.gained_e[some])
+
+
+def charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     """Of a scene under all effects that are wanted; kept for as long as the light is."""
     key = Charges, device_seed, wanted.on
     kept: WeakKeyDictionary[Light, Charges] = program.recent.of(key, WeakKeyDictionary)
     if light not in kept:
-        kept[light] = _charges(program, light, device_seed, wanted, threads)
+        kept[light] = _charges(program, light, device_seed, wanted)
     return kept[light]
 
 
-def _charges(
-    program: Program, light: Light, device_seed: int, wanted: Selection, threads: int
-) -> Charges:
+def _charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     chip, exchange = chip_of(program, device_seed, wanted, wanted), wanted.part(Exchange)
-    fraction = 0.0 if exchange is None else exchange.fraction(program.sensor)
-    rows, cols = light.shape
-    found, inflow = np.empty(light.shape, np.uint8), np.empty(light.shape)
+    weights, dark_s, limit = chip.own(_of_lanes)
+    shape, count, kinds = light.shape, len(light.frames), len(weights.slots)
+    sizes: dict[str, Any] = {
+        "rows": shape[0], "cols": shape[1], "count": count, "lane_count": len(limit),
+        "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
+        "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
+    }  # fmt: skip
+    arrays = {
+        "total": light.sum_e, "scale": chip.scale.reshape(shape),
+        "current": chip.current.reshape(shape), "lanes": program.lanes.reshape(shape),
+    }  # fmt: skip
+    found, places = np.empty(1, np.int64), np.empty(shape[0] * shape[1], np.int64)
     may_saturate(
-        asked=Asked(
-            rows=rows, cols=cols, fraction=fraction, frame_s=float(program.slot_s.sum())
-        ),
-        total=light.sum_e,
-        scale=chip.scale.reshape(light.shape),
-        current=chip.current.reshape(light.shape),
-        lanes=program.lanes.reshape(light.shape),
-        limit=reached(_SLACK * chip.near_e),
-        found=found,
-        inflow=inflow,
+        asked=Asked(places=0, **sizes), limit=limit, inflow=np.empty(shape[1]), found=found,
+        places=places, **arrays,
     )  # fmt: skip
-    places = np.flatnonzero(found.view(np.bool_))
-    if not len(places):
-        none = np.empty(0)
-        return Charges(places, none, none, none)
-    scale, lanes = chip.scale[places], program.lanes[places]
-    seen = program.tables.seen().astype(np.float64)
-    frames = np.take(light.frames.reshape(len(light.frames), -1), places, axis=1)
-    seen_e = sums_by_slot(light, frames, lanes, [seen], threads)[0] * scale
-    dark = chip.current[places] * (program.slot_s @ seen)[lanes]
-    given = inflow.reshape(-1)[places]
-    own = 1.0 - 4 * fraction
-    # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-    most = _reaching(np.maximum(seen_e, own * seen_e + given) + dark)
-    gained = given - 4 * fraction * light.sum_e.reshape(-1)[places] * scale
-    return Charges(places, most, _reaching(seen_e + dark), gained)
+    many = int(found[0])
+    places, gained = places[:many].copy(), np.empty(many)
+    most, own = np.empty((2, kinds, many))
+    if many:
+        charges_at(
+            asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
+            frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
+            weights=weights.of_frames(light), **arrays,
+        )  # fmt: skip
+    return Charges(places, most, own, gained)
 
 
-def _reaching(charge: Values) -> Values:
-    return np.asarray(charge + _SIGMAS * np.sqrt(charge))
+def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
+    """How much of each slot (kinds, N, lanes) PIX sees, and registers hold; for how long these
+    gather dark charge, in seconds; and the least charge of a frame with which a lane may saturate.
+    """
+    program = chip.program
+    held = () if program.reach.held is None else program.reach.held
+    weights = np.stack([program.tables.seen(), *held]).astype(np.float64)
+    least_e = (chip.near_e / np.maximum(weights.max(axis=1), 1.0)).min(axis=0)
+    return Weights(weights), program.slot_s @ weights, reached(_SLACK * least_e)
 
 
 def reached(limit: Values) -> Values:
-    """The least charge that `_reaching` takes to a limit."""
+    """The least charge that noise takes to a limit."""
     return ((np.sqrt(_SIGMAS**2 + 4.0 * np.maximum(limit, 0.0)) - _SIGMAS) / 2.0) ** 2
 
 
@@ -110,18 +126,22 @@ class Near:
     @property
     def places(self) -> Places:
         """Where they are, in order."""
-        return self.charges.places[self._reach(self.charges.most_e)]
+        return self.charges.places[self._reach(self.charges.most)]
 
     @property
     def spilt(self) -> Places:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        alone = self._reach(self.charges.own_e)
+        alone = self._reach(self.charges.own)
         alone &= self.charges.gained_e <= _SPILT * self.chip.full_e
-        return self.charges.places[self._reach(self.charges.most_e) & ~alone]
+        return self.charges.places[self._reach(self.charges.most) & ~alone]
 
     @cached_property
-    def _limit(self) -> Values:
-        return self.chip.near_e[self.chip.program.lanes[self.charges.places]]
+    def _lanes(self) -> NDArray[np.int32]:
+        return self.chip.program.lanes[self.charges.places]
 
     def _reach(self, charge: Values) -> NDArray[np.bool_]:
-        return np.asarray(charge >= self._limit)
+        lanes, found = self._lanes, np.zeros(charge.shape[1], np.bool_)
+        for each, limit in zip(charge, self.chip.near_e, strict=True):
+            if limit.min() < np.inf:
+                found |= each >= limit[lanes]
+        return found

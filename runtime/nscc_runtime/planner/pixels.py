@@ -36,7 +36,7 @@ from nscc_runtime.planner.error_loop import ERRORS
 from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
-from nscc_runtime.planner.sites import Sites, is_even, sites_of, with_neighbours
+from nscc_runtime.planner.sites import Sites, Times, is_even, needed, sites_of
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import (
     START,
@@ -100,6 +100,12 @@ class Pixels:
             groups.reshape(program.groups.of_slot.shape).astype(np.int32),
             ids.astype(np.uint64),
         )
+
+    @cached_property
+    def times(self) -> Times:
+        """Its slots by lane."""
+        slot_s = np.array(self.program.container.slot_us, np.float64) * 1e-6
+        return Times(self.groups, len(self.group_ids), slot_s)
 
     @cached_property
     def numbers(self) -> int:
@@ -178,8 +184,7 @@ class Wired:
     def laid_out(self, light: Light, places: NDArray[np.int64], threads: int) -> Sites:
         """The light of places."""
         return sites_of(
-            light, places, self.lanes, self.words.groups, len(self.words.group_ids),
-            np.require(self.slot_s, np.float64, ["C", "A"]), self.numbers,
+            light, places, self.lanes, self.words.times, self.numbers,
             _keys(registered(), 0, self.device_seed), switches(Laying, self.effects), threads,
         )  # fmt: skip
 
@@ -339,9 +344,8 @@ class Running:
         return self._needed(slice(None))
 
     def _needed(self, part: slice) -> NDArray[np.int64]:
-        if self.wired.effects.part(Exchange) is None:
-            return np.unique(self._chosen[part])
-        return with_neighbours(self._chosen[part], self.light.shape)
+        beside = self.wired.effects.part(Exchange) is not None
+        return needed(self._chosen[part], self.light.shape, beside)
 
     @cached_property
     def _parts(self) -> list[slice]:

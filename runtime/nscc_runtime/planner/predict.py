@@ -33,6 +33,7 @@ from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
+from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
@@ -213,10 +214,9 @@ class Forecast(ABC):
         near = self._everything.near
         return replace(near, chip=replace(near.chip, kept=self.every.without(*lost))).places
 
-    def most_e(self, state: str) -> Values:
-        """The most charge that they see, what neighbours give them included."""
-        charges = self._everything.near.charges
-        return charges.most_e[np.searchsorted(charges.places, self.running(state))]
+    def charges(self, state: str) -> Charges:
+        """What they see."""
+        return self._everything.near.charges.at(self.running(state))
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
@@ -256,7 +256,8 @@ class Forecast(ABC):
         them."""
         if state == "sums":
             return self.fields.variance
-        whole = self.slow.union(self.fields.after if state == "clip" else ())
+        whole = self.slow | self.saturation
+        whole = whole.union(self.fields.after if state == "clip" else ())
         return {
             name: variance if name in whole else variance * self._where(state)
             for name, variance in self.fields.variance.items()
@@ -332,7 +333,7 @@ class Forecast(ABC):
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
         # neighbours' from sums: of one that is full, these matter nothing.
-        beside = np.maximum(where, self.runs(state) & ~fields.clipped)
+        beside = np.maximum(where, self.runs(state) * fields.unfilled)
         return {
             THINNING: fields.thinning[self.closed] * where,
             FORMULA: np.full(where.shape, _FORMULA_E**2),

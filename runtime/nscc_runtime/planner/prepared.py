@@ -20,7 +20,7 @@ from nscc_runtime.planner.chip import Chip, chip_of
 from nscc_runtime.planner.near import Near, charges
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sums import scene_sums
+from nscc_runtime.planner.sums import Weights, scene_sums
 
 Values = NDArray[np.float64]
 
@@ -78,19 +78,15 @@ class Prepared:
         """All sums over the scene in one go: the light (counted groups, pixels) of each group of
         slots that is counted, and the light (buckets, leak nodes, pixels) of each bucket.
         """
-        program, exchange = self.program, self.kept.part(Exchange)
-        buckets, nodes = range(len(program.container.buckets)), self.chip.leaks[0]
+        exchange = self.kept.part(Exchange)
         lit = self.counted if self.kept.part(CountedLight) is not None else ()
-        groups = [program.members(group) for group in lit]
-        model = program.model(self.kept)
-        weights = [program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in nodes]
-        stack = [each[:, :, b] for b in buckets for each in weights]
-        plain, smeared = (groups + stack, []) if exchange is None else (groups, stack)
+        weights, nodes = self.chip.own(_weights, lit), len(self.chip.leaks[0])
         found = scene_sums(
-            self.source, program.lanes, self.chip.scale, plain, smeared,
-            0.0 if exchange is None else exchange.fraction(program.sensor), self.threads,
+            self.source, self.program.lanes, self.chip.scale, weights,
+            len(weights.slots) if exchange is None else len(lit),
+            0.0 if exchange is None else exchange.fraction(self.program.sensor), self.threads,
         )  # fmt: skip
-        return found[: len(groups)], found[len(groups) :].reshape(len(buckets), len(nodes), -1)
+        return found[: len(lit)], found[len(lit) :].reshape(-1, nodes, found.shape[1])
 
     @property
     def light_rates(self) -> Values:
@@ -101,7 +97,11 @@ class Prepared:
     def expected(self) -> Values:
         """The exposures (buckets, pixels) of the mean charge, nothing saturated."""
         sums, dark_e = self._sums[1], self.chip.dark_e
-        found = sums[:, 0] if sums.shape[1] == 1 else (sums * self.chip.leaks[1]).sum(axis=1)
+        found = sums[:, 0]
+        if sums.shape[1] > 1:
+            np.multiply(sums, self.chip.leaks[1], out=sums)
+            for node in range(1, sums.shape[1]):
+                found += sums[:, node]
         if dark_e is not None:
             np.add(found, dark_e, out=found)
         return np.ascontiguousarray(found)
@@ -111,7 +111,7 @@ class Prepared:
         """The pixels that may saturate in a way that sums do not know."""
         # These pixels run with all effects, so all effects say which they are.
         wanted = self.plan.wanted
-        found = charges(self.program, self.source, self.device_seed, wanted, self.threads)
+        found = charges(self.program, self.source, self.device_seed, wanted)
         return Near(self.chip, found)
 
     @cached_property
@@ -120,3 +120,16 @@ class Prepared:
         if np.isinf(self.chip.near_e).all():
             return np.empty(0, np.int64)
         return self.near.places
+
+
+def _weights(chip: Chip, counted: tuple[int, ...]) -> Weights:
+    """Which slots are of each group that is counted; then how much of each slot's light comes to
+    each bucket, at each rate of leakage."""
+    program = chip.program
+    model = program.model(chip.kept)
+    slots = [
+        program.tables.weights(replace(model, leak_per_s=rate)).slots for rate in chip.leaks[0]
+    ]
+    buckets = range(len(program.container.buckets))
+    groups = [program.members(group) for group in counted]
+    return Weights(groups + [each[:, :, bucket] for bucket in buckets for each in slots])

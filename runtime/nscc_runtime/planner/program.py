@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGain
+from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, Soft, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
@@ -101,7 +101,8 @@ class Program:
     @cached_property
     def reach(self) -> Reach:
         """How far registers go with every effect on."""
-        return reach_of(self.tables, everything())
+        every = everything()
+        return reach_of(self.tables, every, every.the(Soft).linear_e(self.sensor))
 
     @cached_property
     def lanes(self) -> NDArray[np.int32]:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Effect
-from nscc_runtime.effects.parts import LitLevel, SlowWords
+from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
@@ -152,13 +152,15 @@ class Promises(Forecast):
     ) -> float | None:
         """`noise_ratio` where it is a promise, else None.
 
+        It is none where registers fade and are simulated as if they did not: other words act then.
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
         another's: it is no promise where saturation is left out, nor where none of that noise, all
         of it, or losing `_WORSE` times as much of it, would make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
-        if ratio is None or self.coarse or not near.any():
-            return None if self.coarse else ratio
+        as_if_fresh = self.program.tables.decays and self._dropped(Fading, dropped)
+        if ratio is None or self.coarse or as_if_fresh or not near.any():
+            return None if self.coarse or as_if_fresh else ratio
         if dropped & self.saturation:
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)

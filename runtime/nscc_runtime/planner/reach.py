@@ -1,7 +1,7 @@
 """How far the registers of a program may go from zero: for light, and for what is not light.
 
-The words run forwards over some lanes, many copies of each: with charge in single slots, which
-shows how often a register counts it; and with noise and offsets alone, drawn at random.
+The words run forwards over some lanes. What registers hold hangs linearly on the charge of each
+stretch of slots between words, on the fixed error of a word, and on noise.
 """
 
 from __future__ import annotations
@@ -20,94 +20,179 @@ from nscc_runtime.reference.weights import error_sign
 Values = NDArray[np.float64]
 
 _MOST_LANES = 64
-_COPIES = 32
-_SIGMAS = 7.0
-"""Of noise whose standard deviation is known from `_COPIES` copies only."""
+_MOST_STRETCHES = 128
+_SIGMAS = 6.0
+_KINDS = 2
+"""Of what registers hold of the slots: as a rule the light of open ones, and that of closed ones,
+which is taken away again."""
+_ROUNDING = 1e-9
 
 
 @dataclass(frozen=True, eq=False)
 class Reach:
-    """`light`: the largest part of the charge seen by PIX that a register holds (1 for programs
-    that count nothing twice). `offset_e` and `sigma_e` (lanes,): mean and standard deviation of the
-    register that noise and offsets alone take farthest.
+    """What registers hold is at most what one of the `held` (kinds, N, lanes) makes of the slots'
+    charge, and they stay in their linear range as long as each of these is below its `least_e`
+    (kinds, lanes), 0 where noise alone may take them out of it; without `held` as long as what PIX
+    has seen is below it. `offset_e` and `sigma_e` (lanes,): mean and standard deviation of the
+    register that noise and offsets alone take farthest, every word with an error of `word_e`, more
+    than that of almost all pixels.
     """
 
-    light: float
+    held: Values | None
+    least_e: Values
     offset_e: Values
     sigma_e: Values
-
-    @property
-    def noise_e(self) -> Values:
-        """How far (lanes,) noise and offsets alone may take a register."""
-        return np.asarray(self.offset_e + _SIGMAS * self.sigma_e)
+    word_e: float
 
 
-def reach_of(tables: Tables, kept: Selection) -> Reach:
-    """The reach of a program with the noise of the effects in `kept`; the same on every call."""
-    lanes = len(tables.container.encoding)
+def reach_of(tables: Tables, kept: Selection, linear_e: float) -> Reach:
+    """The reach of a program with the noise of the effects in `kept`, where registers are linear
+    up to `linear_e`; the same on every call."""
+    lanes, slots = len(tables.container.encoding), tables.container.slots
     some = np.unique(np.linspace(0, lanes - 1, min(lanes, _MOST_LANES)).astype(np.intp))
-    rng = np.random.default_rng(0)
-    light, _ = _peak(tables, some, rng, None)
-    offset, sigma = _peak(tables, some, rng, kept)
+    ends = np.unique([word.boundary for word in tables.decayed])
+    shown = np.unique(np.linspace(0, len(ends) - 1, min(len(ends), _MOST_STRETCHES)).astype(int))
+    found = _farthest(tables, some, ends[shown], kept, linear_e)
+    offset, sigma = found.offset, found.sigma
     if len(some) < lanes:
         worst = int(np.argmax(offset + _SIGMAS * sigma))
         offset, sigma = np.full(lanes, offset[worst]), np.full(lanes, sigma[worst])
-    return Reach(max(1.0, float(light.max())), offset, sigma)
+    if len(some) < lanes or len(shown) < len(ends):
+        # Only some lanes or stretches are known.
+        least = np.full((1, lanes), found.least.min() / found.most)
+        return Reach(None, least, offset, sigma, found.word_e)
+    of_slot = np.searchsorted(ends, np.arange(slots), side="right")
+    weights = np.append(found.held, np.zeros((*found.least.shape, 1)), axis=2)
+    held = np.moveaxis(weights[:, :, of_slot], 1, 2)
+    return Reach(held, found.least, offset, sigma, found.word_e)
 
 
-def _peak(
-    tables: Tables, some: NDArray[np.intp], rng: np.random.Generator, kept: Selection | None
-) -> tuple[Values, Values]:
-    """The largest value (lanes,) of any register and 0: of one electron in a random slot without
-    `kept`; else mean and standard deviation of noise and offsets, where they reach farthest.
-    """
-    container, sensor = tables.container, tables.program.sensor
-    shape = len(some), _COPIES
-    registers = {name: np.zeros(shape) for name in (*container.target.analog_registers, "IN")}
-    pix, level = np.zeros(shape), np.zeros(shape)
-    slot = rng.integers(0, container.slots, shape)
-    peak, sigma, at = np.zeros(len(some)), np.zeros(len(some)), 0
-    gain, offset = kept.part(WordGain) if kept else None, 0.0
-    if gain is not None:
-        mean_e, spread_e = gain.mean_e(sensor), gain.spread_e(sensor)
-        offset = mean_e + _SIGMAS * spread_e * np.sign(mean_e or 1.0)
-    errors: dict[str, list[float]] = {"reads": [], "resets": [], "words": []}
-    for _, part in kept.errors() if kept else ():
-        errors[part.at].append(part.sigma_e(sensor))
-
-    def drawn(at: str) -> Values | float:
-        return sum(sigma * rng.standard_normal(shape) for sigma in errors[at])
-
+def _farthest(
+    tables: Tables, some: NDArray[np.intp], ends: NDArray[np.int64], kept: Selection,
+    linear_e: float,
+) -> _Found:  # fmt: skip
+    """What is found of some lanes, and of the stretches of slots that end at some boundaries."""
+    part, sensor = kept.part(WordGain), tables.program.sensor
+    error_e = (part.mean_e(sensor), part.spread_e(sensor)) if part else (0.0, 0.0)
+    state = _State(tables, len(some), len(ends), kept)
+    found, at = _Found.none(len(some), len(ends), linear_e, error_e), -1
     for word in tables.decayed:
-        if kept is None:
-            pix = pix + ((slot >= at) & (slot < word.boundary))
-        at = word.boundary
-        here = word.lanes[some][:, None]
-        if not here.any():
-            continue
+        state.held[:, state.pix, :-1][:, (ends > at) & (ends <= word.boundary)] = 1.0
+        at, here = word.boundary, word.lanes[some]
         if word.resets:
-            pix = np.where(here, 0.0, pix)
-            if errors["resets"]:
-                level = np.where(here, drawn("resets"), level)
-            continue
-        total = _total(word, registers, pix + level)
+            state.reset(here)
+        elif here.any():
+            state.execute(word, here)
+            for row in map(state.names.index, word.op.destinations):
+                lit, fixed = state.held[:, row, :-1], state.held[:, row, -1]
+                found.add(here, lit, fixed, np.sqrt(state.covariance[:, row, row]))
+    return found
+
+
+class _State:
+    """What registers, PIX and its reset level hold: `held` (lanes, rows, columns) of the charge of
+    each stretch and, last, of the fixed error; and the `covariance` (lanes, rows, rows) of their
+    noise."""
+
+    def __init__(self, tables: Tables, lanes: int, stretches: int, kept: Selection) -> None:
+        self._container, sensor = tables.container, tables.program.sensor
+        self.names = (*self._container.target.analog_registers, "IN", "PIX", "level")
+        self.pix, self._level = len(self.names) - 2, len(self.names) - 1
+        self.held = np.zeros((lanes, len(self.names), stretches + 1))
+        self.covariance = np.zeros((lanes, len(self.names), len(self.names)))
+        gain = kept.part(WordGain)
+        # Plans may leave a gain below 1 out.
+        self._gain = max(1.0, gain.gain(sensor)) if gain else 1.0
+        self._variance = {"reads": 0.0, "resets": 0.0, "words": 0.0}
+        for _, errors in kept.errors():
+            self._variance[errors.at] += errors.sigma_e(sensor) ** 2
+
+    def reset(self, here: NDArray[np.bool_]) -> None:
+        """PIX is reset in these lanes."""
+        both = [self.pix, self._level]
+        made = np.eye(len(self.names))
+        made[both] = 0.0
+        self._become(here, made)
+        self.covariance[here, self._level, self._level] = self._variance["resets"]
+
+    def execute(self, word: AnalogWord, here: NDArray[np.bool_]) -> None:
+        """One bus word, in these lanes."""
+        part = -self._gain / word.op.operation.divisor
+        total = np.zeros(len(self.names))
+        for name in word.op.sources:
+            total[self.names.index(name)] += part
+            total[self._level] += part if name == "PIX" else 0.0
+        rows = [self.names.index(name) for name in word.op.destinations]
+        made = np.eye(len(self.names))
+        made[rows] = total
+        self._become(here, made)
         if "PIX" in word.op.sources:
-            total = total + drawn("reads")
-        for name in word.op.destinations:
-            value = total / -word.op.operation.divisor
-            value = value + error_sign(name, container) * (offset + drawn("words"))
-            registers[name] = np.where(here, value, registers[name])
-            if kept is None:
-                peak = np.maximum(peak, np.abs(registers[name]).max(axis=1))
-                continue
-            mean, std = np.abs(registers[name].mean(axis=1)), registers[name].std(axis=1)
-            farther = mean + _SIGMAS * std > peak + _SIGMAS * sigma
-            peak, sigma = np.where(farther, mean, peak), np.where(farther, std, sigma)
-    return peak, sigma
+            # One read, whatever is written.
+            self.covariance[np.ix_(here, rows, rows)] += part**2 * self._variance["reads"]
+        for name, row in zip(word.op.destinations, rows, strict=True):
+            self.held[here, row, -1] += error_sign(name, self._container)
+            self.covariance[here, row, row] += self._variance["words"]
+
+    def _become(self, here: NDArray[np.bool_], made: Values) -> None:
+        """Each row becomes what `made` (rows, rows) makes of all of them."""
+        self.held[here] = made @ self.held[here]
+        self.covariance[here] = made @ self.covariance[here] @ made.T
 
 
-def _total(word: AnalogWord, registers: dict[str, Values], pix: Values) -> Values:
-    total = np.zeros_like(pix)
-    for name in word.op.sources:
-        total = total + (pix if name == "PIX" else registers[name])
-    return total
+@dataclass(eq=False)
+class _Found:
+    """What `Reach` has, of the registers that were written so far: `held` (kinds, lanes,
+    stretches). `error_e`: mean and spread of the fixed error."""
+
+    linear_e: float
+    error_e: tuple[float, float]
+    held: Values
+    least: Values
+    offset: Values
+    sigma: Values
+
+    @classmethod
+    def none(
+        cls, lanes: int, stretches: int, linear_e: float, error_e: tuple[float, float]
+    ) -> _Found:
+        """Before any was written."""
+        held, least = np.zeros((_KINDS, lanes, stretches)), np.full((_KINDS, lanes), np.inf)
+        return cls(linear_e, error_e, held, least, np.zeros(lanes), np.zeros(lanes))
+
+    @property
+    def most(self) -> float:
+        """The largest part of a charge that a register holds: 1 if nothing counts twice."""
+        return max(1.0, float(self.held.max(initial=0.0)))
+
+    @property
+    def word_e(self) -> float:
+        """The fixed error of a word that almost no pixel exceeds."""
+        mean_e, spread_e = self.error_e
+        return abs(mean_e) + _SIGMAS * spread_e
+
+    def add(self, here: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
+        """A register is written in the lanes that are `here`: with so much (lanes, stretches) of
+        their charge and of the fixed error, and noise of this standard deviation."""
+        mean_e, spread_e = self.error_e
+        one, other = (fixed * (mean_e + side * _SIGMAS * spread_e) for side in (-1.0, 1.0))
+        above = self.linear_e - np.maximum(one, other) - _SIGMAS * sigma
+        below = self.linear_e + np.minimum(one, other) - _SIGMAS * sigma
+        least = np.where((lit > _ROUNDING).any(axis=1), above, np.inf)
+        least = np.minimum(least, np.where((lit < -_ROUNDING).any(axis=1), below, np.inf))
+        least = np.where((above < 0) | (below < 0), 0.0, least)
+        self._hold(here, np.abs(lit), least)
+        mean = np.maximum(np.abs(one), np.abs(other))
+        farther = here & (mean + _SIGMAS * sigma > self.offset + _SIGMAS * self.sigma)
+        self.offset = np.where(farther, mean, self.offset)
+        self.sigma = np.where(farther, sigma, self.sigma)
+
+    def _hold(self, left: NDArray[np.bool_], size: Values, least: Values) -> None:
+        """Add what is held to the first kind that has no less of any stretch, or no more; to the
+        last one if there is none."""
+        for kind in range(_KINDS):
+            held = self.held[kind]
+            more, less = (size <= held + _ROUNDING).all(axis=1), (held <= size).all(axis=1)
+            here = left & (more | less | (kind == _KINDS - 1))
+            self.held[kind] = np.where(here[:, None], np.maximum(held, size), held)
+            self.least[kind] = np.where(here, np.minimum(self.least[kind], least), self.least[kind])
+            left = left & ~here

@@ -14,6 +14,8 @@ from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Response, WordGain
 from nscc_runtime.light import Light
 from nscc_runtime.planner.by_lane import LEAK_STEP
+from nscc_runtime.planner.chip import all_by_words, whole_chip
+from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sample_loop import SIDES, Gathering, gather
@@ -164,6 +166,18 @@ class SampledScene:
 
     def without(self, name: str) -> Values:
         return np.asarray(self._lit[self.by_lane.row[name]])
+
+    def by_words(self, name: str) -> Values:
+        every = all_by_words()
+        kept, lost = (self.program.words(each) for each in (every, every.without(name)))
+        if kept is lost:
+            return np.zeros((len(self.buckets), len(self.places)))
+        chip = whole_chip(self.program, self.device.device_seed)
+        with_it, without = (
+            Running(chip.wired(each), self.scene, self.places, 1).expose(0, 0)[0]
+            for each in (every, every.without(name))
+        )
+        return with_it - without
 
     @cached_property
     def base(self) -> Values:

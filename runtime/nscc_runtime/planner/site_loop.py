@@ -8,7 +8,17 @@ from typing import Annotated
 import numpy as np
 
 from nscc_runtime.effects.spread import log_normal_in_loop
-from nscc_runtime.loop import Floats, Floats32, Ints, Ints32, Written, compiled, loop, record
+from nscc_runtime.loop import (
+    Bytes,
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Written,
+    compiled,
+    loop,
+    record,
+)
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
 from nscc_runtime.planner.charge_loop import DARK, LIT
@@ -34,6 +44,16 @@ class Laying:
     counts_dark: int
 
 
+@record
+class Asked:
+    """How many pixels are chosen, of an array; `beside`: whether neighbours are needed, too."""
+
+    chosen: int
+    rows: int
+    cols: int
+    beside: int
+
+
 @compiled
 def _rate(numbers: Numbers, total: float, response: float) -> float:
     """The rate of a slot whose light, in float64, is `total`."""
@@ -56,6 +76,26 @@ def _light(
 
 
 @loop
+def mark(
+    asked: Asked,
+    chosen: Annotated[Ints, "chosen"],
+    needed: Written[Annotated[Bytes, "rows cols"]],
+) -> None:
+    """needed := 1 at the places `chosen` and, where they are asked for, beside them; it comes
+    filled with 0."""
+    rows, cols = asked.rows, asked.cols
+    for i in range(asked.chosen):
+        p = chosen[i]
+        needed[p] = 1
+        if asked.beside:
+            row, col = p // cols, p % cols
+            needed[p - cols if row > 0 else p] = 1
+            needed[p + cols if row + 1 < rows else p] = 1
+            needed[p - 1 if col > 0 else p] = 1
+            needed[p + 1 if col + 1 < cols else p] = 1
+
+
+@loop
 def lay_out(
     laying: Laying,
     numbers: Numbers,
@@ -67,17 +107,26 @@ def lay_out(
     frame_index: Annotated[Ints32, "shares"],
     weight: Annotated[Floats, "shares"],
     of_slot: Annotated[Ints32, "lanes slots"],
+    of_lane: Annotated[Ints, "lanes 2"],
+    number: Written[Annotated[Ints32, "pixels"]],
+    rows: Written[Annotated[Ints, "sites 2"]],
     scales: Written[Annotated[Floats, "sites 2"]],
     sums: Written[Floats],
 ) -> None:
-    """scales[i] := the light of a slot at places[i], and its dark current.
+    """number[places[i]] := i; rows[i] := where in `sums` the light and the dark charge of the site
+    begin; scales[i] := the light of a slot there, and its dark current.
 
-    Where slots are not even, the former is 1 instead, and the first of `sums` (sites, groups,
-    N + 1) are the light of each group, added up from slot to slot. `of_slot`: the group of each.
+    `of_lane`: where those of each lane begin. Where slots are not even, each site has a row of its
+    own for light and its scale is 1: the first of `sums` (sites, groups, N + 1) are the light of
+    each group, added up from slot to slot. `of_slot`: the group of each.
     """
     pixels, slots, count = laying.pixels, laying.slots, laying.groups
     for i in range(laying.begin, laying.end):
         place, response = places[i], 1.0
+        lane = lanes[place]
+        number[place] = i
+        rows[2 * i + LIT] = of_lane[2 * lane + LIT] if laying.even else i * count * (slots + 1)
+        rows[2 * i + DARK] = of_lane[2 * lane + DARK]
         if laying.uneven:
             response += numbers.uneven * normal(uniform(keys.uneven, place))
             response = response if response > 0.0 else 0.0
@@ -99,8 +148,8 @@ def lay_out(
                 mine = of_slot[lanes[place] * slots + n]
                 for group in range(count):
                     at = (i * count + group) * (slots + 1) + n
-                    before = sums[at] if n > 0 else 0.0
-                    sums[at] = before
-                    sums[at + 1] = before + rate if group == mine else before
+                    if n == 0:
+                        sums[at] = 0.0
+                    sums[at + 1] = sums[at] + rate if group == mine else sums[at]
         for i in range(first, stop):
             scales[2 * i + LIT] = 1.0

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.light import Light
+from nscc_runtime.light import Light, Timing
 from nscc_runtime.loop import Bound
 from nscc_runtime.planner import sum_loop
 from nscc_runtime.planner.sum_loop import DARK, EVEN, FEW, MIXED, SceneSizes, SumSizes
@@ -16,6 +17,8 @@ from nscc_runtime.pool import in_parts
 
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
+_MOST_KEPT = 1 << 21
+"""Of tables that are kept from light to light."""
 
 
 def weighted_sums(
@@ -60,47 +63,97 @@ def weighted_sums(
     return out
 
 
+@dataclass(frozen=True, eq=False)
+class Tables:
+    """Weights of frames as `nscc_runtime.planner.sum_loop.scene_sums` takes them."""
+
+    table: NDArray[np.float64]
+    kinds: NDArray[np.uint8]
+    alike: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, weights: NDArray[np.float64]) -> Tables:
+        """Of weights (J, T, lanes)."""
+        table, kinds = _laid_out(weights)
+        return cls(table, kinds, _alike(table))
+
+
+class Weights:
+    """Weights (N, lanes) of slots, to be those of frames; at least one.
+
+    What they are for the frames of the last light is kept: those of a film fall in the same slots.
+    """
+
+    def __init__(self, slots: Sequence[NDArray[np.float64]]) -> None:
+        self.slots = slots
+        self._last: tuple[Timing, NDArray[np.float64], Tables] | None = None
+
+    @property
+    def lanes(self) -> int:
+        """How many lanes they have."""
+        return self.slots[0].shape[1]
+
+    def of_frames(self, light: Light) -> NDArray[np.float64]:
+        """The weights (J, T, lanes) of a light's frames."""
+        return self._of(light)[0]
+
+    def tables(self, light: Light) -> Iterator[tuple[slice, Tables]]:
+        """The same as the loop takes them: so many at once as memory has room for."""
+        room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
+        if room >= len(self.slots):
+            yield slice(0, len(self.slots)), self._of(light)[1]
+            return
+        for first in range(0, len(self.slots), room):
+            part = slice(first, min(first + room, len(self.slots)))
+            yield part, Tables.of(_tables(light, self.slots[part]))
+
+    def _of(self, light: Light) -> tuple[NDArray[np.float64], Tables]:
+        last = self._last  # threads may make it anew
+        if last is None or not last[0].same(light.timing):
+            weights = _tables(light, self.slots)
+            last = light.timing.copy(), weights, Tables.of(weights)
+            if weights.size <= _MOST_KEPT:
+                self._last = last
+        return last[1:]
+
+
 def scene_sums(
     light: Light,
     lanes: NDArray[np.int32],
     scale: NDArray[np.float64],
-    plain: Sequence[NDArray[np.float64]],
-    smeared: Sequence[NDArray[np.float64]],
+    weights: Weights,
+    smeared: int,
     fraction: float,
     threads: int = 1,
 ) -> NDArray[np.float64]:
-    """The sums (plain and smeared, pixels) of a light's slots, each weighted by slot and lane; at
-    least one.
+    """The sums (of each of the weights, pixels) of a light's slots, each weighted by slot and lane.
 
-    `lanes` and `scale`, a factor on the light, are (pixels,); weights are (N, lanes of the
-    program). The smeared ones weigh what is there after `fraction` of each pixel's light has gone
-    to each of its neighbours. Threads change no bit.
+    `lanes` and `scale`, a factor on the light, are (pixels,). Those from number `smeared` on weigh
+    what is there after `fraction` of each pixel's light has gone to each of its neighbours. Threads
+    change no bit.
     """
-    weights = [*plain, *smeared]
-    shape = light.shape
-    lane_count = weights[0].shape[1]
-    if not (lanes.min(initial=0) >= 0 and lanes.max(initial=0) < lane_count):
+    shape, count = light.shape, len(weights.slots)
+    if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
         raise ValueError("a lane that the weights do not have")
-    out = np.empty((len(weights), *shape))
-    room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * lane_count))
+    out = np.empty((count, *shape))
     frames = np.require(light.ended, np.float32, ["C", "A"])
-    share = scale.astype(np.float32) if len(smeared) else np.ones(1, np.float32)
-    for first in range(0, len(weights), room):
-        table, kinds = _laid_out(_tables(light, weights[first : first + room]))
+    share = scale.astype(np.float32) if smeared < count else np.ones(1, np.float32)
+    for part, tables in weights.tables(light):
         bound = sum_loop.scene_sums.bound(
             frames=frames,
             scale=np.require(scale.reshape(shape), np.float64, ["C", "A"]),
             lanes=np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
             share=share,
-            table=table,
-            kinds=kinds,
-            alike=_alike(table),
-            out=out[first : first + room],
+            table=tables.table,
+            kinds=tables.kinds,
+            alike=tables.alike,
+            out=out[part],
         )
+        sums, _, lane_count = tables.table.shape
         sizes = {
-            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": len(table),
-            "lane_count": table.shape[2], "fraction": fraction,
-            "smeared": min(max(len(plain) - first, 0), len(table)),
+            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": sums,
+            "lane_count": lane_count, "fraction": fraction,
+            "smeared": min(max(smeared - part.start, 0), sums),
         }  # fmt: skip
 
         def run(begin: int, end: int, bound: Bound = bound, sizes: dict[str, Any] = sizes) -> None:
@@ -109,7 +162,7 @@ def scene_sums(
             bound(sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered)
 
         in_parts(run, shape[0], threads)
-    return out.reshape(len(weights), -1)
+    return out.reshape(count, -1)
 
 
 def sums_by_slot(
