@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
+from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords, Soft
 from nscc_runtime.light import Light
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
@@ -192,29 +192,28 @@ class Lacking:
     def _surely(self) -> NDArray[np.int64]:
         """Those of these pixels that are measured in any case, as few of them may have most of what
         is lost: the brightest, suns and what is beside them; the darkest, which may be the only
-        ones that are not full; and those nearest to a full well, where a little decides on all the
-        rest."""
-        most_e = reached(self.seen.most_e)
-        sure = most_e, -most_e, -np.abs(most_e - self._full_e)
-        return np.asarray(self.near[np.unique(np.concatenate([brightest(each) for each in sure]))])
+        ones that are not full; and those that take PIX, or registers, nearest to the most that they
+        hold, where a little decides on all the rest."""
+        seen_e, held_e = reached(self.seen.most_e), reached(self.seen.own[1:])
+        well_e = np.abs(seen_e - self._chip.full_e)
+        room_e = np.abs(held_e - everything().the(Soft).linear_e(self.program.sensor))
+        sure = [brightest(each) for each in (seen_e, -seen_e, -well_e, *-room_e)]
+        return np.asarray(self.near[np.unique(np.concatenate(sure))])
 
     def _chances(self, seen: Charges) -> Values:
         """How likely each is to be drawn: a quarter evenly, a quarter of those that are not full, a
         quarter of those that may lack their neighbours, a quarter by what these change."""
-        own_e, most_e = reached(seen.own_e), np.inf
+        own_e, most_e, full_e = reached(seen.own_e), np.inf, self._chip.full_e
+        not_full = own_e < full_e
         if self.program.all_single:
             # A full pixel changes no more; one that is read many times may be full now and then.
-            own_e, most_e = np.minimum(own_e, self._full_e), self._full_e
+            own_e, most_e = np.minimum(own_e, full_e), full_e
         scores = (
-            own_e < self._full_e,
+            not_full,
             ~among(seen.places, self.spilt, len(self.program.lanes)),
             np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e),
         )
         return np.asarray(1.0 + sum(each / max(each.mean(), 1e-300) for each in scores))
-
-    @property
-    def _full_e(self) -> float:
-        return self._chip.full_e
 
     @cached_property
     def _every(self) -> Selection:
