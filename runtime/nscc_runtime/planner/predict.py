@@ -118,9 +118,11 @@ class Forecast(ABC):
         """Effects that the loop over words cannot have: only the reference has them."""
         return frozenset(e.name for e in registered() if isinstance(e.words, CannotHave))
 
-    def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
-        """Whether all effects that have a part of a kind are left out."""
-        return self.every.names(kind) <= dropped
+    @cached_property
+    def _having(self) -> dict[type[Part], frozenset[str]]:
+        """The names of the effects that have a part of a kind that predictions hang on."""
+        kinds = SlowWords, LitLevel, Soft, CountedLight
+        return {kind: self.every.names(kind) for kind in kinds}
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -189,8 +191,8 @@ class Forecast(ABC):
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
         lost = self.saturation & dropped
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
-        if self._dropped(SlowWords, dropped):
-            found |= self.every.names(LitLevel)
+        if self._having[SlowWords] <= dropped:
+            found |= self._having[LitLevel]
         return found | {CLIP, FORCED}
 
     @remembered
@@ -200,7 +202,7 @@ class Forecast(ABC):
         """
         if not len(self.near) or dropped >= self.saturation:
             return "sums"
-        if self._dropped(Soft, dropped) and self.program.all_single:
+        if self._having[Soft] <= dropped and self.program.all_single:
             return "clip"
         # With less that saturates fewer pixels run through their words.
         return " without ".join((WORDS, *sorted(self.saturation & dropped)))
@@ -238,7 +240,7 @@ class Forecast(ABC):
         if name == CLIP:
             field = np.zeros(clipped.shape)
             if state == "clip":
-                for slow in sorted(self.every.names(SlowWords) | self.every.names(LitLevel)):
+                for slow in sorted(self._having[SlowWords] | self._having[LitLevel]):
                     field += np.where(clipped, fixed[slow], 0.0)
             return field
         field = fixed[name]
@@ -264,12 +266,12 @@ class Forecast(ABC):
 
     def _rounding(self, dropped: frozenset[str]) -> Values:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
-        return _NOTHING if self._dropped(CountedLight, dropped) else self._rounded(dropped)[1]
+        return _NOTHING if self._having[CountedLight] <= dropped else self._rounded(dropped)[1]
 
     def rounding_of(self, dropped: frozenset[str]) -> Values:
         """The same of each pixel (buckets, pixels)."""
-        counted = not self._dropped(CountedLight, dropped)
-        return self._rounded(dropped)[0] if counted else np.zeros(self.fields.expected.shape)
+        uncounted = self._having[CountedLight] <= dropped
+        return np.zeros(self.fields.expected.shape) if uncounted else self._rounded(dropped)[0]
 
     def _rounded(self, dropped: frozenset[str]) -> tuple[Values, Values]:
         return self._rounded_by(dropped & self._shifting)
