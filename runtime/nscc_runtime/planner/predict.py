@@ -212,6 +212,8 @@ class Forecast(ABC):
         """The places of pixels that run through their words because they may saturate."""
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
+        if state == WORDS:
+            return self.near
         near = self._everything.near
         return replace(near, chip=near.chip.own(_without, *state.split(" without ")[1:])).places
 
