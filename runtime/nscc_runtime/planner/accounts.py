@@ -49,19 +49,6 @@ class Account:
         variance = self._random[[at for at, name in enumerate(self.random) if name in random]]
         return np.asarray(mean.sum(axis=0)), np.asarray(variance.sum(axis=0))
 
-    @cached_property
-    def _fixed(self) -> Values:
-        return self._laid_out(self.fixed)
-
-    @cached_property
-    def _random(self) -> Values:
-        return self._laid_out(self.random)
-
-    def _laid_out(self, errors: Mapping[str, Values]) -> Values:
-        """(errors, buckets, pixels)."""
-        shape = len(errors), self.buckets, len(self.sample.places)
-        return np.array([*errors.values()]).reshape(shape)
-
     def own(self, name: str) -> tuple[Values, Values]:
         """The mean square (buckets,) over the array of one effect's errors, and their mean."""
         square, bias = np.zeros((2, self.buckets))
@@ -69,6 +56,14 @@ class Account:
             at = [*self.fixed].index(name)
             square, bias = self._products[:, at, at], self._means[at]
         return square + self.variance((name,)), bias
+
+    @cached_property
+    def _fixed(self) -> Values:
+        return self._laid_out(self.fixed)
+
+    @cached_property
+    def _random(self) -> Values:
+        return self._laid_out(self.random)
 
     @cached_property
     def _means(self) -> Values:
@@ -80,12 +75,17 @@ class Account:
         """The means (buckets, fixed, fixed) of the products of any two."""
         weight = self.sample.weight
         weighed = self._fixed * (weight / weight.sum())
-        return weighed.transpose(1, 0, 2) @ self._fixed.transpose(1, 2, 0)
+        return np.asarray(weighed.transpose(1, 0, 2) @ self._fixed.transpose(1, 2, 0))
 
     @cached_property
     def _variances(self) -> Values:
         """(random, buckets)."""
         return self.sample.mean(self._random)
+
+    def _laid_out(self, errors: Mapping[str, Values]) -> Values:
+        """(errors, buckets, pixels)."""
+        shape = len(errors), self.buckets, len(self.sample.places)
+        return np.array([*errors.values()]).reshape(shape)
 
 
 def _inside(names: Collection[str], some: Collection[str]) -> Values:

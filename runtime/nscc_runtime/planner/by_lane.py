@@ -75,7 +75,7 @@ class ByLane:
     def errors(self, at: str) -> Values:
         """The variance (buckets, lanes) of small errors at `at`, for unit errors."""
         factor, rest = self.tables.noise(at, self.full)
-        return ((factor**2).sum(axis=2) + rest).T
+        return np.asarray(((factor**2).sum(axis=2) + rest).T)
 
     @remembered
     def errors_cut(self, at: str) -> tuple[Values, Values]:

@@ -90,7 +90,6 @@ class Costs(Promises):
         """Nanoseconds a pixel of all pixels running through their words."""
         return self.program.work.words_ns(self.every.without(*dropped), SHIPPED, "all")
 
-    @remembered
     def _near_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of one pixel near saturation that runs through its words."""
         return self.program.work.words_ns(self.every.without(*lacking), SHIPPED, "sums")
@@ -103,31 +102,33 @@ class Costs(Promises):
             return self._reference_ns
         if path == "words":
             return self._all_words_ns(dropped)
-        running = len(self.running(self.state(dropped)))
-        return self._near_ns(self.forced_off) * running / len(self.program.lanes) if running else 0
+        return self._running_ns(self.state(dropped), self.forced_off)
+
+    @remembered
+    def _running_ns(self, state: str, lacking: frozenset[str]) -> float:
+        """Nanoseconds a pixel of those that run through their words as they may saturate."""
+        running = len(self.running(state))
+        return self._near_ns(lacking) * running / len(self.program.lanes) if running else 0.0
 
     def saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
         """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
         saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
         if self.path(dropped) != "sums":
             return saved
-        return saved + sum(self.price_ns(each) for each in self.present if each.name in names)
+        return saved + sum(ns for name, ns in self.prices_ns.items() if name in names)
 
     def own_ns(self, name: str, dropped: frozenset[str]) -> float:
         """The same of one effect, without what single pixels near saturation take: the table has a
         row for these."""
-        saved = self.saved_ns(frozenset({name}), dropped)
-        paths = self.path(dropped - {name}), self.path(dropped | {name})
-        if paths != ("sums", "sums"):
-            return saved
-        return saved - self._path_ns(dropped - {name}) + self._path_ns(dropped | {name})
+        if self.path(dropped - {name}) == self.path(dropped | {name}) == "sums":
+            return self.prices_ns.get(name, 0.0)
+        return self.saved_ns(frozenset({name}), dropped)
 
     def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> tuple[float, float]:
         """Nanoseconds a pixel of a frame, and those of them of pixels near saturation."""
         if self.path(dropped) != "sums":
             return self._path_ns(dropped), 0.0
-        running = len(self.running(self.state(dropped)))
-        near = self._near_ns(lacking) * running / len(self.program.lanes)
+        near = self._running_ns(self.state(dropped), lacking)
         passes = len(self.light.frames) * len(self.program.container.buckets)
         effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
         return SHIPPED.summed + SHIPPED.light * passes + effects + near, near

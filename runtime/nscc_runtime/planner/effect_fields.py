@@ -315,14 +315,17 @@ class _Near:
         far = soft.lost_e(scene.sensor, size + _SIGMAS * sigma) > 0
         if not far.any():
             return found
-        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)[:, None]
+        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)
         density = np.exp(-z * z / 2)
-        lost = soft.lost_e(scene.sensor, size[far] + sigma[far] * z)
+        held = np.multiply.outer(z, sigma[far])
+        held += size[far]
+        square = soft.lost_e(scene.sensor, held)
+        square *= square
         # Of many pixels the one that goes farthest may carry all of it.
         count = max(2.0, scene.sample.weight[scene.sample.near].sum())
-        farthest = np.argmin(np.abs(z[:, 0] - (math.sqrt(2 * math.log(count)) + 1.0)))
-        mean = (density * lost**2).sum(axis=0) / density.sum()
-        found[far] = np.sqrt(np.maximum(mean, lost[farthest] ** 2 / count))
+        farthest = np.argmin(np.abs(z - (math.sqrt(2 * math.log(count)) + 1.0)))
+        mean = density @ square / density.sum()
+        found[far] = np.sqrt(np.maximum(mean, square[farthest] / count))
         return found
 
     def _running(self, kept: Selection, some: NDArray[np.bool_] | None = None) -> Running:

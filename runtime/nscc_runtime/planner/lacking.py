@@ -255,7 +255,8 @@ def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
 def guesses(fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]) -> Account:
     """What pixels of a sample lack that run through their words without some effects, or any of
     them; nothing where saturation cuts it off."""
-    fixed, random = {}, {}
+    fixed: dict[str, Values] = {}
+    random: dict[str, Values] = {}
     # Absent where nothing saturates.
     cut = np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E
     for name in sorted(lacking):
@@ -263,8 +264,8 @@ def guesses(fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str])
         runs = running if name in by_spilt(lacking) else running & ~fields.spilt
         if name in fields.fixed:
             kept = np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
-            fixed[name] = runs * kept
+            fixed[name] = np.where(runs, kept, 0.0)
         if name in fields.variance:
             here = fields.variance[name]
-            random[name] = runs * (np.where(cut, 0.0, here) if behind is None else here)
+            random[name] = np.where(runs & ~cut if behind is None else runs, here, 0.0)
     return Account(fields.sample, len(fields.expected), fixed, random)

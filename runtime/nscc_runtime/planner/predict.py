@@ -118,9 +118,11 @@ class Forecast(ABC):
         """Effects that the loop over words cannot have: only the reference has them."""
         return frozenset(e.name for e in registered() if isinstance(e.words, CannotHave))
 
-    def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
-        """Whether all effects that have a part of a kind are left out."""
-        return self.every.names(kind) <= dropped
+    @cached_property
+    def _having(self) -> dict[type[Part], frozenset[str]]:
+        """The names of the effects that have a part of a kind that predictions hang on."""
+        kinds = SlowWords, LitLevel, Soft, CountedLight
+        return {kind: self.every.names(kind) for kind in kinds}
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -189,8 +191,8 @@ class Forecast(ABC):
         # Saturation is a field of its own: in `BOTH` where neither is simulated.
         lost = self.saturation & dropped
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
-        if self._dropped(SlowWords, dropped):
-            found |= self.every.names(LitLevel)
+        if self._having[SlowWords] <= dropped:
+            found |= self._having[LitLevel]
         return found | {CLIP, FORCED}
 
     @remembered
@@ -200,7 +202,7 @@ class Forecast(ABC):
         """
         if not len(self.near) or dropped >= self.saturation:
             return "sums"
-        if self._dropped(Soft, dropped) and self.program.all_single:
+        if self._having[Soft] <= dropped and self.program.all_single:
             return "clip"
         # With less that saturates fewer pixels run through their words.
         return " without ".join((WORDS, *sorted(self.saturation & dropped)))
@@ -210,9 +212,10 @@ class Forecast(ABC):
         """The places of pixels that run through their words because they may saturate."""
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
-        lost = state.split(" without ")[1:]
+        if state == WORDS:
+            return self.near
         near = self._everything.near
-        return replace(near, chip=replace(near.chip, kept=self.every.without(*lost))).places
+        return replace(near, chip=near.chip.own(_without, *state.split(" without ")[1:])).places
 
     def charges(self, state: str) -> Charges:
         """What they see."""
@@ -239,7 +242,7 @@ class Forecast(ABC):
         if name == CLIP:
             field = np.zeros(clipped.shape)
             if state == "clip":
-                for slow in sorted(self.every.names(SlowWords) | self.every.names(LitLevel)):
+                for slow in sorted(self._having[SlowWords] | self._having[LitLevel]):
                     field += np.where(clipped, fixed[slow], 0.0)
             return field
         field = fixed[name]
@@ -265,24 +268,30 @@ class Forecast(ABC):
 
     def _rounding(self, dropped: frozenset[str]) -> Values:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
-        shifting = dropped & self.fields.shifts.keys()
-        if not shifting or self._dropped(CountedLight, dropped):
-            return _NOTHING
-        return self._rounded(frozenset(shifting))
-
-    @remembered
-    def _rounded(self, shifting: frozenset[str]) -> Values:
-        return self.fields.sample.mean(self.rounding_of(shifting))
+        return _NOTHING if self._having[CountedLight] <= dropped else self._rounded(dropped)[1]
 
     def rounding_of(self, dropped: frozenset[str]) -> Values:
         """The same of each pixel (buckets, pixels)."""
-        shifting = sorted(dropped & set(self.fields.shifts))
-        if self._dropped(CountedLight, dropped):
-            return np.zeros(self.fields.expected.shape)
-        part = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
+        uncounted = self._having[CountedLight] <= dropped
+        return np.zeros(self.fields.expected.shape) if uncounted else self._rounded(dropped)[0]
+
+    def _rounded(self, dropped: frozenset[str]) -> tuple[Values, Values]:
+        return self._rounded_by(dropped & self._shifting)
+
+    @cached_property
+    def _shifting(self) -> frozenset[str]:
+        return frozenset(self.fields.shifts)
+
+    @remembered
+    def _rounded_by(self, shifting: frozenset[str]) -> tuple[Values, Values]:
+        """What these make of each pixel, and in the mean."""
+        part = np.zeros(self.fields.expected.shape)
+        for name in sorted(shifting):
+            part += self.fields.shifts[name]
         part = np.abs(part)
         part -= np.floor(part)
-        return np.broadcast_to(part * (1.0 - part), self.fields.expected.shape)
+        part *= 1.0 - part
+        return part, self.fields.sample.mean(part)
 
     @cached_property
     def closed(self) -> bool:
@@ -311,20 +320,23 @@ class Forecast(ABC):
     @remembered
     def taken(self, dropped: frozenset[str]) -> tuple[str, ...]:
         """Which short cuts these are."""
-        return tuple(
-            name for name, needed in self._needed.items()
-            if not any(effects <= dropped for effects in needed)
-        )  # fmt: skip
+        counted, beside, errors, leak = self._needed
+        found: tuple[str, ...] = ()
+        if not counted <= dropped:
+            found = (THINNING, FORMULA)
+            if not beside <= dropped:
+                found += (NEIGHBOURS,)
+        if not errors <= dropped:
+            found += (NOISE,)
+        return found if leak <= dropped else (*found, LEAK)
 
     @cached_property
-    def _needed(self) -> dict[str, tuple[frozenset[str], ...]]:
-        """The short cuts, and the effects without all of which they are none."""
+    def _needed(self) -> tuple[frozenset[str], ...]:
+        """Effects without all of which short cuts are none: with counts, with neighbours' charge,
+        with noise of words, with leakage."""
         names = self.every.names
-        beside, leaks = names(Exchange) & self.here, names(Leak) & self.here
-        return {
-            THINNING: (names(Counted),), FORMULA: (names(Counted),),
-            NEIGHBOURS: (names(Counted), beside), NOISE: (names(Errors),), LEAK: (leaks,),
-        }  # fmt: skip
+        beside, leak = names(Exchange) & self.here, names(Leak) & self.here
+        return names(Counted), beside, names(Errors), leak
 
     def _squares(self, state: str) -> dict[str, Values]:
         """The squares (buckets, pixels) that short cuts leave."""
@@ -350,6 +362,11 @@ class Forecast(ABC):
         square, bias = self.account("sums" if all_of_it else WORDS).own(effect.name)
         worst = int(square.argmax())
         return math.sqrt(float(square[worst])), float(bias[worst])
+
+
+def _without(chip: Chip, *lost: str) -> Chip:
+    """The same chip without some effects."""
+    return replace(chip, kept=everything().without(*lost))
 
 
 def _dark_e(chip: Chip) -> Values:

@@ -9,7 +9,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Effect
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
@@ -67,13 +66,14 @@ class Promises(Forecast):
         lit = (self.every.names(LitLevel) & self.here) - dropped
         return lit | {name} if lit <= free else frozenset()
 
-    @remembered
-    def price_ns(self, effect: Effect) -> float:
-        """Nanoseconds a pixel that leaving an effect out of sums saves: dead time stays where black
-        suns matter, which are told of."""
-        lit = [e for e in self.present if e.parts(LitLevel)] if effect.parts(SlowWords) else []
-        least_e = _MATTERS * self.tolerance_e
-        return 0.0 if any(self.contribution(e)[0] > least_e for e in lit) else effect.cost_ns
+    @cached_property
+    def prices_ns(self) -> dict[str, float]:
+        """Nanoseconds a pixel that leaving each effect out of sums saves: dead time stays where
+        black suns matter, which are told of."""
+        lit, least_e = self.every.names(LitLevel), _MATTERS * self.tolerance_e
+        told = any(self.contribution(e)[0] > least_e for e in self.present if e.name in lit)
+        stays = self.every.names(SlowWords) if told else ()
+        return {e.name: 0.0 if e.name in stays else e.cost_ns for e in self.present}
 
     def signal_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`."""
@@ -158,7 +158,7 @@ class Promises(Forecast):
         of it, or losing `_WORSE` times as much of it, would make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
-        as_if_fresh = self.program.tables.decays and self._dropped(Fading, dropped)
+        as_if_fresh = self.program.tables.decays and self.every.names(Fading) <= dropped
         if ratio is None or self.coarse or as_if_fresh or not near.any():
             return None if self.coarse or as_if_fresh else ratio
         if dropped & self.saturation:

@@ -73,7 +73,7 @@ def sample_of(
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
     chance = chances(total_e, near).reshape(-1)
-    if wanted < pixels and chance.any():
+    if wanted < pixels and len(near) < pixels:
         drawn = drawn_by(chance, wanted)
     else:
         chance[...] = 1.0

@@ -118,9 +118,11 @@ def _passing(limit: float, sides: _Sides) -> float:
 
 
 def _may_pass(limit: float, sides: _Sides, share: float) -> _Sides:
-    """Those that pass a limit often enough to be seen in this share of a frame."""
+    """Those that pass a limit often enough to be seen in this share of a frame; all, if most do."""
     mean, sigma, part = sides
     may = np.flatnonzero(mean - ndtri(_UNSEEN * share) * sigma > limit)
+    if 2 * len(may) > len(mean):
+        return sides
     return _Sides(mean[may], sigma[may], part[may])
 
 
