@@ -17,7 +17,7 @@ from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
-from nscc_runtime.planner.near_loop import Asked, charges_at, may_saturate
+from nscc_runtime.planner.near_loop import TOGETHER, Asked, charges_at, may_saturate
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import Weights
 
@@ -86,7 +86,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         charges_at(
             asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
             frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
-            weights=of_frames, **arrays,
+            weights=of_frames, light=np.empty(TOGETHER), **arrays,
         )  # fmt: skip
     return Charges(places, most, own, gained)
 
