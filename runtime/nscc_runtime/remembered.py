@@ -20,12 +20,13 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
 
     @wraps(method)
     def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
-        kept: dict[Hashable, R] = vars(self).setdefault(name, {})
         try:
+            kept: dict[Hashable, R] = self.__dict__[name]
             return kept[given]
         except KeyError:
             pass
-        kept[given] = result = method(self, *given, **named)
+        result = method(self, *given, **named)
+        self.__dict__.setdefault(name, {})[given] = result
         return result
 
     return found

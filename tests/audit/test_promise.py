@@ -87,7 +87,9 @@ def test_long_frames(program: str) -> None:
     """Half a second: dark charge and leakage count, and registers forget."""
     names = ("dark", "mid", "fast", "hdr")
     lights = [(name, scene(name, 16, ROWS, COLS)) for name in names]
-    check(runs(program, lights, 16, "32ms", digital_retention_us=300_000.0))
+    # Class a holds its FLAG for the whole frame: it fades, nothing is read, nothing to be judged.
+    least = 0 if program == "a" else 1
+    check(runs(program, lights, 16, "32ms", digital_retention_us=300_000.0), least)
 
 
 @pytest.mark.slow

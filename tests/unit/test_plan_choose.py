@@ -226,6 +226,17 @@ def test_decay_is_found_where_registers_are_kept_too_long() -> None:
     assert row(made(container, light, sensor_of(container), 1.0), "decay").decision == "absent"
 
 
+def test_decay_counts_in_the_dark_too() -> None:
+    """Words that act otherwise leave other errors and, where nothing is read, an old register."""
+    container = case("b edges", 8, rows=ROWS, cols=COLS)
+    dark = Light.of_clip(np.zeros((8, ROWS, COLS), np.float32))
+    sensor = sensor_of(container, digital_retention_us=1600.0)
+    found = row(made(container, dark, sensor, 15.0), "decay")
+    assert found.decision == "kept"
+    full, left = (exposures(container, dark, sensor, names, 1) for names in ("all", "all,-decay"))
+    assert found.predicted_rms_e == pytest.approx(((full - left) ** 2).mean() ** 0.5, rel=0.1)
+
+
 @pytest.mark.parametrize(("name", "slots", "by"), [("b accumulate", 8, "reference"),
                                                    ("b edges", 128, "all")])  # fmt: skip
 def test_small_tolerances_take_no_short_cut_where_weights_of_slots_differ(

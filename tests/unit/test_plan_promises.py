@@ -148,9 +148,23 @@ def test_a_limit_of_the_worst_pixel_keeps_what_would_break_it() -> None:
     assert len(bound.plan.kept.on) > len(free.plan.kept.on)
     assert any("the worst pixel would be" in each.reason for each in bound.plan.decisions)
     for each in (free, bound):
-        # Two pixels of a frame are beyond it, which one draw of a few at the full well foretells.
-        assert each.p999_e == pytest.approx(each.plan.predicted_p999_e, rel=0.4)
+        assert each.p999_e == pytest.approx(each.plan.predicted_p999_e, rel=0.3)
         assert not each.broken
+
+
+def test_pixels_just_below_what_registers_hold_are_measured() -> None:
+    """Most of an even scene is clipped in any case; a few exposures of three slots are not."""
+    container = case("c edges", 16, "2000us", SIDE, SIDE)
+    sensor = sensor_of(
+        container, prnu_fraction=0.07, register_knee_fraction=1.0, register_min_e=-53e3,
+        register_max_e=26e3, full_well_e=124e3,
+    )  # fmt: skip
+    light = Light.of_clip(np.full((16, SIDE, SIDE), 7800.0, np.float32))
+    full = full_frames(container, light, sensor, 2, 3, 5)
+    free = outcome(container, light, sensor, "50e", full)
+    assert free.plan.saturating_lack
+    assert free.max_e > 1.1 * 250.0
+    assert not outcome(container, light, sensor, "50e", full, tolerance_max="250e").broken
 
 
 def test_crosstalk_that_is_left_out_leaves_more_noise_and_says_so() -> None:

@@ -152,10 +152,11 @@ def test_light_is_gathered_at_places_and_beside_them() -> None:
     found = scene._frames
     assert found.own == pytest.approx(most[:, row, col])
     assert found.even == pytest.approx(sum(light[:, row + r, col + c] for r, c in sides), rel=1e-6)
-    assert found.flow == pytest.approx(sum(seen[:, row + r, col + c] for r, c in sides), rel=1e-6)
+    flow = found.lit[:, 1]
+    assert flow == pytest.approx(sum(seen[:, row + r, col + c] for r, c in sides), rel=1e-6)
     count = sum(there[row + r, col + c] for r, c in sides)
     fraction = scene.exchanged
     own = (most * part)[:, row, col]
-    falls = (1 - fraction * count) * own + fraction * found.flow
+    falls = (1 - fraction * count) * own + fraction * flow
     weights = program.tables.weights(program.full).slots[:, program.lanes[places], 0]
     assert scene.light[0] == pytest.approx((falls * weights).sum(axis=0), rel=1e-6)

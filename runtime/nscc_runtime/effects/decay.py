@@ -14,8 +14,9 @@ RETENTION = parameter(
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of the difference that wrong bits make; from the schedule"""
-    return Field(sample.base - sample.without("decay") * sample.echo)
+    """rms and mean of the difference that wrong bits make, found by running the words with them and
+    without"""
+    return Field(sample.by_words("decay"))
 
 
 DECAY = Effect(

@@ -78,6 +78,10 @@ class Sampled(Protocol):
     def without(self, name: str) -> Values:
         """`light` as the words would weigh it without an effect."""
 
+    def by_words(self, name: str) -> Values:
+        """What an effect that changes what words do changes in one frame, noise included: pixels
+        run through their words with it and without."""
+
     def by_rate(self, pattern: bool = False) -> Values:
         """What the pixels' own rates of leakage add to `light`, or to `pattern`."""
 

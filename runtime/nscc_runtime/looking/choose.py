@@ -17,7 +17,8 @@ from nscc_runtime.effects import AfterExposure, Effect, Selection, everything, r
 from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.looking.sample import Difference, Sample
-from nscc_runtime.planner.choose import MARGIN, after_exposure
+from nscc_runtime.planner.choose import after_exposure
+from nscc_runtime.planner.costs import MARGIN
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Cost, Decision, Plan
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.tolerance import Tolerance

@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.effects.effect import CannotHave
 from nscc_runtime.effects.parts import (
     CountedDark,
     Echo,
@@ -205,3 +206,9 @@ def whole_chip(program: Program, device_seed: int) -> Chip:
     """The chip with every effect, kept alike."""
     every = everything()
     return chip_of(program, device_seed, every, every)
+
+
+def all_by_words() -> Selection:
+    """All effects that the loop over words can have."""
+    every = everything()
+    return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))

@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
@@ -15,29 +14,19 @@ from nscc_runtime.effects import (
     CannotHave,
     Effect,
     Selection,
-    everything,
     registered,
     selected,
 )
-from nscc_runtime.effects.parts import Counted, Errors, Exchange
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.planner.effect_fields import TRIED
-from nscc_runtime.planner.lacking import Lacking
-from nscc_runtime.planner.plan import Approximation, Choice, Cost, Decision, Loop, Plan
+from nscc_runtime.planner.costs import MARGIN, Costs
+from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
 from nscc_runtime.planner.predict import WORDS
-from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.promises import Promises
 from nscc_runtime.planner.tolerance import DEFAULT, Given, most_change
 from nscc_runtime.planner.worst import Worst
 from nscc_runtime.remembered import remembered
-
-MARGIN = 0.9
-"""Effects are left out while the prediction stays below this part of the tolerance."""
-_SHORT_CUTS = 0.6
-"""Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
 
 _NOTHING = np.zeros(1)
 _ERRORS = 3.0
@@ -81,18 +70,8 @@ def predicted_for(
 
 
 @dataclass(frozen=True, eq=False)
-class Chooser(Promises):
+class Chooser(Costs):
     """One search; see `plan_for`."""
-
-    effects: Selection
-
-    @cached_property
-    def forced_off(self) -> frozenset[str]:
-        """Of the exposure, what the user wants off."""
-        return frozenset(
-            effect.name for effect in registered()
-            if effect.kind != "after" and self._forced(effect) and effect not in self.effects
-        )  # fmt: skip
 
     def plan(self, forced_reason: str = "named in --effects") -> Plan:
         """The plan."""
@@ -114,10 +93,10 @@ class Chooser(Promises):
                 break
             dropped |= found
         lacking: frozenset[str] = frozenset()
-        if self._path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
+        if self.path(dropped) == "sums" and self.state(dropped).startswith(WORDS):
             free = dropped - self.forced_off - self.saturation - self.slow
             room = limit - self._square(dropped)
-            lacking = self._lacking(self.state(dropped)).chosen(free, room)
+            lacking = self.lacking(self.state(dropped)).chosen(free, room)
             if not self._bounded(dropped, lacking):
                 lacking = frozenset()
         return self.made(dropped, lacking, forced_reason)
@@ -130,40 +109,36 @@ class Chooser(Promises):
         now = self._square(dropped)
         found: list[tuple[float, list[str], frozenset[str]]] = []
         for names in moves:
-            then = self._square(dropped | names)
-            if then <= max(limit, now):
-                saved = self._saved_ns(names, dropped)
-                if saved > 0:
+            saved = self.saved_ns(names, dropped)
+            if saved > 0:
+                then = self._square(dropped | names)
+                if then <= max(limit, now):
                     found.append((saved / max(then - now, 1e-12), sorted(names), names))
         return [names for *_, names in sorted(found, reverse=True, key=lambda each: each[:2])]
 
-    @remembered
-    def _lacking(self, state: str) -> Lacking:
-        return Lacking(
-            self.program, self.light, self.running(state), self.most_e(state), self.spilt,
-            self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
-        )  # fmt: skip
+    @cached_property
+    def _chosen_on(self) -> frozenset[str]:
+        """What may be left out."""
+        return frozenset(effect.name for effect in self.present if not self.is_forced(effect))
 
     def _moves(self, dropped: frozenset[str]) -> Iterable[frozenset[str]]:
         """What may be left out next: an effect, saturation, or all that only the reference has."""
-        free = {
-            effect.name for effect in self.present
-            if effect.name not in dropped and not self._forced(effect)
-        }  # fmt: skip
+        free = self._chosen_on - dropped
         yield from (self.with_what_hangs_on_it(name, free, dropped) for name in sorted(free))
         if free >= self.saturation:
             yield self.saturation
-        slow = frozenset(free & self.slow)
+        slow = free & self.slow
         if len(slow) > 1:
             yield slow
 
+    @remembered
     def _square(self, dropped: frozenset[str]) -> float:
         """The predicted mean square error of the worst bucket, in square electrons."""
-        return self.square(dropped, self._path(dropped) != "sums")
+        return float(self.squares(dropped, self.path(dropped) != "sums").max())
 
     def _sure(self, dropped: frozenset[str], limit: float) -> bool:
         """Whether it fits with two standard errors of the sample, and keeps to its bounds."""
-        error = float(np.max(self.sampling_error(dropped, self._path(dropped) != "sums")))
+        error = float(np.max(self.sampling_error(dropped, self.path(dropped) != "sums")))
         most = max(limit / MARGIN**2, self._square(self.forced_off))
         return self._square(dropped) + 2.0 * error <= most and self._bounded(dropped)
 
@@ -187,10 +162,10 @@ class Chooser(Promises):
         return f"left out, the noise would change by {self._noise_change(dropped):.1%}"
 
     def _worst(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> Worst:
-        found = self.worst(dropped, self._path(dropped) != "sums", lacking)
+        found = self.worst(dropped, self.path(dropped) != "sums", lacking)
         if not lacking:
             return found
-        near = self._lacking(self.state(dropped)).worst(lacking)
+        near = self.lacking(self.state(dropped)).worst(lacking)
         return Worst(max(found.p999_e, near.p999_e), max(found.max_e, near.max_e))
 
     @remembered
@@ -198,117 +173,18 @@ class Chooser(Promises):
         self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()
     ) -> float:
         """By what part the standard deviation of what is read out changes."""
-        everywhere = self._path(dropped) != "sums"
+        everywhere = self.path(dropped) != "sums"
         ratio = self.noise_ratio(dropped, everywhere, lacking, readout=True)
         return 0.0 if ratio is None else abs(ratio - 1.0)
-
-    @remembered
-    def _path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
-        """What has all effects that are left: sums over slots, the loop over the words of single
-        pixels for all of them, or the reference alone.
-        """
-        left = [effect for effect in self.present if effect.name not in dropped]
-        summed = not (self._everywhere or any(isinstance(e.sums, CannotHave) for e in left))
-        if summed and not self.state(dropped).startswith(WORDS):
-            return "sums"
-        if any(effect.name in self.slow for effect in left):
-            return "reference"
-        if summed:
-            return "sums"
-        cheaper = self._all_words_ns(dropped) < self._reference_ns
-        return "words" if cheaper else "reference"
-
-    @cached_property
-    def _everywhere(self) -> bool:
-        """Whether short cuts would cost too much, so that all pixels run through their words."""
-        cuts = self.short_cuts(self.forced_off)
-        total = sum((square for _, square in cuts), _NOTHING)
-        if math.sqrt(float(np.max(total))) > _SHORT_CUTS * self.tolerance_e:
-            return True
-        most = self.allowed_max
-        # Their own part: what is forced off is beside it.
-        return most is not None and self.worst(frozenset(), False).max_e > MARGIN * most.electrons
-
-    def _forced(self, effect: Effect) -> bool:
-        return not self.effects.auto or effect.name in self.effects.forced
-
-    @property
-    def _reference_ns(self) -> float:
-        return self.program.work.reference_ns(SHIPPED)
-
-    @remembered
-    def _all_words_ns(self, dropped: frozenset[str]) -> float:
-        """Nanoseconds a pixel of all pixels running through their words."""
-        return self.program.work.words_ns(everything().without(*dropped), SHIPPED, "all")
-
-    @remembered
-    def _near_ns(self, lacking: frozenset[str]) -> float:
-        """Nanoseconds of one pixel near saturation that runs through its words."""
-        return self.program.work.words_ns(everything().without(*lacking), SHIPPED, "sums")
-
-    @remembered
-    def _path_ns(self, dropped: frozenset[str]) -> float:
-        """Nanoseconds a pixel that the way of simulating what is left costs."""
-        path = self._path(dropped)
-        if path == "reference":
-            return self._reference_ns
-        if path == "words":
-            return self._all_words_ns(dropped)
-        running = len(self.running(self.state(dropped)))
-        return self._near_ns(self.forced_off) * running / len(self.program.lanes) if running else 0
-
-    def _saved_ns(self, names: frozenset[str], dropped: frozenset[str]) -> float:
-        """Nanoseconds a pixel that leaving effects out saves, beside those in `dropped`."""
-        saved = self._path_ns(dropped - names) - self._path_ns(dropped | names)
-        if self._path(dropped) != "sums":
-            return saved
-        return saved + sum(self.price_ns(each) for each in self.present if each.name in names)
-
-    def _own_ns(self, name: str, dropped: frozenset[str]) -> float:
-        """The same of one effect, without what single pixels near saturation take: the table has a
-        row for these."""
-        saved = self._saved_ns(frozenset({name}), dropped)
-        paths = self._path(dropped - {name}), self._path(dropped | {name})
-        if paths != ("sums", "sums"):
-            return saved
-        return saved - self._path_ns(dropped - {name}) + self._path_ns(dropped | {name})
-
-    def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> tuple[float, float]:
-        """Nanoseconds a pixel of a frame, and those of them of pixels near saturation."""
-        if self._path(dropped) != "sums":
-            return self._path_ns(dropped), 0.0
-        running = len(self.running(self.state(dropped)))
-        near = self._near_ns(lacking) * running / len(self.program.lanes)
-        passes = len(self.light.frames) * len(self.program.container.buckets)
-        effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
-        return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
-
-    def _trying_ns(self) -> float:
-        """Nanoseconds of running a sample of pixels near saturation through their words."""
-        work, every = self.program.work, everything()
-        alone = every.without(*every.names(Exchange))
-        quiet = alone.without(*every.names(Counted), *every.names(Errors))
-        tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
-        tries = [quiet, alone] if self.sampled.noisy(self.tolerance_e) else [quiet]
-        return sum(float(tried) * TRIED * work.words_ns(each, SHIPPED, "nothing") for each in tries)
-
-    def _cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
-        """What the plan takes that leaves these effects out."""
-        ms = len(self.program.lanes) * 1e-6
-        least_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns() * 1e-6
-        # What pixels near saturation can do without is asked where something may be left out.
-        planning_ms = least_ms + self._lacking(self.state(dropped)).tried_ns * 1e-6
-        total, near = self._frame_ns(dropped, self.forced_off | lacking)
-        every, _ = self._frame_ns(frozenset(), frozenset())
-        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + least_ms)
 
     def made(self, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str) -> Plan:
         """The plan that leaves these effects out; pixels near saturation have those of them that
         are not `lacking` there and not forced off."""
-        path = self._path(dropped)
-        square, most = self.squares(dropped, path != "sums")
-        most = most + _ERRORS * self.sampling_error(dropped, path != "sums")
-        added = self._lacking(self.state(dropped)).square(dropped, lacking) if lacking else _NOTHING
+        path = self.path(dropped)
+        square = self.squares(dropped, path != "sums")
+        error = self.sampling_error(dropped, path != "sums")
+        most = self.most(dropped, path != "sums") + _ERRORS * error
+        added = self.lacking(self.state(dropped)).square(dropped, lacking) if lacking else _NOTHING
         worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
@@ -334,12 +210,12 @@ class Chooser(Promises):
             predicted_max_e=worst.max_e,
             noise_ratio=self.noise_told(dropped, path != "sums", lacking),
             saturating_lack=tuple(sorted(lacking)),
-            cost=self._cost(dropped, lacking),
+            cost=self.cost(dropped, lacking),
         ).told(self.allowed, self.allowed_max)
 
     def _reasons(self, dropped: frozenset[str]) -> Iterable[str]:
         """Why pixels run through their words one by one, or why the reference runs."""
-        path = self._path(dropped)
+        path = self.path(dropped)
         for effect in self.present:
             if effect.name in dropped:
                 continue
@@ -347,7 +223,7 @@ class Chooser(Promises):
                 yield f"{effect.name}: only the reference has it ({effect.words.reason})"
             elif path == "words" and isinstance(effect.sums, CannotHave):
                 yield f"{effect.name}: sums over the slots cannot have it ({effect.sums.reason})"
-        if path != "sums" and self._everywhere:
+        if path != "sums" and self.everywhere:
             yield (
                 "counts would have to be spread over the slots of most pixels: the weights of a "
                 "code's slots differ too much for this tolerance"
@@ -361,12 +237,12 @@ class Chooser(Promises):
     def _decision(
         self, effect: Effect, dropped: frozenset[str], added: float, forced_reason: str
     ) -> Decision:
-        forced = self._forced(effect)
+        forced = self.is_forced(effect)
         if effect.kind == "after":
             return after_exposure(effect, self.effects, self.program.sensor, forced_reason)
         rms, bias = self.contribution(effect)
         then = math.sqrt(self._square(dropped | {effect.name}) + added)
-        cost = self._own_ns(effect.name, dropped)
+        cost = self.own_ns(effect.name, dropped)
         choice: Choice = "kept"
         if effect not in self.present:
             choice, reason, cost = "absent", effect.absent, 0.0

@@ -17,19 +17,17 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import (
     AfterExposure,
     ByWords,
-    CannotHave,
     Effect,
     Field,
     Selection,
     registered,
 )
-from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well
-from nscc_runtime.effects.selection import everything
+from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well, WordGain
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import Chip, whole_chip
+from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import Sample
+from nscc_runtime.planner.sample import Sample, among
 from nscc_runtime.planner.sampled import SampledScene
 from nscc_runtime.remembered import remembered
 
@@ -60,7 +58,8 @@ class Fields:
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
     the mean leakage. All but what saturation loses is as if nothing saturated; `clipped`: where the
     full well is passed; `after`: the fields there of effects that act on what the well lets through
-    (0 where only their noise does).
+    (0 where only their noise does); `unfilled`: at most the part of the light there whose reads are
+    not full, as of a frame with many reads, 1 elsewhere.
     """
 
     sample: Sample
@@ -74,8 +73,24 @@ class Fields:
     noise_cut: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
+    unfilled: Values
     spilt: NDArray[np.bool_]
     """Which pixels of the sample neighbours' light brings near saturation."""
+
+    @cached_property
+    def noise_left(self) -> dict[str, Values]:
+        """Of `noise` what the full well leaves."""
+        return {
+            name: each if name in self.after else np.where(self.clipped, 0.0, each)
+            for name, each in self.noise.items()
+        }
+
+    @cached_property
+    def noise_e2(self) -> float:
+        """The variance of exposures over frames with every effect, mean over pixels and buckets;
+        what is no number has none."""
+        left = np.array([*self.noise_left.values()])
+        return float(self.sample.mean(np.where(np.isfinite(left), left, 0.0)).sum(axis=0).mean())
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,7 +164,8 @@ class SampledFields:
             noise_cut,
             np.zeros(expected.shape, np.bool_),
             {},
-            np.isin(self.sample.places, self.spilt),
+            np.ones(expected.shape),
+            among(self.sample.places, self.spilt, len(self.program.lanes)),
         )
 
 
@@ -162,7 +178,9 @@ def _field(effect: Effect, scene: SampledScene) -> Field:
     found, shape = effect.field(scene), (len(scene.buckets), len(scene.places))
 
     def whole(values: Values | float | None) -> Values | None:
-        return None if values is None else np.broadcast_to(np.asarray(values, np.float64), shape)
+        if values is None or (isinstance(values, np.ndarray) and values.shape == shape):
+            return values
+        return np.broadcast_to(np.asarray(values, np.float64), shape)
 
     try:
         noise = found.variance if found.noise is None else found.noise
@@ -184,8 +202,7 @@ class _Near:
     @cached_property
     def _every(self) -> Selection:
         """All that the loop over words can have."""
-        every = everything()
-        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+        return all_by_words()
 
     @cached_property
     def _saturation(self) -> tuple[str, str]:
@@ -240,15 +257,15 @@ class _Near:
     def added(self, fields: Fields, found: Mapping[str, Field], held: Held) -> Fields:
         """The fields with what the words make of these pixels."""
         near, (well, register) = self.scene.sample.near, self._saturation
+        near, (well, register) = self.scene.sample.near, self._saturation
         fixed, blank = dict(fields.fixed), np.zeros_like(fields.expected)
-        rare = self._rarely_lost(held[(register,)])
-        for name, lost, least in (
-            (well, held[()] - held[(well,)], 0.0),
-            (register, held[()] - held[(register,)], rare),
-            (BOTH, held[()] - held[(well, register)], self._rarely_lost(held[(well, register)])),
-        ):
+        for name, without in ((well, (well,)), (register, (register,)), (BOTH, (well, register))):
             fixed[name] = blank.copy()
-            fixed[name][:, near] = np.where(np.abs(lost) < least, -least, lost)
+            fixed[name][:, near] = held[()] - held[without]
+        # What noise alone takes there: which way is not known, and it must not make up for others.
+        rare, told = self._rarely_lost(held[(register,)]), np.abs(fixed[register][:, near])
+        variance = {**fields.variance, register: blank.copy()}
+        variance[register][:, near] = np.where(told < rare, rare**2, 0.0)
         expected = fields.expected.copy()
         expected[:, near] = held[()]
         clipped = np.zeros(expected.shape, np.bool_)
@@ -262,7 +279,14 @@ class _Near:
             if each.behind_well is not None:
                 rest = 0.0 if each.fixed is None else (each.fixed - each.behind_well) * passed
                 after[name] = np.asarray(each.behind_well + rest)
-        return replace(fields, expected=expected, fixed=fixed, clipped=clipped, after=after)
+        program = self.scene.program
+        full_e = self._chip.full_e * program.tables.least_read(program.full).T[:, self.scene.lanes]
+        rest = np.clip(passed - full_e / np.maximum(fields.expected - pattern, 1.0), 0.0, 1.0)
+        unfilled = np.where(clipped, rest, 1.0)
+        return replace(
+            fields, expected=expected, fixed=fixed, variance=variance, clipped=clipped,
+            after=after, unfilled=unfilled,
+        )  # fmt: skip
 
     def forced(self, fields: Fields) -> Fields:
         """The fields with what these pixels lack because it is forced off."""
@@ -278,11 +302,14 @@ class _Near:
         their linear range: a few pixels in a frame, which no sample shows.
         """
         scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
-        lanes = scene.lanes[scene.sample.near]
-        # What a register held at most, before words and leakage took their part of it.
-        gain = scene.slots.max(axis=0)[lanes].T
-        held = np.abs(expected) / np.where(gain > 0, gain, 1.0)
-        size = held + reach.offset_e[lanes]
+        near = scene.sample.near
+        lanes = scene.lanes[near]
+        # What a register held at most of light, before words and leakage took their part of it, and
+        # the errors of these pixels' own words.
+        gain = scene.by_lane.most[:, lanes]
+        held = np.abs(expected - scene.pattern[:, near]) / np.where(gain > 0, gain, 1.0)
+        error_e = np.abs(scene.on_device(scene.all.the(WordGain).error_e)[near])
+        size = held + reach.offset_e[lanes] * (error_e / max(reach.word_e, 1e-300))
         sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
         found = np.zeros(size.shape)
         far = soft.lost_e(scene.sensor, size + _SIGMAS * sigma) > 0
@@ -306,7 +333,7 @@ class _Near:
             places = places[some]
         return Running(self._chip.wired(kept), self.scene.scene, places, self.threads)
 
-    @property
+    @cached_property
     def _chip(self) -> Chip:
         """The chip with every effect."""
         return whole_chip(self.scene.program, self.scene.device.device_seed)

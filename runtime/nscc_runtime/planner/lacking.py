@@ -12,23 +12,24 @@ from functools import cached_property, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords
+from nscc_runtime.effects import Selection, everything
+from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords, Soft
 from nscc_runtime.light import Light
-from nscc_runtime.planner.chip import whole_chip
+from nscc_runtime.planner.accounts import Account
+from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
-from nscc_runtime.planner.near import reached
+from nscc_runtime.planner.near import Charges, reached
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import brightest, drawn_by
+from nscc_runtime.planner.sample import Sample, among, brightest, drawn_by
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
 _FEWEST, _MOST = 48, 512
-"""Pixels on which it is measured."""
+"""Pixels on which it is measured, beside those for sure."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
 _PART = 8
@@ -41,24 +42,28 @@ _SIGMAS = 2.0
 
 @dataclass(frozen=True, eq=False)
 class Lacking:
-    """The pixels at `near`, which run through their words; they lack `forced_off` in any case.
+    """Pixels that run through their words; they lack `forced_off` in any case.
 
-    `seen_e` is the most charge that they see, what neighbours give them included. Those at `spilt`,
-    which neighbours' light brings there, never lack that by choice: without it they are nothing.
+    `seen` is what they see. Those at `spilt`, which neighbours' light brings there, never lack that
+    by choice: without it they are nothing.
     `fields` are predictions on a sample of the scene, `running`: which of it are such pixels.
     Threads change no bit.
     """
 
     program: Program
     light: Light
-    near: NDArray[np.int64]
-    seen_e: Values
+    seen: Charges
     spilt: NDArray[np.int64]
     fields: Fields
     running: NDArray[np.bool_]
     forced_off: frozenset[str]
     device_seed: int
     threads: int
+
+    @property
+    def near(self) -> NDArray[np.int64]:
+        """Their places, in order."""
+        return self.seen.places
 
     def chosen(self, dropped: frozenset[str], room: float) -> frozenset[str]:
         """Of the effects in `dropped`, which a plan leaves out elsewhere, those that these pixels
@@ -71,11 +76,12 @@ class Lacking:
         dropped -= everything().names(SlowWords) | everything().names(LitLevel)
         found: list[str] = []
         price = partial(self._frame_ns, dropped)
+        guessed = guesses(self.fields, self.running, dropped)
         while True:
             left = [
                 (price(frozenset([*found, name])), name)
                 for name in sorted(dropped.difference(found))
-                if self._guessed(frozenset([*found, name])) <= room
+                if guessed.square([*found, name], [*found, name]).max() <= room
             ]
             if not left or min(left)[0] >= price(frozenset(found)):
                 break
@@ -93,18 +99,18 @@ class Lacking:
     def _frame_ns(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """Nanoseconds of all these pixels in a frame whose sums lack what is `dropped`."""
         words = self._every.without(*self.forced_off, *lacking)
-        beside: Beside = "sums" if _alike(dropped, lacking) else "nothing"
+        beside: Beside = "sums" if self._alike(dropped, lacking) else "nothing"
         return self.program.work.words_ns(words, SHIPPED, beside) * len(self.near)
 
     def _measuring_ns(self, lacking: frozenset[str]) -> float:
         """Nanoseconds of finding what leaving effects out does."""
         each_ns = self._words_ns(frozenset()) + self._words_ns(lacking)
-        return each_ns * len(self._places)
+        return each_ns * len(self._sample.places)
 
     @property
     def tried_ns(self) -> float:
         """Nanoseconds that measuring has taken."""
-        return sum(self._words_ns(lacking) * len(self._places) for lacking in self._tried)
+        return sum(self._words_ns(lacking) * len(self._sample.places) for lacking in self._tried)
 
     @cached_property
     def _tried(self) -> list[frozenset[str]]:
@@ -117,14 +123,19 @@ class Lacking:
         mean, _ = self._measured(lacking)
         return mean + self._evened(dropped, lacking)
 
+    def _alike(self, dropped: frozenset[str], lacking: frozenset[str]) -> bool:
+        """Whether words count what sums do, so that these have counts for their neighbours."""
+        counted = self._every.names(Counted)
+        return counted & dropped == counted & lacking
+
     def _evened(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
         """What it adds that neighbours' counts are those of sums now, taken as even over their
         slots; where sums have crosstalk, that is one of their short cuts."""
         beside = everything().names(Exchange)
         fields = self.fields
-        if not beside & dropped or beside & lacking or not _alike(dropped, lacking):
+        if not beside & dropped or beside & lacking or not self._alike(dropped, lacking):
             return np.zeros(len(fields.expected))
-        return fields.sample.mean(fields.neighbours[False] * (self.running & ~fields.clipped))
+        return fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
@@ -132,14 +143,13 @@ class Lacking:
             return Worst(0.0, 0.0)
         error = np.abs(self._held(self.forced_off | lacking) - self._held(frozenset()))
         sure, pixels = len(self._surely), len(self.program.lanes)
-        rest, drawn = len(self.near) - sure, error.shape[1] - sure
-        weight = np.append(np.ones(sure), np.full(drawn, rest / max(drawn, 1)))
         # All others of the array lack nothing.
-        sizes, weight = np.append(error.max(axis=0), 0.0), np.append(weight, pixels - weight.sum())
-        found = largest(sizes, weight)
+        sizes = np.append(error.max(axis=0), 0.0)
+        found = largest(sizes, np.append(self._sample.weight, pixels - len(self.near)))
         tails = [worst_measured(error[:, :sure], sure / pixels, pixels)]
-        if drawn:
-            tails.append(worst_measured(error[:, sure:], rest / pixels, pixels))
+        if error.shape[1] > sure:
+            part = (len(self.near) - sure) / pixels
+            tails.append(worst_measured(error[:, sure:], part, pixels))
         return replace(found, max_e=max(each.max_e for each in (found, *tails)))
 
     def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
@@ -155,52 +165,80 @@ class Lacking:
         full = self._held(frozenset())
         before = (full - self._held(self.forced_off)) ** 2 if self.forced_off else 0.0
         added = (full - self._held(self.forced_off | lacking)) ** 2 - before
-        sure = len(self._surely)
-        square, drawn = added[:, :sure].sum(axis=1), added[:, sure:]
-        error = np.zeros_like(square)
-        if drawn.size:
-            square = square + drawn.mean(axis=1) * (len(self.near) - sure)
-            error = drawn.std(axis=1) / np.sqrt(drawn.shape[1]) * (len(self.near) - sure)
-        pixels = len(self.program.lanes)
-        return np.maximum(square, 0.0) / pixels, error / pixels
+        part = len(self.near) / len(self.program.lanes)
+        square, error = self._sample.mean(added), self._sample.error(added)
+        return np.maximum(square, 0.0) * part, error * part
+
+    @cached_property
+    def _sample(self) -> Sample:
+        """The pixels that are measured: those for sure, then some of the rest."""
+        rest = self.seen.at(self.near[~among(self.near, self._surely, len(self.program.lanes))])
+        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST, len(rest.places))
+        places, weight = self._surely, np.ones(len(self._surely))
+        if wanted:
+            chance = self._chances(rest)
+            drawn, count = np.unique(drawn_by(chance, wanted), return_counts=True)
+            each = count / chance[drawn]
+            weight = np.append(weight, each * (len(rest.places) / each.sum()))
+            places = np.append(places, rest.places[drawn])
+        return Sample(places, weight, np.ones(len(places), np.bool_))
+
+    @cached_property
+    def _chip(self) -> Chip:
+        """The chip with every effect."""
+        return whole_chip(self.program, self.device_seed)
 
     @cached_property
     def _surely(self) -> NDArray[np.int64]:
-        """Those of these pixels that are measured in any case: the brightest, suns and what is
-        beside them, and those nearest to a full well, where a little decides on all the rest."""
-        full_e = whole_chip(self.program, self.device_seed).full_e
-        sure = brightest(self.seen_e), brightest(-np.abs(reached(self.seen_e) - full_e))
-        return self.near[np.union1d(*sure)]
+        """Those of these pixels that are measured in any case, as few of them may have most of what
+        is lost: the brightest, suns and what is beside them; the darkest, which may be the only
+        ones that are not full; and those that take PIX, or registers, nearest to the most that they
+        hold, where a little decides on all the rest."""
+        seen_e, held_e = reached(self.seen.most_e), reached(self.seen.own[1:])
+        well_e = np.abs(seen_e - self._chip.full_e)
+        room_e = np.abs(held_e - everything().the(Soft).linear_e(self.program.sensor))
+        sure = [brightest(each) for each in (seen_e, -seen_e, -well_e, *-room_e)]
+        return np.asarray(self.near[np.unique(np.concatenate(sure))])
 
-    @cached_property
-    def _places(self) -> NDArray[np.int64]:
-        """The pixels that are measured: those for sure, and some of the rest."""
-        rest = np.setdiff1d(self.near, self._surely)
-        if not len(rest):
-            return self._surely
-        wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST) - len(self._surely)
-        # In step with no tile of codes.
-        return np.append(self._surely, rest[np.unique(drawn_by(np.ones(len(rest)), wanted))])
+    def _chances(self, seen: Charges) -> Values:
+        """How likely each is to be drawn: a quarter evenly, a quarter of those that are not full, a
+        quarter of those that may lack their neighbours, a quarter by what these change."""
+        own_e, most_e, full_e = reached(seen.own_e), np.inf, self._chip.full_e
+        not_full = own_e < full_e
+        if self.program.all_single:
+            # A full pixel changes no more; one that is read many times may be full now and then.
+            own_e, most_e = np.minimum(own_e, full_e), full_e
+        scores = (
+            not_full,
+            ~among(seen.places, self.spilt, len(self.program.lanes)),
+            np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e),
+        )
+        return np.asarray(1.0 + sum(each / max(each.mean(), 1e-300) for each in scores))
 
     @cached_property
     def _every(self) -> Selection:
-        every = everything()
-        return every.without(*(e.name for e in every.effects if isinstance(e.words, CannotHave)))
+        return all_by_words()
 
     @remembered
     def _held(self, lacking: frozenset[str]) -> Values:
         """Exposures (buckets, places) by the words, all drawn alike."""
         self._tried.append(lacking)
-        chip = whole_chip(self.program, self.device_seed)
-        found = np.empty((len(self.fields.expected), len(self._places)))
-        beside = np.isin(self._places, self.spilt)
-        for some, lost in (
-            (~beside, lacking), (beside, by_spilt(lacking) | lacking & self.forced_off)
-        ):  # fmt: skip
-            running = Running(
-                chip.wired(self._every.without(*lost)), self.light, self._places[some], self.threads
-            )
-            found[:, some], _ = running.expose(0, 0)
+        by_choice = by_spilt(lacking) | lacking & self.forced_off
+        if by_choice == lacking or not self._beside.any():
+            return self._exposed(self._sample.places, lacking)
+        found = np.empty((len(self.fields.expected), len(self._sample.places)))
+        for some, lost in ((~self._beside, lacking), (self._beside, by_choice)):
+            found[:, some] = self._exposed(self._sample.places[some], lost)
+        return found
+
+    @cached_property
+    def _beside(self) -> NDArray[np.bool_]:
+        """Which of them neighbours' light brings near saturation."""
+        return among(self._sample.places, self.spilt, len(self.program.lanes))
+
+    def _exposed(self, places: NDArray[np.int64], lacking: frozenset[str]) -> Values:
+        wired = self._chip.wired(self._every.without(*lacking))
+        found, _ = Running(wired, self.light, places, self.threads).expose(0, 0)
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:
@@ -208,39 +246,25 @@ class Lacking:
         kept = self._every.without(*self.forced_off, *lacking)
         return self.program.work.words_ns(kept, SHIPPED, "sums")
 
-    def _guessed(self, lacking: frozenset[str]) -> float:
-        """The mean square that leaving effects out adds, by their fields."""
-        fixed, variance = guessed(self.fields, self.running, lacking)
-        return float(np.max(self.fields.sample.mean(fixed**2 + variance)))
-
-
-def _alike(dropped: frozenset[str], lacking: frozenset[str]) -> bool:
-    """Whether words count what sums do, so that these have counts for their neighbours."""
-    counted = everything().names(Counted)
-    return counted & dropped == counted & lacking
-
 
 def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
     """What pixels lack as well that neighbours' light brings near saturation."""
     return lacking - everything().names(Exchange)
 
 
-def guessed(
-    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]
-) -> tuple[Values, Values]:
-    """Means and variances (buckets, pixels of a sample) of what pixels of it lack that run through
-    their words without some effects; nothing where saturation cuts it off."""
-    fixed, variance = np.zeros(fields.expected.shape), np.zeros(fields.expected.shape)
-    if not lacking:
-        return fixed, variance
-    cut = np.abs(fields.fixed.get(BOTH, fixed)) > _CUT_E  # absent where nothing saturates
+def guesses(fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]) -> Account:
+    """What pixels of a sample lack that run through their words without some effects, or any of
+    them; nothing where saturation cuts it off."""
+    fixed, random = {}, {}
+    # Absent where nothing saturates.
+    cut = np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E
     for name in sorted(lacking):
-        behind, runs = fields.after.get(name), running
-        if name not in by_spilt(lacking):
-            runs = running & ~fields.spilt
+        behind = fields.after.get(name)
+        runs = running if name in by_spilt(lacking) else running & ~fields.spilt
         if name in fields.fixed:
-            fixed += runs * np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+            kept = np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])
+            fixed[name] = runs * kept
         if name in fields.variance:
             here = fields.variance[name]
-            variance += runs * (np.where(cut, 0.0, here) if behind is None else here)
-    return fixed, variance
+            random[name] = runs * (np.where(cut, 0.0, here) if behind is None else here)
+    return Account(fields.sample, len(fields.expected), fixed, random)

@@ -50,6 +50,16 @@ class Charges:
         """The most charge (count,) that each is taken to see at a read."""
         return self.most[0]
 
+    @property
+    def own_e(self) -> Values:
+        """The same without what its neighbours give."""
+        return self.own[0]
+
+    def at(self, places: Places) -> Charges:
+        """Those at some of the places, in order."""
+        some = np.searchsorted(self.places, places)
+        return Charges(places, self.most[:, some], self.own[:, some], self.gained_e[some])
+
 
 def charges(program: Program, light: Light, device_seed: int, wanted: Selection) -> Charges:
     """Of a scene under all effects that are wanted; kept for as long as the light is."""

@@ -125,6 +125,15 @@ def _see(
             seen[kind * count + i] *= scale[places[i]]
 
 
+@inlined
+def _taken(asked: Asked, p: int) -> float:
+    """The part of pixel p's light that its neighbours take."""
+    row, col = p // asked.cols, p % asked.cols
+    count = (1.0 if row > 0 else 0.0) + (1.0 if row + 1 < asked.rows else 0.0)
+    count += (1.0 if col > 0 else 0.0) + (1.0 if col + 1 < asked.cols else 0.0)
+    return asked.fraction * count
+
+
 @compiled
 def _reaching(charge: float, sigmas: float) -> float:
     """How far a count of this mean may go."""
@@ -154,7 +163,6 @@ def charges_at(
     pixels.
     """
     rows, cols = asked.rows, asked.cols
-    kept = 1.0 - 4.0 * asked.fraction
     for i in range(asked.places):
         p = places[i]
         row, col = p // cols, p % cols
@@ -168,9 +176,10 @@ def charges_at(
             p = places[i]
             dark = current[p] * dark_s[kind * asked.lane_count + lanes[p]]
             # Neighbours' light counts in the pixel's own slots, whatever their own codes are.
-            seen_e, lit = own[at + i], kept * own[at + i] + gained[i]
+            seen_e = own[at + i]
+            lit = (1.0 - _taken(asked, p)) * seen_e + gained[i]
             most[at + i] = _reaching((seen_e if seen_e > lit else lit) + dark, asked.sigmas)
             own[at + i] = _reaching(seen_e + dark, asked.sigmas)
     for i in range(asked.places):
         p = places[i]
-        gained[i] -= 4.0 * asked.fraction * total[p] * scale[p]
+        gained[i] -= _taken(asked, p) * total[p] * scale[p]

@@ -15,7 +15,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import CannotHave, Effect, everything, registered
+from nscc_runtime.effects import CannotHave, Effect, Selection, everything, registered
 from nscc_runtime.effects.parts import (
     Counted,
     CountedLight,
@@ -30,12 +30,17 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.accounts import Account
+from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
+from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import sample_of
+from nscc_runtime.planner.sample import among, sample_of
 from nscc_runtime.remembered import remembered
+
+Values = NDArray[np.float64]
 
 CLIP = "clip"
 """Sums that are clipped know nothing of light that falls before the level of a reset is read; that
@@ -48,13 +53,12 @@ _CLOSED_PART = 0.1
 WORDS = "words"
 """The state where pixels run through their words; without some of saturation it begins so."""
 _NOTHING = np.zeros(1)
-_CUTS = {
-    "thinning": "counts are not spread over the slots of a group",
-    "formula": "counts from a rate of 10 on by formula",
-    "neighbours": "neighbours' counts are taken as even over their slots",
-    "noise": "the noise of words as at the mean leakage",
-    "leak": "leakage from sums at {rates}",
-}
+THINNING = "counts are not spread over the slots of a group"
+FORMULA = "counts from a rate of 10 on by formula"
+NEIGHBOURS = "neighbours' counts are taken as even over their slots"
+NOISE = "the noise of words as at the mean leakage"
+LEAK = "leakage from sums at {rates}"
+"""The short cuts of sums."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,16 +97,21 @@ class Forecast(ABC):
         )  # fmt: skip
 
     @cached_property
-    def total_e(self) -> NDArray[np.float64]:
+    def total_e(self) -> Values:
         """All the charge (rows, cols) of each pixel; a few may have most of the dark one, as lamps
         have most of the light."""
-        dark_e = self._everything.chip.current * self.program.slot_s.sum()
-        return np.asarray((self._everything.total + dark_e).reshape(self.light.shape))
+        found = self._everything.total + self._everything.chip.own(_dark_e)
+        return np.asarray(found.reshape(self.light.shape))
+
+    @cached_property
+    def every(self) -> Selection:
+        """All effects."""
+        return everything()
 
     @cached_property
     def saturation(self) -> frozenset[str]:
         """Effects that need single pixels to run through their words."""
-        return everything().names(Saturates)
+        return self.every.names(Saturates)
 
     @cached_property
     def slow(self) -> frozenset[str]:
@@ -111,12 +120,7 @@ class Forecast(ABC):
 
     def _dropped(self, kind: type[Part], dropped: frozenset[str]) -> bool:
         """Whether all effects that have a part of a kind are left out."""
-        return everything().names(kind) <= dropped
-
-    def _stays(self, kind: type[Part], dropped: frozenset[str]) -> bool:
-        """Whether an effect that has a part of a kind, and does something here, is not."""
-        having = everything().names(kind) - dropped
-        return any(effect.name in having for effect in self.present)
+        return self.every.names(kind) <= dropped
 
     @cached_property
     def near(self) -> NDArray[np.int64]:
@@ -146,49 +150,39 @@ class Forecast(ABC):
             effect for effect in registered()
             if (effect.kind != "after"
             and any(
-                np.any(found.get(effect.name, 0.0)) for found in (fields.fixed, fields.variance)
+                effect.name in found and found[effect.name].any()
+                for found in (fields.fixed, fields.variance)
             ))
             or (effect.name in self.saturation and len(self.near))
         ]  # fmt: skip
 
-    @remembered
-    def square(self, dropped: frozenset[str], everywhere: bool) -> float:
-        """The predicted mean square error of the worst bucket, in square electrons.
+    @cached_property
+    def here(self) -> frozenset[str]:
+        """Their names."""
+        return frozenset(effect.name for effect in self.present)
 
-        `everywhere`: all pixels run through their words.
-        """
-        inside, products, random = self._parts(dropped, everywhere)
-        return float(np.max(products @ inside @ inside + random))
+    def squares(self, dropped: frozenset[str], everywhere: bool) -> Values:
+        """Predicted mean squares (buckets,), in square electrons; `everywhere`: all pixels run
+        through their words."""
+        wrong = self.inside(dropped), self.lost(dropped, everywhere)
+        return self.account(self.state(dropped)).square(*wrong) + self._rounding(dropped)
 
-    def squares(
-        self, dropped: frozenset[str], everywhere: bool
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Predicted mean squares (buckets,), and the most that they can be: fixed parts add up."""
-        inside, products, random = self._parts(dropped, everywhere)
-        sizes = np.sqrt(np.maximum(np.diagonal(products, axis1=1, axis2=2), 0.0)) @ inside
-        return products @ inside @ inside + random, sizes**2 + random
-
-    def _parts(
-        self, dropped: frozenset[str], everywhere: bool
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
-        """Which fixed fields a plan lacks, the means (buckets, ., .) of their products, and what
-        is random (buckets,)."""
-        state = self.state(dropped)
-        names, products = self._products(state)
-        chosen = self.inside(dropped)
-        inside = np.array([name in chosen for name in names], np.float64)
-        names, variances = self._variances(state)
-        lost = np.array([name in dropped for name in names], np.float64)
-        random = lost @ variances + self._rounding(dropped)
-        if not everywhere:
-            random = random + self.cut_square(state, self._taken(dropped))
-        return inside, products, random
+    def most(self, dropped: frozenset[str], everywhere: bool) -> Values:
+        """The most (buckets,) that they can be: fixed parts add up."""
+        wrong = self.inside(dropped), self.lost(dropped, everywhere)
+        return self.account(self.state(dropped)).most(*wrong) + self._rounding(dropped)
 
     @remembered
-    def cut_square(self, state: str, names: tuple[str, ...]) -> NDArray[np.float64]:
-        """The mean square (buckets,) of some short cuts."""
-        means = self._means(state)
-        return sum((means[name] for name in names), _NOTHING)
+    def account(self, state: str) -> Account:
+        """What is wrong in a state of the pixels that may saturate, by effects and short cuts."""
+        fields = self.fields
+        fixed = {name: self.left(name, state) for name in (*fields.fixed, CLIP)}
+        random = self.random(state) | self._squares(state)
+        return Account(fields.sample, len(fields.expected), fixed, random)
+
+    def lost(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
+        """The names of all that is random and that a plan lacks."""
+        return dropped if everywhere else dropped.union(self.taken(dropped))
 
     def inside(self, dropped: frozenset[str]) -> frozenset[str]:
         """The fixed fields that a plan lacks which leaves these effects out."""
@@ -196,8 +190,8 @@ class Forecast(ABC):
         lost = self.saturation & dropped
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
         if self._dropped(SlowWords, dropped):
-            found |= everything().names(LitLevel)
-        return frozenset({*found, CLIP, FORCED})
+            found |= self.every.names(LitLevel)
+        return found | {CLIP, FORCED}
 
     @remembered
     def state(self, dropped: frozenset[str]) -> str:
@@ -218,26 +212,20 @@ class Forecast(ABC):
             return np.empty(0, np.int64)
         lost = state.split(" without ")[1:]
         near = self._everything.near
-        return replace(near, chip=replace(near.chip, kept=everything().without(*lost))).places
+        return replace(near, chip=replace(near.chip, kept=self.every.without(*lost))).places
 
-    def most_e(self, state: str) -> NDArray[np.float64]:
-        """The most charge that they see, what neighbours give them included."""
-        charges = self._everything.near.charges
-        return charges.most_e[np.searchsorted(charges.places, self.running(state))]
+    def charges(self, state: str) -> Charges:
+        """What they see."""
+        return self._everything.near.charges.at(self.running(state))
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
         """Which pixels of the sample are among them."""
-        run = np.zeros(len(self.program.lanes), np.bool_)
-        run[self.running(state)] = True
-        return np.asarray(run[self.fields.sample.places])
-
-    def _where(self, state: str, name: str = "") -> NDArray[np.float64]:
-        """The part (buckets, pixels) of an effect that a state leaves: 0 where it is simulated."""
-        return self._elsewhere("sums" if name in self.slow else state)
+        return among(self.fields.sample.places, self.running(state), len(self.program.lanes))
 
     @remembered
-    def _elsewhere(self, state: str) -> NDArray[np.float64]:
+    def _where(self, state: str) -> Values:
+        """The part (buckets, pixels) of effects that a state leaves: 0 where it simulates them."""
         fields = self.fields
         if state == "sums":
             return np.ones(fields.expected.shape)
@@ -245,63 +233,55 @@ class Forecast(ABC):
             return np.where(fields.clipped, 0.0, 1.0)
         return np.broadcast_to(np.where(self.runs(state), 0.0, 1.0), fields.expected.shape)
 
-    @remembered
-    def _products(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
-        """Names of the fixed fields, and the means (buckets, ., .) of their products."""
-        names = [*self.fields.fixed, CLIP]
-        stack = np.stack([self.left(name, state) for name in names], axis=1)
-        weight = self.fields.sample.weight
-        return names, (stack * (weight / weight.sum())) @ stack.transpose(0, 2, 1)
-
-    def left(self, name: str, state: str) -> NDArray[np.float64]:
+    def left(self, name: str, state: str) -> Values:
         """The field (buckets, pixels) of a fixed effect as far as a state does not simulate it."""
         fixed, clipped = self.fields.fixed, self.fields.clipped
         if name == CLIP:
-            slow = everything().names(SlowWords) | everything().names(LitLevel)
-            field = sum((fixed[name] for name in sorted(slow)), np.zeros(clipped.shape))
-            return np.where(clipped, field, 0.0) if state == "clip" else np.zeros_like(field)
+            field = np.zeros(clipped.shape)
+            if state == "clip":
+                for slow in sorted(self.every.names(SlowWords) | self.every.names(LitLevel)):
+                    field += np.where(clipped, fixed[slow], 0.0)
+            return field
         field = fixed[name]
-        if name in {*self.saturation, BOTH}:
+        if name == FORCED:
+            return np.where(self.runs(state), field, 0.0)
+        if state == "sums" or name == BOTH or name in self.saturation:
             return field
         if state == "clip":
             return np.where(clipped, self.fields.after.get(name, 0.0), field)
-        if name == FORCED:
-            return np.where(self.runs(state), field, 0.0)
-        return field * self._where(state, name)
+        return field if name in self.slow else field * self._where(state)
 
-    def random(self, state: str) -> dict[str, NDArray[np.float64]]:
+    def random(self, state: str) -> dict[str, Values]:
         """The variances (buckets, pixels) of random effects as far as a state does not simulate
         them."""
-        behind = self.fields.after if state == "clip" else ()
+        if state == "sums":
+            return self.fields.variance
+        whole = self.slow | self.saturation
+        whole = whole.union(self.fields.after if state == "clip" else ())
         return {
-            name: variance if name in behind else variance * self._where(state, name)
+            name: variance if name in whole else variance * self._where(state)
             for name, variance in self.fields.variance.items()
         }
 
-    @remembered
-    def _variances(self, state: str) -> tuple[list[str], NDArray[np.float64]]:
-        """Names of the random effects, and their mean variances (., buckets)."""
-        random = self.random(state)
-        return [*random], self.fields.sample.mean(np.stack([*random.values()]))
-
-    def _rounding(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+    def _rounding(self, dropped: frozenset[str]) -> Values:
         """What whole counts add to a shift of their mean: f (1 - f), f its fraction."""
-        shifting = frozenset(dropped & set(self.fields.shifts))
+        shifting = dropped & self.fields.shifts.keys()
         if not shifting or self._dropped(CountedLight, dropped):
             return _NOTHING
-        return self._rounded(shifting)
+        return self._rounded(frozenset(shifting))
 
     @remembered
-    def _rounded(self, shifting: frozenset[str]) -> NDArray[np.float64]:
+    def _rounded(self, shifting: frozenset[str]) -> Values:
         return self.fields.sample.mean(self.rounding_of(shifting))
 
-    def rounding_of(self, dropped: frozenset[str]) -> NDArray[np.float64]:
+    def rounding_of(self, dropped: frozenset[str]) -> Values:
         """The same of each pixel (buckets, pixels)."""
         shifting = sorted(dropped & set(self.fields.shifts))
         if self._dropped(CountedLight, dropped):
             return np.zeros(self.fields.expected.shape)
         part = sum((self.fields.shifts[name] for name in shifting), _NOTHING)
-        part = np.abs(part) % 1.0
+        part = np.abs(part)
+        part -= np.floor(part)
         return np.broadcast_to(part * (1.0 - part), self.fields.expected.shape)
 
     @cached_property
@@ -321,63 +301,57 @@ class Forecast(ABC):
         enough = (n for n in range(1, leak_nodes.MOST) if np.max(error(n) * sizes) <= most)
         return next(enough, leak_nodes.MOST)
 
-    def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
-        """The short cuts of a plan by sums, with their mean squares (buckets,)."""
-        means = self._means(self.state(dropped))
-        for name in self._taken(dropped):
+    def short_cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, Values]]:
+        """The short cuts of a plan by sums, in words, with their mean squares (buckets,)."""
+        account = self.account(self.state(dropped))
+        for name in self.taken(dropped):
             rates = f"{self.leak_nodes} rate{'s' * (self.leak_nodes > 1)}"
-            yield _CUTS[name].format(rates=rates), means[name]
+            yield name.format(rates=rates), account.variance((name,))
 
     @remembered
-    def _taken(self, dropped: frozenset[str]) -> tuple[str, ...]:
-        """The short cuts by the names of `_CUTS`."""
-        found: list[str] = []
-        if not self._dropped(Counted, dropped):
-            found += ["thinning", "formula"]
-            if self._stays(Exchange, dropped):
-                found.append("neighbours")
-        if not self._dropped(Errors, dropped):
-            found.append("noise")
-        if self._stays(Leak, dropped):
-            found.append("leak")
-        return tuple(found)
+    def taken(self, dropped: frozenset[str]) -> tuple[str, ...]:
+        """Which short cuts these are."""
+        return tuple(
+            name for name, needed in self._needed.items()
+            if not any(effects <= dropped for effects in needed)
+        )  # fmt: skip
 
-    def cuts(self, dropped: frozenset[str]) -> Iterable[tuple[str, NDArray[np.float64]]]:
-        """The squares (buckets, pixels) that the short cuts of a plan leave."""
-        squares = self._squares(self.state(dropped))
-        return ((name, squares[name]) for name in self._taken(dropped))
+    @cached_property
+    def _needed(self) -> dict[str, tuple[frozenset[str], ...]]:
+        """The short cuts, and the effects without all of which they are none."""
+        names = self.every.names
+        beside, leaks = names(Exchange) & self.here, names(Leak) & self.here
+        return {
+            THINNING: (names(Counted),), FORMULA: (names(Counted),),
+            NEIGHBOURS: (names(Counted), beside), NOISE: (names(Errors),), LEAK: (leaks,),
+        }  # fmt: skip
 
-    @remembered
-    def _means(self, state: str) -> dict[str, NDArray[np.float64]]:
-        """The mean squares of the short cuts."""
-        mean = self.fields.sample.mean
-        return {name: mean(square) for name, square in self._squares(state).items()}
-
-    def _squares(self, state: str) -> dict[str, NDArray[np.float64]]:
+    def _squares(self, state: str) -> dict[str, Values]:
+        """The squares (buckets, pixels) that short cuts leave."""
         fields, where = self.fields, self._where(state)
         leaked = self.program.leak_error(self.leak_nodes)[:, None] * fields.expected
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
         # neighbours' from sums: of one that is full, these matter nothing.
-        beside = np.maximum(where, self.runs(state) & ~fields.clipped)
+        beside = np.maximum(where, self.runs(state) * fields.unfilled)
         return {
-            "thinning": fields.thinning[self.closed] * where,
-            "formula": np.full(where.shape, _FORMULA_E**2),
-            "neighbours": fields.neighbours[self.closed] * beside,
-            "noise": fields.noise_cut * after,
-            "leak": leaked**2 * after,
+            THINNING: fields.thinning[self.closed] * where,
+            FORMULA: np.full(where.shape, _FORMULA_E**2),
+            NEIGHBOURS: fields.neighbours[self.closed] * beside,
+            NOISE: fields.noise_cut * after,
+            LEAK: leaked**2 * after,
         }
 
+    @remembered
     def contribution(self, effect: Effect) -> tuple[float, float]:
         """RMS and mean of what an effect does, in the bucket where it does most."""
-        mean = self.fields.sample.mean
-        field, variance = self.fields.fixed.get(effect.name), self.fields.variance.get(effect.name)
-        where = self._where(WORDS if len(self.near) else "sums", effect.name)
-        if effect.name in self.saturation or effect.parts(LitLevel):
-            # What happens where pixels saturate is what these are about.
-            where = np.ones_like(where)
-        square = _NOTHING if field is None else mean(field**2 * where)
-        square = np.atleast_1d(square + (0.0 if variance is None else mean(variance * where)))
-        worst = int(np.argmax(square))
-        bias = 0.0 if field is None else float(mean(field * where)[worst])
-        return math.sqrt(float(square[worst])), bias
+        # What happens where pixels saturate is what black suns are about.
+        all_of_it = effect.parts(LitLevel) or not len(self.near)
+        square, bias = self.account("sums" if all_of_it else WORDS).own(effect.name)
+        worst = int(square.argmax())
+        return math.sqrt(float(square[worst])), float(bias[worst])
+
+
+def _dark_e(chip: Chip) -> Values:
+    """The dark charge (pixels,) of a frame."""
+    return np.asarray(chip.current * chip.program.slot_s.sum())

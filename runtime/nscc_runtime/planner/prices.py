@@ -21,7 +21,7 @@ Beside = Literal["sums", "all", "nothing"]
 """What is simulated beside a pixel that runs through its words."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Prices:
     """Nanoseconds of one core, each for one pixel.
 

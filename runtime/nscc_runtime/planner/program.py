@@ -15,6 +15,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Device
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.by_lane import ByLane
 from nscc_runtime.planner.masks import Masks
 from nscc_runtime.planner.overlap import Overlap
 from nscc_runtime.planner.pixels import Pixels
@@ -50,7 +51,7 @@ class Program:
         slot_s = np.array(container.slot_us, np.float64) * 1e-6
         return cls(container, sensor, reference, Tables.of(reference), slot_s)
 
-    @property
+    @cached_property
     def full(self) -> Model:
         """The weights with every effect on."""
         return self.model(everything())
@@ -71,6 +72,11 @@ class Program:
         """The weights with every effect on but one, by its name."""
         names = (effect.name for effect in everything().effects)
         return {name: self.model(everything().without(name)) for name in names}
+
+    @cached_property
+    def by_lane(self) -> ByLane:
+        """What the fields of effects are made of."""
+        return ByLane(self.tables, self.slot_s, self.full, self.less)
 
     @cached_property
     def pixels(self) -> Pixels:

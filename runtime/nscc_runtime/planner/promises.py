@@ -9,12 +9,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import Effect, everything
-from nscc_runtime.effects.parts import LitLevel, SlowWords
-from nscc_runtime.planner.effect_fields import Fields
-from nscc_runtime.planner.lacking import guessed
+from nscc_runtime.effects import Effect
+from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
+from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.predict import CLIP, Forecast
+from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.tolerance import (
     Given,
@@ -26,8 +25,7 @@ from nscc_runtime.planner.tolerance import (
 from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.remembered import remembered
 
-_UNDRAWN = ("thinning", "neighbours", "noise")
-"""Short cuts whose squares are variance that is not drawn."""
+_UNDRAWN = (THINNING, NEIGHBOURS, NOISE)
 _WORSE = 3.0
 _MATTERS = 0.01
 """Of the tolerance: what is smaller goes with what it hangs on."""
@@ -59,16 +57,17 @@ class Promises(Forecast):
         return self.allowed.electrons
 
     def with_what_hangs_on_it(
-        self, name: str, free: set[str], dropped: frozenset[str]
+        self, name: str, free: frozenset[str], dropped: frozenset[str]
     ) -> frozenset[str]:
         """What leaving an effect out takes along of the `free` ones, itself included: nothing is
         left of black suns where words take no time. Empty where some of that has to stay.
         """
-        if name not in everything().names(SlowWords):
+        if name not in self.every.names(SlowWords):
             return frozenset({name})
-        lit = frozenset(e.name for e in self.present if e.parts(LitLevel)) - dropped
+        lit = (self.every.names(LitLevel) & self.here) - dropped
         return lit | {name} if lit <= free else frozenset()
 
+    @remembered
     def price_ns(self, effect: Effect) -> float:
         """Nanoseconds a pixel that leaving an effect out of sums saves: dead time stays where black
         suns matter, which are told of."""
@@ -85,13 +84,13 @@ class Promises(Forecast):
     def noise_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`. Where the full well is passed, charge is
         not random."""
-        return with_readout_e(math.sqrt(_noise_e2(self.sampled.rough)), self.program.sensor)
+        return with_readout_e(math.sqrt(self.sampled.rough.noise_e2), self.program.sensor)
 
     @property
     def coarse(self) -> bool:
         """Whether errors may be larger than the noise of exposures. Where they are, effects are
         left out that squeeze the noise as well, and no prediction of it is a promise."""
-        return self.tolerance_e**2 > _noise_e2(self.fields)
+        return self.tolerance_e**2 > self.fields.noise_e2
 
     def worst(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
@@ -102,13 +101,9 @@ class Promises(Forecast):
         return worst_of(*found, self.fields.sample.weight, len(self.program.lanes))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
-        """The standard error (buckets,) of predicted mean squares: a sample is not the scene."""
+        """The standard error (buckets,) of predicted mean squares."""
         mean, variance = self.errors(dropped, everywhere)
-        sample, square = self.fields.sample, mean**2 + variance
-        # Chance has no part in a pixel that was sure to be drawn: it stands for itself alone.
-        chance = np.sqrt(1.0 - 1.0 / np.maximum(sample.weight, 1.0))
-        away = (square - sample.mean(square)[:, None]) * sample.weight * chance
-        return np.asarray(np.sqrt((away**2).sum(axis=1)) / sample.weight.sum())
+        return self.fields.sample.error(mean**2 + variance)
 
     @remembered
     def errors(
@@ -116,16 +111,13 @@ class Promises(Forecast):
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Means and variances (buckets, pixels of the sample) of what a plan leaves wrong."""
         state = self.state(dropped)
-        names = self.inside(dropped) & {*self.fields.fixed, CLIP}
-        blank = np.zeros(self.fields.expected.shape)
-        mean = sum((self.left(name, state) for name in sorted(names)), blank)
-        random = self.random(state)
-        variance = sum((random[name] for name in random if name in dropped), blank)
-        variance = variance + self.rounding_of(dropped)
-        if not everywhere:
-            variance = variance + sum((each for _, each in self.cuts(dropped)), blank)
-        near_mean, near_variance = guessed(self.fields, self.runs(state), lacking)
-        return mean + near_mean, variance + near_variance
+        lost = self.inside(dropped), self.lost(dropped, everywhere)
+        mean, variance = self.account(state).errors(*lost)
+        variance += self.rounding_of(dropped)
+        if lacking:
+            near = guesses(self.fields, self.runs(state), lacking).errors(lacking, lacking)
+            mean, variance = mean + near[0], variance + near[1]
+        return mean, variance
 
     def noise_ratio(
         self,
@@ -138,32 +130,37 @@ class Promises(Forecast):
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
         state = self.state(dropped)
-        undrawn = tuple(name for name in self._taken(dropped) if name in _UNDRAWN)
+        near_lost = dropped if everywhere else self.forced_off | lacking
         square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
             square += noise.all
             kept_e2 += 0.0 if name in dropped else noise.far
-            near_lost = dropped if everywhere else self.forced_off | lacking
             kept_e2 += 0.0 if name in near_lost else noise.near
         if not everywhere:
-            kept_e2 -= float(np.mean(self.cut_square(state, undrawn)))
+            kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
         if not square + added > 0:
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+
+    def _undrawn(self, dropped: frozenset[str]) -> list[str]:
+        """The short cuts of a plan whose squares are variance that is not drawn."""
+        return [name for name in self.taken(dropped) if name in _UNDRAWN]
 
     def noise_told(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
     ) -> float | None:
         """`noise_ratio` where it is a promise, else None.
 
+        It is none where registers fade and are simulated as if they did not: other words act then.
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
         another's: it is no promise where saturation is left out, nor where none of that noise, all
         of it, or losing `_WORSE` times as much of it, would make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
-        if ratio is None or self.coarse or not near.any():
-            return None if self.coarse else ratio
+        as_if_fresh = self.program.tables.decays and self._dropped(Fading, dropped)
+        if ratio is None or self.coarse or as_if_fresh or not near.any():
+            return None if self.coarse or as_if_fresh else ratio
         if dropped & self.saturation:
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
@@ -192,31 +189,23 @@ class Promises(Forecast):
         found, state = self.fields, self.state(dropped)
         runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
         full, mine = (np.zeros(found.expected.shape) for _ in range(2))
-        for name, each in found.noise.items():
-            there = each if name in found.after else np.where(found.clipped, 0.0, each)
+        for name, there in found.noise_left.items():
             full += there
             lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
-            mine += np.where(lost, 0.0, each if state == "sums" else there)
+            mine += np.where(lost, 0.0, found.noise[name] if state == "sums" else there)
         if not everywhere:
-            mine -= sum((each for name, each in self.cuts(dropped) if name in _UNDRAWN), 0.0)
+            mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine
 
     @remembered
     def _noise(self, state: str) -> dict[str, _Noise]:
         """What each effect adds to the noise in a state of the pixels that may saturate."""
         found, runs = self.fields, self.runs(state)
-
-        def mean(values: NDArray[np.float64]) -> float:
-            return float(np.mean(found.sample.mean(values)))
-
-        parts = {}
-        for name, each in found.noise.items():
-            there = each if name in found.after else np.where(found.clipped, 0.0, each)
-            kept = each if state == "sums" else there
-            parts[name] = _Noise(
-                mean(there), mean(np.where(runs, 0.0, kept)), mean(np.where(runs, kept, 0.0))
-            )
-        return parts
+        left = np.array([*found.noise_left.values()])
+        kept = np.array([*found.noise.values()]) if state == "sums" else left
+        parts = (left, np.where(runs, 0.0, kept), np.where(runs, kept, 0.0))
+        means = np.stack([found.sample.mean(each).mean(axis=1) for each in parts], axis=1)
+        return {name: _Noise(*each) for name, each in zip(found.noise, means.tolist(), strict=True)}
 
 
 @dataclass(frozen=True)
@@ -227,15 +216,3 @@ class _Noise:
     all: float
     far: float
     near: float
-
-
-def _noise_e2(fields: Fields) -> float:
-    """The variance of exposures over frames with every effect, mean over pixels and buckets; what
-    is no number has none."""
-    square = np.zeros(len(fields.expected))
-    for name, each in fields.noise.items():
-        random = np.isfinite(each)
-        if name not in fields.after:
-            random &= ~fields.clipped
-        square += fields.sample.mean(np.where(random, each, 0.0))
-    return float(np.mean(square))

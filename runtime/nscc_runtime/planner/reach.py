@@ -34,13 +34,15 @@ class Reach:
     charge, and they stay in their linear range as long as each of these is below its `least_e`
     (kinds, lanes), 0 where noise alone may take them out of it; without `held` as long as what PIX
     has seen is below it. `offset_e` and `sigma_e` (lanes,): mean and standard deviation of the
-    register that noise and offsets alone take farthest.
+    register that noise and offsets alone take farthest, every word with an error of `word_e`, more
+    than that of almost all pixels.
     """
 
     held: Values | None
     least_e: Values
     offset_e: Values
     sigma_e: Values
+    word_e: float
 
 
 def reach_of(tables: Tables, kept: Selection, linear_e: float) -> Reach:
@@ -58,10 +60,11 @@ def reach_of(tables: Tables, kept: Selection, linear_e: float) -> Reach:
     if len(some) < lanes or len(shown) < len(ends):
         # Only some lanes or stretches are known.
         least = np.full((1, lanes), found.least.min() / found.most)
-        return Reach(None, least, offset, sigma)
+        return Reach(None, least, offset, sigma, found.word_e)
     of_slot = np.searchsorted(ends, np.arange(slots), side="right")
     weights = np.append(found.held, np.zeros((*found.least.shape, 1)), axis=2)
-    return Reach(np.moveaxis(weights[:, :, of_slot], 1, 2), found.least, offset, sigma)
+    held = np.moveaxis(weights[:, :, of_slot], 1, 2)
+    return Reach(held, found.least, offset, sigma, found.word_e)
 
 
 def _farthest(
@@ -160,6 +163,12 @@ class _Found:
     def most(self) -> float:
         """The largest part of a charge that a register holds: 1 if nothing counts twice."""
         return max(1.0, float(self.held.max(initial=0.0)))
+
+    @property
+    def word_e(self) -> float:
+        """The fixed error of a word that almost no pixel exceeds."""
+        mean_e, spread_e = self.error_e
+        return abs(mean_e) + _SIGMAS * spread_e
 
     def add(self, here: NDArray[np.bool_], lit: Values, fixed: Values, sigma: Values) -> None:
         """A register is written in the lanes that are `here`: with so much (lanes, stretches) of

@@ -10,6 +10,7 @@ drawn, so that means over the sample are those of the array.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -37,7 +38,23 @@ class Sample:
 
     def mean(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """The mean over the whole array of values (.., pixels) at the places."""
-        return np.asarray(values @ self.weight / self.weight.sum())
+        return np.asarray(values @ self.weight / self._pixels)
+
+    def error(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The standard error of such a mean: a sample is not the scene."""
+        away = (values - self.mean(values)[..., None]) * self._by_chance
+        return np.asarray(np.sqrt((away**2).sum(axis=-1)) / self._pixels)
+
+    @cached_property
+    def _pixels(self) -> float:
+        """How many pixels the sample stands for."""
+        return float(self.weight.sum())
+
+    @cached_property
+    def _by_chance(self) -> NDArray[np.float64]:
+        """What pixels stand for as far as chance has a part in that: one that was sure to be drawn
+        stands for itself alone."""
+        return self.weight * np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
 
 
 def sample_of(
@@ -56,12 +73,11 @@ def sample_of(
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
     chance = chances(total_e, near).reshape(-1)
-    drawn = np.arange(pixels, dtype=np.int64)
     if wanted < pixels and chance.any():
         drawn = drawn_by(chance, wanted)
     else:
         chance[...] = 1.0
-        drawn = np.delete(drawn, near)
+        drawn = np.delete(np.arange(pixels), near)
     first = np.flatnonzero(np.diff(drawn, prepend=-1))
     places, count = drawn[first], np.diff(first, append=len(drawn))
     weight = count / chance[places]
@@ -69,12 +85,14 @@ def sample_of(
     far = len(places)
     if not len(near):
         return Sample(places, weight, np.zeros(far, np.bool_))
-    suns = near[brightest(total_e.reshape(-1)[near])]
-    beside = np.setdiff1d(np.empty(0, np.int64) if spilt is None else spilt, suns)
-    for stratum in (suns, np.setdiff1d(near, np.append(suns, beside)), beside):
+    strata = np.zeros(len(near), np.int8)
+    if spilt is not None:
+        strata[np.searchsorted(near, spilt)] = 1
+    strata[brightest(total_e.reshape(-1)[near])] = -1
+    for stratum in (near[strata == number] for number in (-1, 0, 1)):
         some = stratum
         if len(some) > _MOST_NEAR - _BRIGHTEST:
-            some = some[np.unique(drawn_by(np.ones(len(some)), _MOST_NEAR - _BRIGHTEST))]
+            some = drawn_evenly(some, _MOST_NEAR - _BRIGHTEST)
         weight = np.append(weight, np.full(len(some), len(stratum) / max(1, len(some))))
         places = np.append(places, some)
     return Sample(places.astype(np.int64), weight, np.arange(len(places)) >= far)
@@ -93,13 +111,31 @@ def brightest(light_e: NDArray[np.float64]) -> NDArray[np.intp]:
 def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
     """So many places, in order, as likely as `chance` (flat) has it; the same on every call."""
     found = np.empty(wanted, np.int64)
-    # An additive recurrence inside equal strata: in step with no tile of codes.
-    points = np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
     draw(
-        drawing=Drawing(pixels=len(chance), wanted=wanted), chance=chance, points=points,
+        drawing=Drawing(pixels=len(chance), wanted=wanted), chance=chance, points=_points(wanted),
         drawn=found,
     )  # fmt: skip
     return found
+
+
+def drawn_evenly(places: NDArray[np.int64], wanted: int) -> NDArray[np.int64]:
+    """About so many of these places, each at most once, in order; the same on every call."""
+    drawn = drawn_by(np.ones(len(places)), wanted)
+    return places[drawn[np.diff(drawn, prepend=-1) > 0]]
+
+
+def among(places: NDArray[np.int64], some: NDArray[np.int64], pixels: int) -> NDArray[np.bool_]:
+    """Which of these places of an array are among some of them."""
+    found = np.zeros(pixels, np.bool_)
+    found[some] = True
+    return found[places]
+
+
+@lru_cache(64)
+def _points(wanted: int) -> NDArray[np.float64]:
+    """One in each of so many equal strata, by an additive recurrence: in step with no tile of
+    codes."""
+    return np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
 
 
 def chances(

@@ -97,20 +97,20 @@ def gather(
     beside: Annotated[Ints, "4 places"],
     there: Annotated[Floats, "4 places"],
     response: Annotated[Floats, "4 places"],
-    own: Written[Annotated[Floats32, "count places"]],
+    lit: Written[Annotated[Floats32, "count 2 places"]],
     others: Written[Annotated[Floats32, "count 4 places"]],
-    flow: Written[Annotated[Floats32, "count places"]],
     even: Written[Annotated[Floats32, "count places"]],
 ) -> None:
-    """own, others := the frames at the places `chosen`, and at those `beside` them. flow := what of
-    these is `there`, by their `response`, in sum; even := the same if all responded alike."""
+    """lit, others := the frames at the places `chosen`, and at those `beside` them. The second of
+    `lit`: what of these is `there`, by their `response`, in sum; even := the same if all responded
+    alike."""
     count, pixels, places, most = (
         gathering.count, gathering.pixels, gathering.places, gathering.most
     )  # fmt: skip
     for t in range(count):
         for i in range(places):
-            at = t * places + i
-            own[at] = min(frames[t * pixels + chosen[i]], most)
+            at = 2 * t * places + i
+            lit[at] = min(frames[t * pixels + chosen[i]], most)
             counted, alike = 0.0, 0.0
             for side in range(SIDES):
                 k = side * places + i
@@ -118,5 +118,5 @@ def gather(
                 others[(t * SIDES + side) * places + i] = light
                 alike += there[k] * light
                 counted += there[k] * light * response[k]
-            flow[at] = counted
-            even[at] = alike
+            lit[at + places] = counted
+            even[t * places + i] = alike

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -14,6 +13,9 @@ from nscc_runtime.effects import everything
 from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Response, WordGain
 from nscc_runtime.light import Light
+from nscc_runtime.planner.by_lane import LEAK_STEP
+from nscc_runtime.planner.chip import all_by_words, whole_chip
+from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sample_loop import SIDES, Gathering, gather
@@ -24,7 +26,6 @@ Values = NDArray[np.float64]
 Frames = NDArray[np.float32]
 Lanes = NDArray[np.int32]
 
-_LEAK_STEP = 0.1
 _MOST_LIGHT = 1e30
 """Beyond it float32 has no room for what neighbours add."""
 
@@ -40,14 +41,19 @@ class Beside(NamedTuple):
 
 
 class Gathered(NamedTuple):
-    """Frames (T, pixels) before a pixel responds to them; of its neighbours (T, 4, pixels); what
-    these count, in sum, and what they would if they all responded alike.
+    """Of frames (T, 2, pixels) the light before a pixel responds to it, and what its neighbours
+    count, in sum; the light of these (T, 4, pixels); what they would count (T, pixels) if they all
+    responded alike.
     """
 
-    own: Frames
+    lit: Frames
     others: Frames
-    flow: Frames
     even: Frames
+
+    @property
+    def own(self) -> Frames:
+        """The first of `lit`."""
+        return np.ascontiguousarray(self.lit[:, 0])
 
 
 class SampledScene:
@@ -68,7 +74,7 @@ class SampledScene:
         self.moving = light.motion or light
         self.exchanged = self.all.the(Exchange).fraction(self.sensor)
         self.echo = 1.0 + self.all.the(Echo).fraction(self.sensor)
-        self.slots = program.tables.weights(program.full).slots
+        self.by_lane = program.by_lane
         self._used, self._local = _used(self.lanes)
 
     def on_device(self, make: OnDevice) -> Values:
@@ -103,74 +109,75 @@ class SampledScene:
     @cached_property
     def _frames(self) -> Gathered:
         beside, shape = self._beside, (len(self.scene.frames), len(self.places))
-        own, flow, even = (np.empty(shape, np.float32) for _ in range(3))
-        others = np.empty((shape[0], SIDES, shape[1]), np.float32)
+        even = np.empty(shape, np.float32)
+        lit, others = (np.empty((shape[0], n, shape[1]), np.float32) for n in (2, SIDES))
         frames = np.require(self.scene.frames, np.float32, ["C", "A"]).reshape(shape[0], -1)
         gather(
             gathering=Gathering(
                 count=shape[0], pixels=frames.shape[1], places=shape[1], most=_MOST_LIGHT
             ),
             frames=frames, chosen=self.places, beside=beside.place, there=beside.there,
-            response=beside.response, own=own, others=others, flow=flow, even=even,
+            response=beside.response, lit=lit, others=others, even=even,
         )  # fmt: skip
-        return Gathered(own, others, flow, even)
+        return Gathered(lit, others, even)
 
     @cached_property
     def _own_part(self) -> Values:
         """The part (pixels,) of a pixel's light that its neighbours do not take."""
         return np.asarray(1.0 - self.exchanged * self._beside.there.sum(axis=0))
 
-    def _by_bucket(self, slots: Values) -> list[Values]:
-        """Weights (N, lanes that occur) of each bucket."""
-        some = slots if len(self._used) == slots.shape[1] else slots[:, self._used]
-        return [np.ascontiguousarray(some[:, :, bucket]) for bucket in self.buckets]
-
-    def _sums(self, light: Light, frames: Frames, weights: Sequence[Values]) -> Values:
-        """Sums (.., buckets, pixels) of a light whose frames are replaced by others."""
-        found = sums_by_slot(light, frames, self._local, weights)
-        return found.reshape(-1, len(self.buckets), len(self.places))
-
     @cached_property
-    def _full(self) -> list[Values]:
-        return self._by_bucket(self.slots)
-
-    @cached_property
-    def _known(self) -> list[Model]:
-        """Every model of the words that an effect may ask for, each once, the full one first."""
-        models = [self.program.full, self._faster, *self.program.less.values()]
-        return list(dict.fromkeys(self.program.tables.same(model) for model in models))
-
-    @cached_property
-    def _light(self) -> tuple[Values, Values]:
-        """Sums (models and one, buckets, pixels) of the light before the pixels respond to it and
-        of what their neighbours count, by every model of the words and last by squared weights."""
-        tables = self.program.tables
-        weights = [w for m in self._known[1:] for w in self._by_bucket(tables.weights(m).slots)]
-        weights = [*self._full, *weights, *(each**2 for each in self._full)]
-        own, _, flow, _ = self._frames
-        return self._sums(self.moving, own, weights), self._sums(self.moving, flow, weights)
-
-    @cached_property
-    def _seen(self) -> Values:
-        """What falls on the pixels with their neighbours' light."""
-        own, flow = self._light
-        return np.asarray(self._own_part * self.response * own + self.exchanged * flow)
-
-    def lit(self, model: Model) -> Values:
-        """`light` as the words weigh it under a model."""
-        return np.asarray(self._seen[self._known.index(self.program.tables.same(model))])
+    def _weights(self) -> list[Values]:
+        """Those of `ByLane`, of the lanes that occur."""
+        found = self.by_lane.weights
+        if len(self._used) == found[0].shape[1]:
+            return found
+        return [each.take(self._used, axis=1) for each in found]
 
     @property
-    def _faster(self) -> Model:
-        full = self.program.full
-        return replace(full, leak_per_s=full.leak_per_s * (1 + _LEAK_STEP))
+    def _full(self) -> list[Values]:
+        return self._weights[: len(self.buckets)]
+
+    @cached_property
+    def _light(self) -> Values:
+        """Sums (models and one, 2, buckets, pixels) of the light before the pixels respond to it
+        and of what their neighbours count, by every model of the words and last by squared weights.
+        """
+        return self._both(self.moving, self._weights)
+
+    def _both(self, light: Light, weights: Sequence[Values]) -> Values:
+        lit = self._frames.lit
+        lanes = np.concatenate((self._local, self._local))
+        found = sums_by_slot(light, lit.reshape(len(lit), -1), lanes, weights)
+        return found.reshape(-1, len(self.buckets), 2, len(self.places)).swapaxes(1, 2)
+
+    def _seen(self, own: Values, flow: Values) -> Values:
+        """What falls on the pixels with their neighbours' light."""
+        return np.asarray(self._own_part * own + self.exchanged * flow)
+
+    @cached_property
+    def _lit(self) -> Values:
+        """The light (models and one, buckets, pixels) as the words weigh it."""
+        return self._seen(self.response * self._light[:, 0], self._light[:, 1])
 
     @property
     def light(self) -> Values:
-        return self.lit(self.program.full)
+        return np.asarray(self._lit[0])
 
     def without(self, name: str) -> Values:
-        return self.lit(self.program.less[name])
+        return np.asarray(self._lit[self.by_lane.row[name]])
+
+    def by_words(self, name: str) -> Values:
+        every = all_by_words()
+        kept, lost = (self.program.words(each) for each in (every, every.without(name)))
+        if kept is lost:
+            return np.zeros((len(self.buckets), len(self.places)))
+        chip = whole_chip(self.program, self.device.device_seed)
+        with_it, without = (
+            Running(chip.wired(each), self.scene, self.places, 1).expose(0, 0)[0]
+            for each in (every, every.without(name))
+        )
+        return with_it - without
 
     @cached_property
     def base(self) -> Values:
@@ -178,24 +185,19 @@ class SampledScene:
 
     @cached_property
     def alone(self) -> Values:
-        return np.asarray(self._light[0][0] * self.response * self.echo)
+        return np.asarray(self._light[0, 0] * self.response * self.echo)
 
     @cached_property
     def alike(self) -> Values:
-        own, even = self._light[0][0], self._sums(self.moving, self._frames.even, self._full)[0]
-        return np.asarray((self._own_part * own + self.exchanged * even) * self.echo)
+        even = sums_by_slot(self.moving, self._frames.even, self._local, self._full)
+        return self._seen(self._light[0, 0], even) * self.echo
 
     @cached_property
     def still(self) -> Values | None:
         if self.scene.motion is None:
             return None
-        own, flow = (
-            self._sums(self.scene, each, self._full)[0]
-            for each in (self._frames.own, self._frames.flow)
-        )
-        return np.asarray(
-            (self._own_part * self.response * own + self.exchanged * flow) * self.echo
-        )
+        [(own, flow)] = self._both(self.scene, self._full)
+        return self._seen(self.response * own, flow) * self.echo
 
     @cached_property
     def pattern(self) -> Values:
@@ -207,48 +209,53 @@ class SampledScene:
 
     def by_rate(self, pattern: bool = False) -> Values:
         if pattern:
-            return np.asarray(self._off * (self._errors(self._faster) - self.pattern))
-        return np.asarray(self._off * (self.lit(self._faster) - self.light))
+            return np.asarray(self._off * (self._errors(self.by_lane.faster) - self.pattern))
+        return np.asarray(self._off * (self._lit[self.by_lane.faster_row] - self.light))
 
     @cached_property
     def _off(self) -> Values:
-        """By how much the pixels' leakage is off its mean, in steps of `_LEAK_STEP` of that."""
+        """By how much the pixels' leakage is off its mean, in steps of `LEAK_STEP` of that."""
         per_s = self.on_device(self.all.the(Leak).per_s)
-        return np.asarray((per_s / self.program.full.leak_per_s - 1.0) / _LEAK_STEP)
+        return np.asarray((per_s / self.program.full.leak_per_s - 1.0) / LEAK_STEP)
 
     @cached_property
     def dark_s(self) -> Values:
-        return self._seconds(self.slots)
+        return np.asarray(self.by_lane.seconds[0][:, self.lanes])
 
     @cached_property
     def dark_2_s(self) -> Values:
-        return self._seconds(self.slots**2)
-
-    def _seconds(self, weights: Values) -> Values:
-        return np.asarray(np.einsum("n,nlb->bl", self.program.slot_s, weights)[:, self.lanes])
+        return np.asarray(self.by_lane.seconds[1][:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
-        (*_, own), (*_, flow) = self._light
-        own = own * self.response
-        if moved:
-            return np.asarray((self._beside.there.sum(axis=0) ** 2 * own + flow) * self.echo)
-        return np.asarray((self._own_part**2 * own + self.exchanged**2 * flow) * self.echo)
+        return self._moved if moved else self._counted
 
     def counted_alone(self) -> Values:
-        return np.asarray(self._light[0][-1] * self.response * self.echo)
+        return self._by_squares[0]
+
+    @cached_property
+    def _by_squares(self) -> tuple[Values, Values]:
+        """The light by squared weights, and what neighbours count of theirs."""
+        own, flow = self._light[-1] * self.echo
+        return np.asarray(own * self.response), np.asarray(flow)
+
+    @cached_property
+    def _counted(self) -> Values:
+        own, flow = self._by_squares
+        return np.asarray(self._own_part**2 * own + self.exchanged**2 * flow)
+
+    @cached_property
+    def _moved(self) -> Values:
+        own, flow = self._by_squares
+        return np.asarray(self._beside.there.sum(axis=0) ** 2 * own + flow)
 
     def errors(self, at: str, sigma_e: float) -> Values:
-        factor, rest = self.program.tables.noise(at, self.program.full)
-        total = ((factor**2).sum(axis=2) + rest).T
-        return np.asarray(sigma_e**2 * total[:, self.lanes])
+        return np.asarray(sigma_e**2 * self.by_lane.errors(at)[:, self.lanes])
 
     def errors_cut(self, at: str, sigma_e: float) -> Values:
         """The variance that is left out where they are drawn as at the mean leakage."""
-        tables = self.program.tables
-        factor, rest = tables.noise(at, self.program.full)
-        other = tables.noise(at, self._faster)[0] - factor
-        by_rate = (other**2).sum(axis=2).T[:, self.lanes] * self._off**2
-        return np.asarray(sigma_e**2 * (rest.T[:, self.lanes] + by_rate))
+        always, by_rate = self.by_lane.errors_cut(at)
+        found = always[:, self.lanes] + by_rate[:, self.lanes] * self._off**2
+        return np.asarray(sigma_e**2 * found)
 
     def left_out(self) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variance that sums leave out because counts are not spread over the slots, with
@@ -278,19 +285,17 @@ class SampledScene:
     def _moments(self) -> tuple[Values, Values, Values]:
         """Of the charge that is counted in each group of slots (groups, .., pixels): how much it
         is, and its sums by weights and by squared weights of the buckets."""
-        program, full = self.program, self._full
-        weights = []
-        for group in program.group_ids.tolist():
-            members = program.members(group, self._used)
-            weighed = [each * members for each in full]
+        program, count = self.program, len(self.buckets)
+        weights: list[Values] = []
+        for members in self._members(self._used):
             # Of all groups and buckets at once: every sum reads the light again.
-            weights += [members, *weighed, *(each**2 for each in weighed)]
+            weights.append(members)
+            weights += [each * members for each in (*self._full, *self._weights[-count:])]
         found = sums_by_slot(self.moving, self._frames.own, self._local, weights)
         found *= self.echo * self.response
-        seconds = np.stack([program.slot_s @ each for each in weights])
-        found += seconds[:, self._local] * self.dark
-        shape = len(program.group_ids), 1 + 2 * len(full), len(self.places)
-        rates, one, two = np.split(found.reshape(shape), [1, 1 + len(full)], axis=1)
+        found += np.array([program.slot_s @ each for each in weights])[:, self._local] * self.dark
+        shape = len(program.group_ids), 1 + 2 * count, len(self.places)
+        rates, one, two = np.split(found.reshape(shape), [1, 1 + count], axis=1)
         return rates, one, two
 
     @property
@@ -300,20 +305,24 @@ class SampledScene:
         these slots."""
         program, beside = self.program, self._beside
         used, others = _used(program.lanes[beside.place.reshape(-1)])
-        members = [program.members(group, used) for group in program.group_ids.tolist()]
+        members = self._members(used)
         frames = self._frames.others
         lit = sums_by_slot(self.moving, frames.reshape(len(frames), -1), others, members)
         lit = lit.reshape(len(members), *beside.there.shape) * beside.there * beside.response
+        times = [program.slot_s @ each for each in members]
+        parts = [
+            np.divide(each, time, out=each, where=time > 0)
+            for each, time in zip(members, times, strict=True)
+        ]
         seconds = [each * program.slot_s[:, None] for each in self._full]
         lanes = np.broadcast_to(self._local, beside.place.shape).reshape(-1)
-        overlap = np.empty((len(members), len(seconds), len(others)))
-        for found, each in zip(overlap, members, strict=True):
-            time = program.slot_s @ each
-            parts = np.divide(each, time, out=each, where=time > 0)
-            for bucket, own in enumerate(seconds):
-                found[bucket] = _overlap(own, lanes, parts, others)
+        overlap = _overlap(seconds, lanes, parts, others)
         overlap = overlap.reshape(*overlap.shape[:2], *beside.place.shape).transpose(0, 2, 1, 3)
         return np.asarray(self.exchanged**2 * self.echo * lit[:, :, None]), overlap
+
+    def _members(self, used: NDArray[np.int64]) -> list[Values]:
+        """For each group, 1 where a slot (N, lanes) belongs to it, of some lanes."""
+        return [self.program.members(group, used) for group in self.program.group_ids.tolist()]
 
 
 def _used(lanes: Lanes) -> tuple[NDArray[np.int64], Lanes]:
@@ -323,8 +332,17 @@ def _used(lanes: Lanes) -> tuple[NDArray[np.int64], Lanes]:
     return np.flatnonzero(occurs), np.asarray(place[lanes], np.int32)
 
 
-def _overlap(seen: Values, lanes: Lanes, parts: Values, others: Lanes) -> Values:
-    """The sum over slots of weights (N, lanes) of pixels and of their neighbours."""
-    if seen.shape[1] * parts.shape[1] <= len(lanes) * len(seen):
-        return np.asarray((seen.T @ parts)[lanes, others])
-    return np.asarray(np.einsum("np,np->p", seen[:, lanes], parts[:, others]))
+def _overlap(
+    seen: Sequence[Values], lanes: Lanes, parts: Sequence[Values], others: Lanes
+) -> Values:
+    """The sums (groups, buckets, P) over slots of weights (N, lanes) of pixels, for each bucket,
+    and of their neighbours, for each group."""
+    found = np.empty((len(parts), len(seen), len(lanes)))
+    few = seen[0].shape[1] * parts[0].shape[1] <= len(lanes) * len(seen[0])
+    for bucket, own in enumerate(seen if few else [each.take(lanes, axis=1) for each in seen]):
+        for group, beside in enumerate(parts):
+            if few:
+                found[group, bucket] = (own.T @ beside)[lanes, others]
+            else:
+                np.einsum("np,np->p", own, beside.take(others, axis=1), out=found[group, bucket])
+    return found

@@ -193,7 +193,8 @@ def sums_by_slot(
 def _tables(light: Light, weights: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
     """Weights (N, lanes) of slots as tables (len(weights), T, lanes) of a light's frames."""
     if not light.in_order:
-        return np.stack([on_frames(light, each) for each in weights])
+        tables = on_frames(light, np.stack(weights, axis=1))
+        return np.ascontiguousarray(tables.swapaxes(0, 1))
     tables = np.empty((len(weights), *weights[0].shape))
     for table, each in zip(tables, weights, strict=True):
         np.multiply(light.weight[:, None], each, out=table)

@@ -124,6 +124,15 @@ class Tables:
         return found
 
     @remembered
+    def least_read(self, full: Model) -> Weights:
+        """The least size (lanes, buckets) of the coefficients of reads that reach a bucket; 0 where
+        none does."""
+        found = np.full((len(self.container.encoding), len(self.container.buckets)), np.inf)
+        for weight in self.weights(full).reads.values():
+            found = np.where(weight != 0.0, np.minimum(found, np.abs(weight)), found)
+        return np.where(np.isinf(found), 0.0, found)
+
+    @remembered
     def single(self, full: Model) -> Weights:
         """The coefficient (lanes, buckets) of the one read through which all charge reaches the
         bucket; NaN where there are several such reads, as where light falls on PIX between a reset

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,8 +26,8 @@ _COMMONER = 10
 beyond it."""
 _TAIL = 10
 """Of so many errors that were measured the largest shows how the rest go on."""
-_SIGMAS = 9.0
-"""Standard deviations beyond which a pixel's error is not."""
+_UNSEEN = 1e-6
+"""Of a share: a pixel that passes an error more rarely adds nothing to it."""
 _RARELY = 50.0
 """Times the share of the frame that passes an error: how likely a fiftieth of it is to pass it."""
 _STEPS = 40
@@ -40,6 +41,15 @@ class Worst:
 
     p999_e: float
     max_e: float
+
+
+class _Sides(NamedTuple):
+    """Normal errors, of pixels of a sample above and below 0: their means, standard deviations, and
+    the part of the frame that each stands for."""
+
+    mean: Values
+    sigma: Values
+    part: Values
 
 
 def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Worst:
@@ -56,12 +66,14 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     sigma = np.sqrt(np.maximum(variance, 1e-12))
     common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
     found = [Worst(0.0, 0.0)]
-    for each in zip(np.abs(mean), sigma, strict=True):
-        p999_e = _passed_by(common, *each, part)
-        pace_e = (p999_e - _passed_by(_COMMONER * common, *each, part)) / math.log(_COMMONER)
+    for size, spread in zip(np.abs(mean), sigma, strict=True):
+        sides = _Sides(np.append(size, -size), np.append(spread, spread), np.append(part, part))
+        each = size, spread, part, sides
+        p999_e = _passed_by(common, *each)
+        pace_e = (p999_e - _passed_by(_COMMONER * common, *each)) / math.log(_COMMONER)
         max_e = p999_e + pace_e * math.log(common / rare)
-        if _passing(max_e, *each, part) > rare:
-            max_e = _passed_by(rare, *each, part)
+        if _passing(max_e, _may_pass(max_e, sides, rare)) > rare:
+            max_e = _passed_by(rare, *each)
         found.append(Worst(p999_e, max_e))
     return Worst(max(each.p999_e for each in found), max(each.max_e for each in found))
 
@@ -99,14 +111,20 @@ def largest(sizes: Values, weight: Values) -> Worst:
     return Worst(float(sizes[order[at]]), float(sizes[order[-1]]))
 
 
-def _passing(limit: float, size: Values, sigma: Values, part: Values) -> float:
-    """The share of the frame whose error passes a limit; `size` is that of each pixel's mean."""
-    may = size + _SIGMAS * sigma > limit
-    size, sigma = size[may], sigma[may]
-    return float(part[may] @ (ndtr((size - limit) / sigma) + ndtr((-size - limit) / sigma)))
+def _passing(limit: float, sides: _Sides) -> float:
+    """The share of the frame whose error passes a limit."""
+    mean, sigma, part = sides
+    return float(part @ ndtr((mean - limit) / sigma))
 
 
-def _passed_by(share: float, size: Values, sigma: Values, part: Values) -> float:
+def _may_pass(limit: float, sides: _Sides, share: float) -> _Sides:
+    """Those that pass a limit often enough to be seen in this share of a frame."""
+    mean, sigma, part = sides
+    may = np.flatnonzero(mean - ndtri(_UNSEEN * share) * sigma > limit)
+    return _Sides(mean[may], sigma[may], part[may])
+
+
+def _passed_by(share: float, size: Values, sigma: Values, part: Values, sides: _Sides) -> float:
     """The error that this share of the frame passes."""
     if not math.isfinite(float((size + sigma).max())):
         return 0.0
@@ -118,9 +136,10 @@ def _passed_by(share: float, size: Values, sigma: Values, part: Values) -> float
 
     def beyond(middle: float) -> float:
         """By how much more pixels pass it than should, as a logarithm."""
-        return math.log(max(_passing(middle, size, sigma, part), 1e-300) / share)
+        return math.log(max(_passing(middle, some), 1e-300) / share)
 
     # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
+    some = _may_pass(low, sides, share)
     at_low, at_high = beyond(low), beyond(high)
     for _ in range(_STEPS):
         if at_high >= 0 or high - low <= _PRECISE * high:
@@ -129,6 +148,7 @@ def _passed_by(share: float, size: Values, sigma: Values, part: Values) -> float
         found = beyond(middle)
         if found > 0:
             low, at_low, at_high = middle, found, at_high / 2
+            some = _may_pass(low, some, share)
         else:
             high, at_high, at_low = middle, found, at_low / 2
     return high
@@ -139,7 +159,7 @@ def _quantile(share: float, sizes: Values, part: Values) -> float:
     of all."""
     if share >= 1.0:
         return 0.0
-    order = np.argsort(sizes)
-    upto = np.cumsum(part[order])
+    order = sizes.argsort()
+    upto = part[order].cumsum()
     last = min(int(np.searchsorted(upto, 1.0 - share)), len(order) - 1)
     return float(sizes[order[last]])

@@ -1,0 +1,86 @@
+"""What the fields of effects on a sample are made of, for every lane of a program: nothing of it is
+light, so all scenes have it in common."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.planner.tables import Model, Tables
+from nscc_runtime.remembered import remembered
+
+Values = NDArray[np.float64]
+
+LEAK_STEP = 0.1
+"""By what part leakage is faster where it is asked what rates of leakage do."""
+
+
+@dataclass(frozen=True, eq=False)
+class ByLane:
+    """A program's words with every effect (`full`), and with every effect but one, by its name."""
+
+    tables: Tables
+    slot_s: Values
+    full: Model
+    less: Mapping[str, Model]
+
+    @cached_property
+    def faster(self) -> Model:
+        """With leakage that is faster by `LEAK_STEP`."""
+        return replace(self.full, leak_per_s=self.full.leak_per_s * (1 + LEAK_STEP))
+
+    @cached_property
+    def _known(self) -> list[Model]:
+        """Every model of the words that an effect may ask for, each once, the full one first."""
+        models = [self.full, self.faster, *self.less.values()]
+        return list(dict.fromkeys(self.tables.same(model) for model in models))
+
+    @cached_property
+    def row(self) -> dict[str, int]:
+        """Which of these is without an effect, by its name."""
+        return {name: self._row(model) for name, model in self.less.items()}
+
+    @cached_property
+    def faster_row(self) -> int:
+        """Which of these has faster leakage."""
+        return self._row(self.faster)
+
+    def _row(self, model: Model) -> int:
+        return self._known.index(self.tables.same(model))
+
+    @cached_property
+    def weights(self) -> list[Values]:
+        """The weights (N, lanes) of slots by every such model, bucket by bucket; last the squared
+        ones of the full model."""
+        models = [np.moveaxis(self.tables.weights(model).slots, 2, 0) for model in self._known]
+        return [each for some in (*models, models[0] ** 2) for each in some]
+
+    @cached_property
+    def seconds(self) -> tuple[Values, Values]:
+        """Seconds (buckets, lanes), by weight and by squared weight."""
+        slots = self.tables.weights(self.full).slots
+        one, two = (np.einsum("n,nlb->bl", self.slot_s, each) for each in (slots, slots**2))
+        return one, two
+
+    @cached_property
+    def most(self) -> Values:
+        """The largest weight (buckets, lanes) of a slot."""
+        return np.ascontiguousarray(self.tables.weights(self.full).slots.max(axis=0).T)
+
+    @remembered
+    def errors(self, at: str) -> Values:
+        """The variance (buckets, lanes) of small errors at `at`, for unit errors."""
+        factor, rest = self.tables.noise(at, self.full)
+        return ((factor**2).sum(axis=2) + rest).T
+
+    @remembered
+    def errors_cut(self, at: str) -> tuple[Values, Values]:
+        """The variance (buckets, lanes) of unit errors that is left out where they are drawn as at
+        the mean leakage: in any case, and by the square of how far leakage is off that."""
+        factor, rest = self.tables.noise(at, self.full)
+        other = self.tables.noise(at, self.faster)[0] - factor
+        return rest.T, (other**2).sum(axis=2).T
