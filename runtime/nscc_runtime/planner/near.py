@@ -48,12 +48,14 @@ class Charges:
     @property
     def most_e(self) -> Values:
         """The most charge (count,) that each is taken to see at a read."""
-        return self.most[0]
+        found: Values = self.most[0]
+        return found
 
     @property
     def own_e(self) -> Values:
         """The same without what its neighbours give."""
-        return self.own[0]
+        found: Values = self.own[0]
+        return found
 
     def at(self, places: Places) -> Charges:
         """Those at some of the places, in order."""
@@ -80,7 +82,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
         "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
     }  # fmt: skip
-    arrays = {
+    arrays: dict[str, Any] = {
         "total": light.sum_e, "scale": chip.scale.reshape(shape),
         "current": chip.current.reshape(shape), "lanes": program.lanes.reshape(shape),
     }  # fmt: skip

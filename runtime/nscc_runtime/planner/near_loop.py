@@ -48,7 +48,7 @@ def _inflow(
     beside += total[p + left] * scale[p + left] + total[p + right] * scale[p + right]
     missing = (1.0 if up == 0 else 0.0) + (1.0 if down == 0 else 0.0)
     missing += (1.0 if left == 0 else 0.0) + (1.0 if right == 0 else 0.0)
-    return asked.fraction * (beside - missing * (total[p] * scale[p]))
+    return float(asked.fraction * (beside - missing * (total[p] * scale[p])))
 
 
 @inlined
@@ -58,7 +58,7 @@ def _most(
 ) -> float:  # fmt: skip
     """What pixel p sees at most; `inflow` is that of the row that begins with pixel `first`."""
     light = part[lanes[p]] * (total[p] * scale[p])
-    return light + inflow[p - first] + current[p] * asked.frame_s
+    return float(light + inflow[p - first] + current[p] * asked.frame_s)
 
 
 @loop

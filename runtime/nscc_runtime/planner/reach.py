@@ -128,7 +128,8 @@ class _State:
         self._become(here, made)
         if "PIX" in word.op.sources:
             # One read, whatever is written.
-            self.covariance[np.ix_(here, rows, rows)] += part**2 * self._variance["reads"]
+            cells = np.ix_(np.flatnonzero(here), np.array(rows), np.array(rows))
+            self.covariance[cells] += part**2 * self._variance["reads"]
         for name, row in zip(word.op.destinations, rows, strict=True):
             self.held[here, row, -1] += error_sign(name, self._container)
             self.covariance[here, row, row] += self._variance["words"]
