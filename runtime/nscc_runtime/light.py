@@ -37,8 +37,9 @@ class Timing:
 
     def copy(self) -> Timing:
         """The same in arrays that nobody else writes to."""
-        arrays = (self.row_start, self.frame_index, self.weight)
-        return Timing(self.frames, *(each.copy() for each in arrays))
+        return Timing(
+            self.frames, self.row_start.copy(), self.frame_index.copy(), self.weight.copy()
+        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -72,20 +72,26 @@ def simulate_scene(
         numbered = listener.progress(numbered, "exposing pieces", len(lights))
     made, plans = [], KeptPlans()
     for number, light in numbered:
-        turn = Turn(plans, number) if len(lights) > 1 else request.turn
-        asked = replace(request, seed=request.seed + number, turn=turn)
+        asked = request
+        if len(lights) > 1:
+            asked = replace(request, seed=request.seed + number, turn=Turn(plans, number))
         made.append(simulate(container, light, sensor, asked, one))
-    frames, each = [one.frame for one in made], len(lights) // len(scene)
-    frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
-    frame = frames[0] if len(scene) == 1 else stacked(frames)
-    worst = max(made, key=lambda one: one.plan.predicted_e if one.plan else 0.0)
-    broken = next((one.broken for one in made if one.broken), None)
+    alone = len(made) == 1 and where.whole
+    simulated = made[0] if alone else _joined(made, where, len(scene))
     light = scene[0].light
     light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
     about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
-    simulated = replace(worst, frame=frame, broken=broken)
     return Taken(simulated, where.widened(container), light, about, container, where)
+
+
+def _joined(made: Sequence[Simulated], where: Layout, colours: int) -> Simulated:
+    """What became of all pieces of so many colours."""
+    frames, each = [one.frame for one in made], len(made) // colours
+    frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]
+    worst = max(made, key=lambda one: one.plan.predicted_e if one.plan else 0.0)
+    broken = next((one.broken for one in made if one.broken), None)
+    return replace(worst, frame=frames[0] if colours == 1 else stacked(frames), broken=broken)
 
 
 def _for_all(

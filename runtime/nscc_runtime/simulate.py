@@ -323,10 +323,10 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
 
 def _eaten(frame: Frame) -> Diagnostic | None:
     """The warning that light has eaten reset levels."""
-    bit = marks()["level"].bit
-    if not np.bitwise_or.reduce(frame.saturated_by, axis=None) & bit:
+    bit, marked = marks()["level"].bit, frame.saturated_by
+    if marked.max(initial=0) < bit or not (marked & bit).any():
         return None
-    pixels = (frame.saturated_by & bit).reshape(-1, *frame.saturated_by.shape[-2:]).any(axis=0)
+    pixels = (marked & bit).reshape(-1, *marked.shape[-2:]).any(axis=0)
     count = int(np.count_nonzero(pixels))
     many = "pixel reads less than it" if count == 1 else "pixels read less than they"
     return Diagnostic(

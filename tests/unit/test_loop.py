@@ -75,6 +75,16 @@ def test_a_loop_reads_records_and_arrays_of_them():
     assert values["out"].tolist() == [210.0, 105.0]
 
 
+def test_a_loop_reads_a_view_from_where_it_begins(tmp_path):
+    whole = np.array([-1, 0, 100, 200, -1])
+    np.save(tmp_path / "whole.npy", whole)
+    mapped = np.load(tmp_path / "whole.npy", mmap_mode="r")
+    for values in (whole, mapped):
+        out = np.zeros(4)
+        scaled(**given(start=values[1:4], out=out[1:3]))
+        assert out.tolist() == [0.0, 210.0, 105.0, 0.0]
+
+
 def test_a_bound_loop_takes_the_rest():
     values = given()
     sizes = values.pop("sizes")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from nscc_runtime.planner.near_loop import Asked, charges_at, may_saturate
+from nscc_runtime.planner.near_loop import TOGETHER, Asked, charges_at, may_saturate
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 6), (5, 1), (2, 2), (7, 19)])
@@ -31,7 +31,7 @@ def test_neighbours_give_a_part_and_the_border_gets_less(shape: tuple[int, int])
     gained, (most, own) = np.empty(len(places)), np.empty((2, 2, len(places)))
     charges_at(
         asked=Asked(places=len(places), **sizes), places=places, frames=frames, weights=weights,
-        dark_s=dark_s, most=most, own=own, gained=gained, **arrays,
+        dark_s=dark_s, light=np.empty(TOGETHER), most=most, own=own, gained=gained, **arrays,
     )  # fmt: skip
     lit = total * scale
     framed = np.pad(lit, 1)

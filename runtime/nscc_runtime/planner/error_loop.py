@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.loop import Floats, Ints, Words, compiled
+from nscc_runtime.loop import Floats, Ints, Ints32, Words, compiled
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.loops import uniform
 from nscc_runtime.planner.charge_loop import stream_key
@@ -38,8 +38,8 @@ def _stream_of(
 @compiled
 def missing_of(
     sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
-    entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats, found: Words,
-    draws: Ints, draw_keys: Words, normals: Floats,
+    entry_of: Ints32, entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats,
+    found: Words, draws: Ints, draw_keys: Words, normals: Floats,
 ) -> None:  # fmt: skip
     """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x.
 
@@ -52,9 +52,10 @@ def missing_of(
         stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), found)
         missing[kind * buckets + bucket] = normal(uniform(stream, place))
     for e in range(first, stop):
+        entry = entries[entry_of[e]]
         for draw in range(sizes.draws):
-            if _draws(entries[e], kind, draw):
-                number = _drawn_number(sizes, entries[e], kind, draw)
+            if _draws(entry, kind, draw):
+                number = _drawn_number(sizes, entry, kind, draw)
                 key_at = row + buckets + number
                 draw_keys[count] = _stream_of(sizes, of_part, key_at, np.uint64(number), found)
                 draws[count] = (e - first) * sizes.draws + draw

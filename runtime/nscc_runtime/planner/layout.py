@@ -109,15 +109,17 @@ class Keys:
     part_words: np.uint64
 
 
+ACTS, SEEN = 1, 2
+"""Of a word in the list of a lane: it acts there; what falls on PIX before it is read, by it or
+later, before PIX is reset."""
+
+
 @record
 class Entry:
-    """A word in the list of a lane."""
+    """A word."""
 
     boundary: int
     resets: int
-    acts: int
-    seen: int
-    """Whether a word reads PIX, this or a later one, before PIX is reset: what fell before it."""
     number: int
     reads_pix: int
     sources: int

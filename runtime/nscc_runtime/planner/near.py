@@ -17,7 +17,7 @@ from nscc_runtime.effects.parts import Exchange
 from nscc_runtime.effects.selection import Selection
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, chip_of
-from nscc_runtime.planner.near_loop import Asked, charges_at, may_saturate
+from nscc_runtime.planner.near_loop import TOGETHER, Asked, charges_at, may_saturate
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sums import Weights
 
@@ -48,12 +48,14 @@ class Charges:
     @property
     def most_e(self) -> Values:
         """The most charge (count,) that each is taken to see at a read."""
-        return self.most[0]
+        found: Values = self.most[0]
+        return found
 
     @property
     def own_e(self) -> Values:
         """The same without what its neighbours give."""
-        return self.own[0]
+        found: Values = self.own[0]
+        return found
 
     def at(self, places: Places) -> Charges:
         """Those at some of the places, in order."""
@@ -80,7 +82,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
         "fraction": 0.0 if exchange is None else exchange.fraction(program.sensor),
     }  # fmt: skip
-    arrays = {
+    arrays: dict[str, Any] = {
         "total": light.sum_e, "scale": chip.scale.reshape(shape),
         "current": chip.current.reshape(shape), "lanes": program.lanes.reshape(shape),
     }  # fmt: skip
@@ -96,7 +98,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         charges_at(
             asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
             frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
-            weights=of_frames, **arrays,
+            weights=of_frames, light=np.empty(TOGETHER), **arrays,
         )  # fmt: skip
     return Charges(places, most, own, gained)
 

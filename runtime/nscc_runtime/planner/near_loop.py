@@ -17,7 +17,7 @@ from nscc_runtime.loop import (
     record,
 )
 
-_TOGETHER = 256
+TOGETHER = 256
 """Pixels whose sums stay in the cache while the frames go by."""
 
 
@@ -48,7 +48,7 @@ def _inflow(
     beside += total[p + left] * scale[p + left] + total[p + right] * scale[p + right]
     missing = (1.0 if up == 0 else 0.0) + (1.0 if down == 0 else 0.0)
     missing += (1.0 if left == 0 else 0.0) + (1.0 if right == 0 else 0.0)
-    return asked.fraction * (beside - missing * (total[p] * scale[p]))
+    return float(asked.fraction * (beside - missing * (total[p] * scale[p])))
 
 
 @inlined
@@ -58,7 +58,7 @@ def _most(
 ) -> float:  # fmt: skip
     """What pixel p sees at most; `inflow` is that of the row that begins with pixel `first`."""
     light = part[lanes[p]] * (total[p] * scale[p])
-    return light + inflow[p - first] + current[p] * asked.frame_s
+    return float(light + inflow[p - first] + current[p] * asked.frame_s)
 
 
 @loop
@@ -104,18 +104,22 @@ def may_saturate(
 @compiled
 def _see(
     asked: Asked, frames: Floats32, weights: Floats, scale: Floats, lanes: Ints32, places: Ints,
-    seen: Floats,
+    light: Floats, seen: Floats,
 ) -> None:  # fmt: skip
     """seen[kind, i] := the light of a kind at the pixels places[i]; each frame passes once."""
     pixels, count, step = asked.rows * asked.cols, asked.places, asked.count * asked.lane_count
     for i in range(asked.kinds * count):
         seen[i] = 0.0
-    for first in range(0, count, _TOGETHER):
+    for first in range(0, count, TOGETHER):
+        stop = min(first + TOGETHER, count)
         for k in range(asked.count):
-            for i in range(first, min(first + _TOGETHER, count)):
-                light, row = frames[k * pixels + places[i]], k * asked.lane_count + lanes[places[i]]
-                for kind in range(asked.kinds):
-                    seen[kind * count + i] += weights[kind * step + row] * light
+            frame, row = k * pixels, k * asked.lane_count
+            for i in range(first, stop):
+                light[i - first] = frames[frame + places[i]]
+            for kind in range(asked.kinds):
+                at, weight = kind * count, kind * step + row
+                for i in range(first, stop):
+                    seen[at + i] += weights[weight + lanes[places[i]]] * light[i - first]
     for kind in range(asked.kinds):
         for i in range(count):
             seen[kind * count + i] *= scale[places[i]]
@@ -147,6 +151,7 @@ def charges_at(
     frames: Annotated[Floats32, "count rows cols"],
     weights: Annotated[Floats, "kinds count lane_count"],
     dark_s: Annotated[Floats, "kinds lane_count"],
+    light: Written[Floats],
     most: Written[Annotated[Floats, "kinds places"]],
     own: Written[Annotated[Floats, "kinds places"]],
     gained: Written[Annotated[Floats, "places"]],
@@ -154,7 +159,8 @@ def charges_at(
     """Of some places and each kind of charge `most` := how much it may be: the light of the slots,
     weighed by `weights`, or that with what neighbours give, and the dark charge of `dark_s`
     seconds, `sigmas` standard deviations above their mean; `own`: without neighbours. `gained` :=
-    what neighbours give of the frame's light less what they take.
+    what neighbours give of the frame's light less what they take. `light`: scratch for `TOGETHER`
+    pixels.
     """
     rows, cols = asked.rows, asked.cols
     for i in range(asked.places):
@@ -163,7 +169,7 @@ def charges_at(
         up, down = -cols if row > 0 else 0, cols if row + 1 < rows else 0
         left, right = -1 if col > 0 else 0, 1 if col + 1 < cols else 0
         gained[i] = _inflow(asked, total, scale, p, up, down, left, right)
-    _see(asked, frames, weights, scale, lanes, places, own)
+    _see(asked, frames, weights, scale, lanes, places, light, own)
     for kind in range(asked.kinds):
         at = kind * asked.places
         for i in range(asked.places):

@@ -27,7 +27,7 @@ from nscc_runtime.planner.charge_loop import (
     streams_of,
 )
 from nscc_runtime.planner.error_loop import READS, RESETS, WORDS, Entries, error_of, missing_of
-from nscc_runtime.planner.layout import Keys, Numbers, Sizes
+from nscc_runtime.planner.layout import ACTS, SEEN, Entry, Keys, Numbers, Sizes
 
 _ADDED, _SUBTRACTED, _LEVEL, _OLD = 1, 2, 4, 8
 """Of what a register holds: it has a full PIX in it, or that of a reset's level; or it is the part
@@ -51,13 +51,13 @@ def _held(
 
 @compiled
 def _execute(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, first: int, entries: Entries,
+    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, first: int, entry: Entry,
     operands: Ints, weights: Floats, signs: Floats, missing: Floats, drawn: Floats, pattern: float,
     registers: Floats, full: Ints, lost: Floats, fresh: bool,
 ) -> None:  # fmt: skip
     """Run one word. PIX is register `registers`, its reset level the next one, then IN. `fresh`:
     PIX was reset at this boundary."""
-    entry, pix = entries[e], sizes.registers
+    pix = sizes.registers
     unseen = fresh and not sizes.lit_level
     if entry.resets:
         registers[pix] = 0.0
@@ -184,8 +184,9 @@ def _fallen(
 @compiled
 def _run(
     sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
-    start_s: Floats, entries: Entries, operands: Ints, weights: Floats, signs: Floats,
-    sites: Ints32, rows: Ints, scales: Floats, sums: Floats, away: Floats,
+    start_s: Floats, entry_of: Ints32, flags: Bytes, entries: Entries, operands: Ints,
+    weights: Floats, signs: Floats, sites: Ints32, rows: Ints, scales: Floats, sums: Floats,
+    away: Floats,
     of_group: Ints, streams: Words, heap: Floats, stamps: Ints, missing: Floats, drawn: Floats,
     registers: Floats, full: Ints, lost: Floats, places: Ints,
 ) -> None:  # fmt: skip
@@ -197,12 +198,14 @@ def _run(
     at, fallen, fresh = 0, 0.0, False
     single, of_single = -1, 0.0
     for e in range(first, stop + 1):
-        boundary = slots if e == stop else entries[e].boundary
-        if e < stop and not entries[e].acts:
+        # Behind the last word stands the end of the frame: nothing is asked of `entry` there.
+        entry, flag = entries[entry_of[e]], flags[e] if e < stop else 0
+        boundary = slots if e == stop else entry.boundary
+        if e < stop and not flag & ACTS:
             continue
         # Of charge that nothing reads before PIX is reset, or the frame ends, nothing is asked; nor
         # of what falls on a PIX that is full.
-        seen = e < stop and entries[e].seen == 1
+        seen = flag & SEEN > 0
         if at < boundary:
             if seen and not full[pix] & _ADDED:
                 if fallen > 0.0 and single != at:
@@ -223,7 +226,7 @@ def _run(
         if e == stop:
             break
         if sizes.slow_words:
-            now = entries[e].end
+            now = entry.end
             if seen and not full[pix] & _ADDED and now > fallen:
                 slot = at if at < slots else slots - 1
                 if single != slot:
@@ -234,10 +237,10 @@ def _run(
                 _fall(sizes, numbers, (now - fallen) * of_single, registers, full)
             fallen = now
         _execute(
-            sizes, numbers, keys, place, e, first, entries, operands, weights, signs, missing,
+            sizes, numbers, keys, place, e, first, entry, operands, weights, signs, missing,
             drawn, pattern, registers, full, lost, fresh,
         )  # fmt: skip
-        fresh = fresh or entries[e].resets == 1
+        fresh = fresh or entry.resets == 1
 
 
 @compiled
@@ -280,9 +283,11 @@ def run_pixels(
     start_s: Annotated[Floats, "slots+1"],
     group_ids: Annotated[Words, "groups"],
     entry_start: Annotated[Ints, "lanes+1"],
-    entries: Annotated[Entries, "entries"],
+    entry_of: Annotated[Ints32, "listed+1"],
+    flags: Annotated[Bytes, "listed"],
+    entries: Entries,
     operands: Ints,
-    weights: Annotated[Floats, "entries draws buckets"],
+    weights: Annotated[Floats, "listed draws buckets"],
     signs: Annotated[Floats, "registers+1"],
     readout_register: Annotated[Ints, "buckets"],
     readout_gain: Annotated[Floats, "buckets"],
@@ -309,10 +314,11 @@ def run_pixels(
     `lanes`: the lane of each pixel. `sites`: the number of each place in `rows` and `scales`, see
     `nscc_runtime.planner.charge_loop`. `group_ids`: what keys call the groups of slots;
     `away` (counted groups, pixels), if neighbours' counts are given: how far they are from their
-    means, `of_group` says in which row, -1 in none. The words of lane l are entry_start[l] ..
-    entry_start[l + 1] of `entries`; `weights`: of their draws in the buckets. From `streams` to
-    `places`: scratch, `found` once filled with 0, `stamps` with -1. Places in rising order find
-    most of their neighbours' counts already there.
+    means, `of_group` says in which row, -1 in none. The words of lane l stand at entry_start[l] ..
+    entry_start[l + 1] - 1 of `entry_of`, which says where they are in `entries`, of `flags`, and of
+    `weights`, those of their draws in the buckets. From `streams` to `places`: scratch, `found`
+    once filled with 0, `stamps` with -1. Places in rising order find most of their neighbours'
+    counts already there.
     """
     streams_of(sizes, keys, group_ids, streams)
     for i in range(sizes.pixels):
@@ -321,28 +327,28 @@ def run_pixels(
         first, stop = entry_start[lane], entry_start[lane + 1]
         if sizes.read_errors:
             missing_of(
-                sizes, keys.sum_reads, keys.part_reads, place, first, stop, entries, weights,
-                READS, missing, drawn, found, draws, draw_keys, normals,
+                sizes, keys.sum_reads, keys.part_reads, place, first, stop, entry_of, entries,
+                weights, READS, missing, drawn, found, draws, draw_keys, normals,
             )  # fmt: skip
         if sizes.reset_errors:
             missing_of(
-                sizes, keys.sum_resets, keys.part_resets, place, first, stop, entries, weights,
-                RESETS, missing, drawn, found, draws, draw_keys, normals,
+                sizes, keys.sum_resets, keys.part_resets, place, first, stop, entry_of, entries,
+                weights, RESETS, missing, drawn, found, draws, draw_keys, normals,
             )  # fmt: skip
         leak = 0.0
         if sizes.word_errors:
             missing_of(
-                sizes, keys.sum_words, keys.part_words, place, first, stop, entries, weights,
-                WORDS, missing, drawn, found, draws, draw_keys, normals,
+                sizes, keys.sum_words, keys.part_words, place, first, stop, entry_of, entries,
+                weights, WORDS, missing, drawn, found, draws, draw_keys, normals,
             )  # fmt: skip
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
             leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
         _begin(sizes, numbers, keys, place, registers, full, lost)
         _run(
-            sizes, numbers, keys, place, leak, first, stop, start_s, entries, operands, weights,
-            signs, sites, rows, scales, sums, away, of_group, streams, heap, stamps,
-            missing, drawn, registers, full, lost, places,
+            sizes, numbers, keys, place, leak, first, stop, start_s, entry_of, flags, entries,
+            operands, weights, signs, sites, rows, scales, sums, away, of_group, streams, heap,
+            stamps, missing, drawn, registers, full, lost, places,
         )  # fmt: skip
         _read_out(
             sizes, numbers, keys, place, i, leak, readout_register, readout_gain, readout_wait_s,

@@ -31,7 +31,7 @@ from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
-from nscc_runtime.planner.entries import entries_of, seen_by
+from nscc_runtime.planner.entries import entries_of, flags_of
 from nscc_runtime.planner.error_loop import ERRORS
 from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
@@ -62,6 +62,8 @@ class Pixels:
 
     program: Reference
     entry_start: NDArray[np.int64]
+    entry_of: NDArray[np.int32]
+    flags: NDArray[np.uint8]
     entries: NDArray[Any]
     operands: NDArray[np.int64]
     weights: NDArray[np.float64]
@@ -85,15 +87,14 @@ class Pixels:
                     draws[number, 0] = weight
         needed = acts | draws.any(axis=(1, 3))
         lane, word = np.nonzero(needed.T)
-        rows, operands = entries_of(program)
-        entries = rows[word]
-        entries["acts"] = acts[word, lane]
+        entries, operands = entries_of(program)
         entry_start = np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
-        entries["seen"] = seen_by(entries, entry_start)
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
             entry_start,
+            np.append(word, 0).astype(np.int32),  # the loop looks at one more
+            flags_of(entries[word], acts[word, lane], entry_start),
             entries,
             operands,
             np.ascontiguousarray(draws[word, :, lane]),
@@ -201,6 +202,8 @@ class Wired:
             start_s=np.concatenate(([0.0], np.cumsum(self.slot_s))),
             group_ids=words.group_ids,
             entry_start=words.entry_start,
+            entry_of=words.entry_of,
+            flags=words.flags,
             entries=words.entries,
             operands=words.operands,
             weights=words.weights,

@@ -13,6 +13,7 @@ import numpy as np
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Exchange, SlowWords
 from nscc_runtime.planner.charge_loop import SITES
+from nscc_runtime.planner.layout import ACTS
 from nscc_runtime.planner.pixels import Pixels
 from nscc_runtime.remembered import remembered
 
@@ -73,10 +74,10 @@ class Work:
     @classmethod
     def of(cls, pixels: Pixels, slots: int) -> Work:
         """Of a program laid out for the loop."""
-        acting = pixels.entries["acts"].astype(bool)
+        acting = pixels.flags & ACTS > 0
         lanes = len(pixels.entry_start) - 1
         lane = np.repeat(np.arange(lanes), np.diff(pixels.entry_start))[acting]
-        places = lane * (slots + 1) + pixels.entries["boundary"][acting]
+        places = lane * (slots + 1) + pixels.entries["boundary"][pixels.entry_of[:-1][acting]]
         groups = len(np.unique(pixels.groups + np.arange(lanes)[:, None] * len(pixels.group_ids)))
         return cls(len(lane) / lanes, len(np.unique(places)) / lanes, groups / lanes, slots)
 

@@ -109,10 +109,7 @@ class _State:
 
     def reset(self, here: NDArray[np.bool_]) -> None:
         """PIX is reset in these lanes."""
-        both = [self.pix, self._level]
-        made = np.eye(len(self.names))
-        made[both] = 0.0
-        self._become(here, made)
+        self._write(np.flatnonzero(here), [self.pix, self._level], np.zeros(len(self.names)), 0.0)
         self.covariance[here, self._level, self._level] = self._variance["resets"]
 
     def execute(self, word: AnalogWord, here: NDArray[np.bool_]) -> None:
@@ -123,20 +120,25 @@ class _State:
             total[self.names.index(name)] += part
             total[self._level] += part if name == "PIX" else 0.0
         rows = [self.names.index(name) for name in word.op.destinations]
-        made = np.eye(len(self.names))
-        made[rows] = total
-        self._become(here, made)
-        if "PIX" in word.op.sources:
-            # One read, whatever is written.
-            self.covariance[np.ix_(here, rows, rows)] += part**2 * self._variance["reads"]
+        # One read, whatever is written.
+        read = part**2 * self._variance["reads"] if "PIX" in word.op.sources else 0.0
+        lanes = np.flatnonzero(here)
+        self._write(lanes, rows, total, read)
         for name, row in zip(word.op.destinations, rows, strict=True):
-            self.held[here, row, -1] += error_sign(name, self._container)
-            self.covariance[here, row, row] += self._variance["words"]
+            self.held[lanes, row, -1] += error_sign(name, self._container)
+            self.covariance[lanes, row, row] += self._variance["words"]
 
-    def _become(self, here: NDArray[np.bool_], made: Values) -> None:
-        """Each row becomes what `made` (rows, rows) makes of all of them."""
-        self.held[here] = made @ self.held[here]
-        self.covariance[here] = made @ self.covariance[here] @ made.T
+    def _write(
+        self, lanes: NDArray[np.intp], rows: list[int], total: Values, variance: float
+    ) -> None:
+        """Some rows become the sum of all, so much of each, with noise of a variance beside."""
+        held, beside = total @ self.held[lanes], total @ self.covariance[lanes]
+        for row in rows:
+            self.held[lanes, row] = held
+            self.covariance[lanes, row] = self.covariance[lanes, :, row] = beside
+        own = beside @ total + variance
+        for row in rows:
+            self.covariance[lanes[:, None], row, rows] = own[:, None]
 
 
 @dataclass(eq=False)

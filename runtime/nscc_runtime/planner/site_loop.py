@@ -75,6 +75,13 @@ def _light(
     return total
 
 
+@compiled
+def _draw(laying: Laying, key: np.uint64, places: Ints, at: int, scales: Floats) -> None:
+    """scales[i, at] := the normal number of places[i]; nothing else, so LLVM makes vectors."""
+    for i in range(laying.begin, laying.end):
+        scales[2 * i + at] = normal(uniform(key, places[i]))
+
+
 @loop
 def mark(
     asked: Asked,
@@ -122,21 +129,25 @@ def lay_out(
     """
     pixels, slots, count = laying.pixels, laying.slots, laying.groups
     for i in range(laying.begin, laying.end):
-        place, response = places[i], 1.0
+        place = places[i]
         lane = lanes[place]
         number[place] = i
         rows[2 * i + LIT] = of_lane[2 * lane + LIT] if laying.even else i * count * (slots + 1)
         rows[2 * i + DARK] = of_lane[2 * lane + DARK]
-        if laying.uneven:
-            response += numbers.uneven * normal(uniform(keys.uneven, place))
-            response = response if response > 0.0 else 0.0
-        if laying.even:
-            total = _light(frames, row_start, frame_index, weight, 0, pixels, place)
-            response = _rate(numbers, total, response)
-        scales[2 * i + LIT] = response
-        scales[2 * i + DARK] = 0.0
-        if laying.counts_dark:
-            z = normal(uniform(keys.dark, place))
+        scales[2 * i + LIT], scales[2 * i + DARK] = 1.0, 0.0
+    if laying.uneven:
+        _draw(laying, keys.uneven, places, LIT, scales)
+        for i in range(laying.begin, laying.end):
+            response = 1.0 + numbers.uneven * scales[2 * i + LIT]
+            scales[2 * i + LIT] = response if response > 0.0 else 0.0
+    if laying.even:
+        for i in range(laying.begin, laying.end):
+            total = _light(frames, row_start, frame_index, weight, 0, pixels, places[i])
+            scales[2 * i + LIT] = _rate(numbers, total, scales[2 * i + LIT])
+    if laying.counts_dark:
+        _draw(laying, keys.dark, places, DARK, scales)
+        for i in range(laying.begin, laying.end):
+            z = scales[2 * i + DARK]
             scales[2 * i + DARK] = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)
     for first in range(laying.begin, laying.begin if laying.even else laying.end, _TOGETHER):
         stop = min(first + _TOGETHER, laying.end)

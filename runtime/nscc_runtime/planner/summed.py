@@ -183,7 +183,10 @@ class Readout:
             )  # fmt: skip
 
         in_parts(run, pixels, threads, BLOCK)
-        return Frame(*(each.reshape(buckets, *shape) for each in (frame, values, valid, marked)))
+        whole = buckets, *shape
+        return Frame(
+            frame.reshape(whole), values.reshape(whole), valid.reshape(whole), marked.reshape(whole)
+        )
 
 
 def _after(kept: Selection) -> set[str]:

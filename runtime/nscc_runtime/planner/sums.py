@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -84,14 +84,14 @@ class Weights:
     What they are for the frames of the last light is kept: those of a film fall in the same slots.
     """
 
-    def __init__(self, slots: Sequence[NDArray[np.float64]]) -> None:
-        self.slots = slots
+    def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
+        self.slots = [*slots]
         self._last: tuple[Timing, NDArray[np.float64], Tables] | None = None
 
     @property
     def lanes(self) -> int:
         """How many lanes they have."""
-        return self.slots[0].shape[1]
+        return len(self.slots[0][0])
 
     def of_frames(self, light: Light) -> NDArray[np.float64]:
         """The weights (J, T, lanes) of a light's frames."""
