@@ -21,6 +21,6 @@ def test_a_few_sensors() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("first", range(0, 400, 40))
-def test_many_sensors(first: int) -> None:
-    check([each for seed in range(first, first + 40) for each in draws(seed)])
+def test_many_sensors() -> None:
+    """Judged together: of fifty predictions chance alone makes one in ten wrong now and then."""
+    check([each for seed in range(400) for each in draws(seed)])
