@@ -14,13 +14,11 @@ from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from functools import cached_property
 from threading import Condition
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects import everything
-from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.light import Light
 from nscc_runtime.sizes_loop import (
     EIGHTH,
@@ -94,16 +92,8 @@ class Statistics:
 
     def covers(self, other: Statistics, plan: Plan) -> bool:
         """Whether a plan that was made for this scene will do for another one."""
-        return self.resembles(other, **_how(plan))
-
-
-def _how(plan: Plan) -> dict[str, Any]:
-    """How much alike a scene has to be for a plan: what `Statistics.resembles` is told."""
-    names = everything().names(Saturates)
-    dropped = any(e.decision == "dropped" and e.name in names for e in plan.decisions)
-    return {
-        "saturating": not dropped, "least": _LESS_OF_PART if plan.allowed.follows else _LESS
-    }  # fmt: skip
+        least = _LESS_OF_PART if plan.allowed.follows else _LESS
+        return self.resembles(other, saturating=not plan.drops_saturation, least=least)
 
 
 def _course(light: Light) -> Values:
@@ -155,11 +145,6 @@ class _Kept:
         """The plan as that of another scene."""
         return replace(self.made.result(), reused=True)
 
-    @cached_property
-    def how(self) -> dict[str, Any]:
-        """How much alike other scenes have to be."""
-        return _how(self.made.result())
-
 
 class KeptPlans:
     """The plans of a film's frames, or of the scenes of a batch, which are numbered from 0.
@@ -209,7 +194,7 @@ class KeptPlans:
             return None
         if last.made.exception() is not None:
             return None
-        return last.again if last.statistics.resembles(found, **last.how) else None
+        return last.again if last.statistics.covers(found, last.again) else None
 
     def passed(self, number: int) -> None:
         """Scene `number` has its plan, or needs none."""

@@ -22,7 +22,7 @@ from nscc_runtime.planner.near import Charges, reached
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.sample import Sample, among, brightest, drawn_by
+from nscc_runtime.planner.sample import Sample, among, brightest, weighed
 from nscc_runtime.planner.worst import Worst, largest, worst_measured
 from nscc_runtime.remembered import remembered
 
@@ -176,11 +176,8 @@ class Lacking:
         wanted = min(max(len(self.near) // _PART, _FEWEST), _MOST, len(rest.places))
         places, weight = self._surely, np.ones(len(self._surely))
         if wanted:
-            chance = self._chances(rest)
-            drawn, count = np.unique(drawn_by(chance, wanted), return_counts=True)
-            each = count / chance[drawn]
-            weight = np.append(weight, each * (len(rest.places) / each.sum()))
-            places = np.append(places, rest.places[drawn])
+            drawn, each = weighed(self._chances(rest), wanted, len(rest.places))
+            places, weight = np.append(places, rest.places[drawn]), np.append(weight, each)
         return Sample(places, weight, np.ones(len(places), np.bool_))
 
     @cached_property

@@ -10,7 +10,7 @@ from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from nscc import html
 from nscc.columns import columns
-from nscc_runtime.effects import CannotHave, Selection, registered
+from nscc_runtime.effects import CannotHave, Selection, everything, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
@@ -277,6 +277,12 @@ class Plan:
         off = {each.name for each in self.decisions if each.forced and each.decision == "dropped"}
         kept = self.kept
         return Selection(frozenset(e.name for e in registered()) - off, kept.forced)
+
+    @cached_property
+    def drops_saturation(self) -> bool:
+        """Whether an effect of what saturates is left out because the tolerance has room for it."""
+        names = everything().names(Saturates)
+        return any(e.decision == "dropped" and e.name in names for e in self.decisions)
 
     @cached_property
     def kept_in_words(self) -> Selection:

@@ -74,14 +74,10 @@ def sample_of(
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
     chance = chances(total_e, near).reshape(-1)
     if wanted < pixels and len(near) < pixels:
-        drawn = drawn_by(chance, wanted)
+        places, weight = weighed(chance, wanted, pixels - len(near))
     else:
-        chance[...] = 1.0
-        drawn = np.delete(np.arange(pixels), near)
-    first = np.flatnonzero(np.diff(drawn, prepend=-1))
-    places, count = drawn[first], np.diff(first, append=len(drawn))
-    weight = count / chance[places]
-    weight *= (pixels - len(near)) / max(weight.sum(), 1e-300)
+        places = np.delete(np.arange(pixels), near)
+        weight = np.ones(len(places))
     far = len(places)
     if not len(near):
         return Sample(places, weight, np.zeros(far, np.bool_))
@@ -116,6 +112,18 @@ def drawn_by(chance: NDArray[np.float64], wanted: int) -> NDArray[np.intp]:
         drawn=found,
     )  # fmt: skip
     return found
+
+
+def weighed(
+    chance: NDArray[np.float64], wanted: int, pixels: int
+) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
+    """About so many places, each once, in order, and how many of the `pixels` each stands for: the
+    likelier it was, the fewer."""
+    drawn = drawn_by(chance, wanted)
+    first = np.flatnonzero(np.diff(drawn, prepend=-1))
+    places, count = drawn[first], np.diff(first, append=len(drawn))
+    weight = count / chance[places]
+    return places, weight * (pixels / max(weight.sum(), 1e-300))
 
 
 def drawn_evenly(places: NDArray[np.int64], wanted: int) -> NDArray[np.int64]:
