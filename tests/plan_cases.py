@@ -10,7 +10,8 @@ from reference_programs import program
 from nscc.words.container import Container
 from nscc_runtime.effects import registered, selected
 from nscc_runtime.light import Light
-from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.plan_parts import Decision
 
 ANY_STOP = """nsl 1
 frame {slots} slots of {slot}

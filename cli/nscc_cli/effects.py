@@ -85,9 +85,10 @@ def costs() -> str:
         (e.name, "" if e.shipped is None else f"{e.shipped:.4g}", f"{e.here:.4g}", e.unit, e.what)
         for e in found.prices
     ]
+    here = {each.name for each in found.prices}
     rows += [
-        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel by sums over slots")
-        for e in registered() if e.cost_ns
+        (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")
+        for e in registered() if e.cost_ns and e.name not in here
     ]  # fmt: skip
     threads = "1 thread" if found.threads == 1 else f"{found.threads} threads"
     return columns(rows, left=(0, 3, 4)) + (

@@ -19,7 +19,7 @@ from typing import Any
 
 from nscc.cache.store import Store, cache_folder
 
-_SCHEMA = "nscc-prices-1"
+_SCHEMA = "nscc-prices-2"
 
 
 @dataclass(frozen=True)

@@ -7,8 +7,8 @@ program, scene and tolerance: planning as a part of the first frame; the first f
 that with all effects to the same tolerance, planning included in both; the check whether a kept
 plan serves the next frames, as a part of one; these as a part of the next ones with all effects,
 the check included in both; both by the cheaper of that and the reference. Beside them the floor:
-light, shot noise and the converter alone, as a part of the next frames with all effects. At the end
-medians and the worst, beside what is asked of them.
+light, shot noise and the converter alone, as a part of the next frames with all effects; and what
+the plan's table says of first frames. At the end medians and the worst, beside what is asked.
 """
 
 from __future__ import annotations
@@ -56,13 +56,14 @@ ASKED: dict[Given, float] = {DEFAULT: 0.5, 50.0: 0.25}
 @dataclass(frozen=True)
 class Row:
     """One program, scene and tolerance. `planning`, of the first frame; `check`, of the next ones;
-    `first`, `next` and `floor` of all; `worst_first`, `worst_next` of the cheaper of all and
-    reference."""
+    `first`, `next` and `floor` of all, and what the plan's table says of `first`; `worst_first`,
+    `worst_next` of the cheaper of all and reference."""
 
     tolerance: Given
     planning: float
     check: float
     first: float
+    said: float
     next: float
     floor: float
     worst_first: float
@@ -118,9 +119,12 @@ def row(program: Program, light: Light, tolerance: Given, reference_s: float, ro
         lambda: capture(container, unknown(light), plan=simple, threads=1),
     )  # fmt: skip
     planning_s, check_s, first_s, first_all_s, next_s, all_s, floor_s = least_s(runs, rounds)
+    cost = make().cost
+    assert cost is not None
     return Row(
-        tolerance, planning_s / first_s, check_s / next_s, first_s / first_all_s, next_s / all_s,
-        floor_s / all_s, first_s / min(first_all_s, reference_s), next_s / min(all_s, reference_s),
+        tolerance, planning_s / first_s, check_s / next_s, first_s / first_all_s,
+        cost.total_ms / cost.all_ms, next_s / all_s, floor_s / all_s,
+        first_s / min(first_all_s, reference_s), next_s / min(all_s, reference_s),
     )  # fmt: skip
 
 
@@ -147,9 +151,9 @@ def case(name: str, scene: str, exposure: str | None, rounds: int) -> list[Row]:
         each = row(program, light, tolerance, reference_s, rounds)
         print(
             f"  {tolerance!s:>8}: planning {each.planning:.2f} of the first frame, check "
-            f"{each.check:.2f} of the next; first {each.first:.2f}, next {each.next:.2f} of all "
-            f"(floor {each.floor:.2f}); {each.worst_first:.2f} and {each.worst_next:.2f} of the "
-            "cheaper",
+            f"{each.check:.2f} of the next; first {each.first:.2f} (said {each.said:.2f}), next "
+            f"{each.next:.2f} of all (floor {each.floor:.2f}); {each.worst_first:.2f} and "
+            f"{each.worst_next:.2f} of the cheaper",
             flush=True,
         )
         found.append(each)
@@ -170,7 +174,8 @@ def main() -> None:
         print(
             f"  {tolerance!s:>8}: planning {median(e.planning for e in some):.2f} of the first "
             f"frame (0.4), check {median(e.check for e in some):.2f} of the next (0.15); first "
-            f"{median(e.first for e in some):.2f}, next {median(e.next for e in some):.2f} of all"
+            f"{median(e.first for e in some):.2f} (said {median(e.said for e in some):.2f}), next "
+            f"{median(e.next for e in some):.2f} of all"
             f"{asked}, floor {median(e.floor for e in some):.2f}"
         )
     print(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from dataclasses import replace
 from pathlib import Path
 
@@ -118,6 +119,7 @@ INCOMPLETE = [
     ({"sums": ()}, "`sums` that go with `reference`"),
     ({"sums": (Errors("reads", abs),)}, "`sums` that go with `reference`"),
     ({"cost_ns": -1}, "`cost_ns`, a number"),
+    ({"light_ns": math.nan}, "`light_ns`, a number"),
     ({"marks": None}, "`marks` of well, subtracted"),
     ({"marks": {"light": Mark(16, "tilt")}}, "`marks` of well, subtracted"),
     ({"marks": {"well": Mark(16, "tilt")}}, "`marks` of well, subtracted"),

@@ -94,8 +94,11 @@ def test_the_command_shows_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path)
 @pytest.mark.slow
 def test_measuring_finds_prices_of_every_way() -> None:
     found = measuring.measured()
-    assert {e.name for e in found.prices} == {"planning", "sums", "words", "reference", "thread"}
-    here = {each.name: each.here for each in found.prices}
+    ways = {"planning", "sums", "words", "reference", "thread"}
+    assert {e.name for e in found.prices} > ways | {"shot", "dark", "read", "crosstalk"}
+    here = {each.name: each.here for each in found.prices if each.name in ways}
     assert all(value > 0 for value in here.values())
+    assert all(each.here >= 0 and each.shipped for each in found.prices if each.name not in ways)
+    assert not {e.name for e in found.prices} & {"comparator_offset", "comparator_noise"}
     # A pixel through its words takes many times one by sums, whatever the machine.
     assert here["words"] > 5 * here["sums"]

@@ -18,7 +18,8 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc_runtime.effects import optional, registered
 from nscc_runtime.effects.parameters import MOST_E
-from nscc_runtime.planner.plan import Approximation, Plan
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.plan_parts import Approximation
 from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.sensor import default_sensor
 

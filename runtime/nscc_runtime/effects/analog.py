@@ -81,5 +81,5 @@ ANALOG = Effect(
         {"gain": GAIN, "word_error": _noise, "pattern": _spread, "bias": _bias},
         "pattern",
     ),
-    cost_ns=14.0,
+    cost_ns=6.0,
 )

@@ -67,5 +67,6 @@ CROSSTALK = Effect(
     fused=CannotHave("it goes through pixels one by one"),
     # Neighbours multiply what has to be counted.
     words=InLoop("exchanges", {"exchanged": FRACTION}),
-    cost_ns=60.0,
+    cost_ns=3.0,
+    light_ns=0.5,
 )

@@ -65,5 +65,5 @@ DARK = Effect(
         },
         "dark",
     ),
-    cost_ns=14.0,
+    cost_ns=10.0,
 )

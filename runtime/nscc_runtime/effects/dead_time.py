@@ -33,5 +33,5 @@ DEAD_TIME = Effect(
     sums=(SlowWords(),),
     fused=ByParts(),
     words=InLoop("slow_words"),
-    cost_ns=4.0,
+    cost_ns=1.5,
 )

@@ -111,7 +111,8 @@ class Effect:
     loop that does a simple plan in one go; `words`: in the loops over the words of single pixels
     and of pixels that look.
     `cost_ns`: nanoseconds a pixel that leaving it out of sums saves, measured, to a factor of about
-    two; what it costs elsewhere follows from its parts (`nscc_runtime.planner.prices`).
+    two, and `light_ns` as many more for each frame of light; what it costs elsewhere follows from
+    its parts (`nscc_runtime.planner.prices`).
     `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
     is marked (`nscc_runtime.effects.marks`).
     """
@@ -131,8 +132,13 @@ class Effect:
     absent: str = "exactly nothing with this sensor, scene and program"
     parameters: tuple[Parameter, ...] = ()
     cost_ns: float = 0.0
+    light_ns: float = 0.0
     always: bool = False
     marks: Mapping[str, Mark] = field_of(default_factory=dict)
+
+    def summed_ns(self, frames: int) -> float:
+        """Nanoseconds a pixel that leaving it out of sums over so many frames of light saves."""
+        return self.cost_ns + self.light_ns * frames
 
     @property
     def predicted(self) -> str:
@@ -202,6 +208,8 @@ class Effect:
             found.append(
                 f"`marks` of {', '.join(MARKED)} only, each a Mark(..) at a stage of `reference`"
             )
-        if not (isinstance(self.cost_ns, int | float) and 0 <= self.cost_ns < math.inf):
-            found.append("`cost_ns`, a number from 0 on")
+        for name in ("cost_ns", "light_ns"):
+            cost = getattr(self, name)
+            if not (isinstance(cost, int | float) and 0 <= cost < math.inf):
+                found.append(f"`{name}`, a number from 0 on")
         return found

@@ -63,5 +63,5 @@ LEAKAGE = Effect(
         },
         "leak",
     ),
-    cost_ns=8.0,
+    cost_ns=1.5,
 )

@@ -49,5 +49,5 @@ PRNU = Effect(
     sums=(Response(response),),
     fused=ByParts(),
     words=InLoop("uneven", {"uneven": SPREAD}, "uneven"),
-    cost_ns=6.0,
+    cost_ns=1.0,
 )

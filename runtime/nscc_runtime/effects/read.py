@@ -37,5 +37,5 @@ READ = Effect(
     sums=(Errors("reads", SIGMA),),
     fused=ByParts(),
     words=InLoop("read_errors", {"read_error": SIGMA}),
-    cost_ns=7.0,
+    cost_ns=5.0,
 )

@@ -39,5 +39,5 @@ RESET = Effect(
     sums=(Errors("resets", SIGMA),),
     fused=ByParts(),
     words=InLoop("reset_errors", {"reset_error": SIGMA}),
-    cost_ns=7.0,
+    cost_ns=5.0,
 )

@@ -33,5 +33,5 @@ SHOT = Effect(
     sums=(CountedLight(),),
     fused=ByParts(),
     words=InLoop(switch="counts_light"),
-    cost_ns=6.0,
+    cost_ns=10.0,
 )

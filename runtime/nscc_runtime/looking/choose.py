@@ -19,7 +19,8 @@ from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.looking.sample import Difference, Sample
 from nscc_runtime.planner.choose import after_exposure
 from nscc_runtime.planner.costs import MARGIN
-from nscc_runtime.planner.plan import MOST_OTHER_STATES, Choice, Cost, Decision, Plan
+from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.planner.plan_parts import Choice, Cost, Decision
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.tolerance import Tolerance
 
@@ -173,7 +174,9 @@ class Chooser:
             ms * (SHIPPED.looked + sum(self._saved_ns(e) for e in present if e.name not in without))
             for without in (dropped, frozenset())
         )
-        return Cost(frame_ms + planning_ms, 0.0, planning_ms, every_ms + planning_ms)
+        return Cost(
+            frame_ms + planning_ms, 0.0, planning_ms, every_ms + planning_ms, planning_ms
+        )  # fmt: skip
 
     def _decision(
         self, effect: Effect, dropped: frozenset[str], now: Difference, forced_reason: str

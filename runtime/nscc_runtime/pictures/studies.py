@@ -21,7 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from nscc_runtime.planner.plan import Decision, Plan
+    from nscc_runtime.planner.plan import Plan
+    from nscc_runtime.planner.plan_parts import Decision
 
 _LOWEST = 30.0
 """Errors so many times below the least tolerance are drawn at the edge, with their number."""

@@ -21,7 +21,8 @@ from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planner.costs import MARGIN, Costs
-from nscc_runtime.planner.plan import Approximation, Choice, Decision, Loop, Plan
+from nscc_runtime.planner.plan import Loop, Plan
+from nscc_runtime.planner.plan_parts import Approximation, Choice, Decision
 from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.tolerance import DEFAULT, Given, most_change

@@ -13,7 +13,7 @@ from nscc_runtime.effects import CannotHave, Effect, Selection, registered
 from nscc_runtime.effects.parts import Counted, Errors, Exchange
 from nscc_runtime.planner.effect_fields import TRIED
 from nscc_runtime.planner.lacking import Lacking
-from nscc_runtime.planner.plan import Cost
+from nscc_runtime.planner.plan_parts import Cost
 from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.prices import SHIPPED
 from nscc_runtime.planner.promises import Promises
@@ -129,9 +129,9 @@ class Costs(Promises):
         if self.path(dropped) != "sums":
             return self._path_ns(dropped), 0.0
         near = self._running_ns(self.state(dropped), lacking)
-        passes = len(self.light.frames) * len(self.program.container.buckets)
-        effects = sum(each.cost_ns for each in self.present if each.name not in dropped)
-        return SHIPPED.summed + SHIPPED.light * passes + effects + near, near
+        kept = [each for each in self.present if each.name not in dropped]
+        effects = sum(each.summed_ns(self.passes) for each in kept)
+        return SHIPPED.summed + SHIPPED.light * self.passes + effects + near, near
 
     def _trying_ns(self) -> float:
         """Nanoseconds of running a sample of pixels near saturation through their words."""
@@ -150,4 +150,7 @@ class Costs(Promises):
         planning_ms = least_ms + self.lacking(self.state(dropped)).tried_ns * 1e-6
         total, near = self._frame_ns(dropped, self.forced_off | lacking)
         every, _ = self._frame_ns(frozenset(), frozenset())
-        return Cost(total * ms + planning_ms, near * ms, planning_ms, every * ms + least_ms)
+        return Cost(
+            total * ms + SHIPPED.frame_ms + planning_ms, near * ms, planning_ms,
+            every * ms + SHIPPED.frame_ms + least_ms, least_ms,
+        )  # fmt: skip

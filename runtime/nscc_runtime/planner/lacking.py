@@ -36,6 +36,8 @@ _PART = 8
 """Of this many pixels near saturation one is measured."""
 _APART_NS = 1e6
 """What two kinds of pixels take more than one."""
+_FRAMES = 3
+"""Frames of a scene after which measuring has to have paid."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
 
@@ -92,7 +94,10 @@ class Lacking:
         # neighbours, or the one that saves most.
         for names in (by_spilt(every) if apart else every, by_spilt(every), frozenset(found[:1])):
             saved_ns = price(frozenset()) - price(names)
-            if saved_ns > self._measuring_ns(names) and self._most(dropped, names) <= room:
+            if (
+                saved_ns * _FRAMES > self._measuring_ns(names)
+                and self._most(dropped, names) <= room
+            ):
                 return names
         return frozenset()
 
@@ -239,9 +244,9 @@ class Lacking:
         return found
 
     def _words_ns(self, lacking: frozenset[str]) -> float:
-        """Nanoseconds of a pixel."""
+        """Nanoseconds of a pixel that is measured: nobody has counts for its neighbours."""
         kept = self._every.without(*self.forced_off, *lacking)
-        return self.program.work.words_ns(kept, SHIPPED, "sums")
+        return self.program.work.words_ns(kept, SHIPPED, "nothing")
 
 
 def by_spilt(lacking: frozenset[str]) -> frozenset[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
@@ -10,7 +11,7 @@ from time import perf_counter, process_time
 import numpy as np
 
 import nscc
-from nscc_runtime.effects import CannotHave, everything, selected
+from nscc_runtime.effects import CannotHave, Effect, everything, registered, selected
 from nscc_runtime.light import Light
 from nscc_runtime.machine_prices import MachinePrices, Price
 from nscc_runtime.planner.capture import prepared
@@ -29,6 +30,10 @@ code stop : 1..16
 open when n < stop
 pixels stop = 1 + (5 * x + 3 * y) % 16
 """
+_SUMMED = "a pixel by sums over slots"
+_LIT = "a pixel and frame of light"
+_ANY_E = 1e5
+"""A tolerance to which sums do anything."""
 _NEAR = 512
 """Pixels that run through their words."""
 _ROUNDS = 5
@@ -50,10 +55,8 @@ def measured() -> MachinePrices:
     def planned() -> Plan:
         return plan_for(program, replace(light), 5.0, selected("auto"))
 
-    def frame(threads: int) -> None:
-        prepared(program, replace(light), plan, threads=threads).frame(0, 0)
-
     plan = planned()
+    frame = partial(_frame, program, light, plan)
     assert plan.cost is not None
     exposing_ms = plan.cost.total_ms - plan.cost.planning_ms
     words = everything()
@@ -73,9 +76,45 @@ def measured() -> MachinePrices:
                   SHIPPED.slot_of_reference,
                   1e9 / (pixels * light.slots) * _least(lambda: _reference(program, light), 1)),
             Price("thread", "one more thread woken", "us", None, 1e6 * _waking_s()),
+            *_of_effects(program, light),
         ),
         _threads(frame),
     )  # fmt: skip
+
+
+def _of_effects(program: Program, still: Light) -> list[Price]:
+    """What leaving each effect out of sums saves that there is in this scene: of a still, and of
+    each frame of a film's light."""
+    film = Light.of_clip(np.repeat(still.frames, still.slots, axis=0), float(program.slot_s[0]))
+    decisions = plan_for(program, still, _ANY_E, selected("all")).decisions
+    here = {each.name for each in decisions if each.decision != "absent"}
+    priced = [each for each in registered() if each.cost_ns and each.name in here]
+    saved = [_saved_ns(program, light, priced) for light in (still, film)]
+    found: list[Price] = []
+    for effect, of_still, of_film in zip(priced, *saved, strict=True):
+        of_light = max(0.0, of_film - of_still) / (film.slots - 1)
+        found.append(Price(effect.name, _SUMMED, "ns", effect.cost_ns, of_still))
+        if effect.light_ns:
+            found.append(Price(effect.name, _LIT, "ns", effect.light_ns, of_light))
+    return found
+
+
+def _saved_ns(program: Program, light: Light, effects: list[Effect]) -> list[float]:
+    """Nanoseconds a pixel of a frame with all effects less those of one without each."""
+    chosen = [selected("all"), *(selected("all").without(each.name) for each in effects)]
+    plans = [plan_for(program, light, _ANY_E, each) for each in chosen]
+    least_s = [math.inf] * len(plans)
+    for _ in range(_ROUNDS):
+        for number, plan in enumerate(plans):
+            run = partial(_frame, program, light, plan)
+            least_s[number] = min(least_s[number], _least(run, 2))
+    every, *without = (1e9 * each / len(program.lanes) for each in least_s)
+    return [max(0.0, every - each) for each in without]
+
+
+def _frame(program: Program, light: Light, plan: Plan, threads: int = 1) -> None:
+    """One frame of a light of which nothing has been found out."""
+    prepared(program, replace(light), plan, threads=threads).frame(0, 0)
 
 
 def _reference(program: Program, light: Light) -> None:

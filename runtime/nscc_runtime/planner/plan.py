@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
 from functools import cached_property
-from types import MappingProxyType, UnionType
+from types import UnionType
 from typing import Any, Literal, get_args, get_origin, get_type_hints
 
 from nscc import html
@@ -15,9 +15,9 @@ from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.effects.parts import Saturates
 from nscc_runtime.effects.registry import always_on
 from nscc_runtime.planner import leak_nodes
+from nscc_runtime.planner.plan_parts import LATER, Approximation, Cost, Decision
 from nscc_runtime.planner.tolerance import LEAST_E, Given, Tolerance
 
-Choice = Literal["kept", "dropped", "absent"]
 Loop = Literal["none", "some", "all", "reference"]
 
 MOST_OTHER_STATES = 0.005
@@ -30,73 +30,6 @@ _LOOPS: Mapping[Loop, str] = {
     "all": "all pixels run through the words one by one",
     "reference": "the reference runs, slot by slot",
 }
-
-
-_LATER = MappingProxyType({"later": True})
-"""Of what files of plans did not have at first: one without it is a plan, too."""
-
-
-@dataclass(frozen=True)
-class Decision:
-    """What becomes of one effect.
-
-    `predicted_rms_e` and `predicted_bias_e`: what the effect does to the exposure, its root mean
-    square over pixels and buckets, and its mean. `predicted_if_dropped_e`: the error of the plan
-    if this effect were left out as well. None where a prediction has no meaning (the readout).
-    `forced`: the user decided. `cost_ms_model`: what leaving it out saves, by a model of costs.
-    `other_states`: of a program that looks, the part of the pixels that the effect takes to other
-    states; errors are those of the other pixels.
-    """
-
-    name: str
-    kind: str
-    decision: Choice
-    forced: bool
-    reason: str
-    predicted_rms_e: float | None
-    predicted_bias_e: float | None
-    predicted_if_dropped_e: float | None
-    cost_ms_model: float
-    other_states: float | None = None
-
-
-@dataclass(frozen=True)
-class Approximation:
-    """A short cut that a plan takes with a kept effect, and the RMS error that it costs."""
-
-    name: str
-    error_e: float
-
-
-@dataclass(frozen=True)
-class Cost:
-    """What a frame takes, planning included: milliseconds of one core by the prices that plans are
-    chosen by. `saturating_ms`: the words of pixels near saturation; `all_ms`: the same frame with
-    every effect.
-    """
-
-    total_ms: float
-    saturating_ms: float
-    planning_ms: float
-    all_ms: float
-
-    def rows(self, effects_ms: float, saturating: str) -> list[tuple[str, str, float]]:
-        """What is not an effect's own: its name, what it is, and milliseconds; with `effects_ms`
-        for the effects that are kept, the total."""
-        rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
-        found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
-        if self.saturating_ms > 0:
-            found.insert(0, ("(saturating)", saturating, self.saturating_ms))
-        return [*found, ("(the rest)", "light, words and readout", rest_ms)]
-
-    @property
-    def said(self) -> str:
-        """What it saves of all, in words."""
-        saved = 1.0 - self.total_ms / self.all_ms if self.all_ms > 0 else 0.0
-        return (
-            f"saves {saved:.0%} of all: {self.total_ms:.2f} ms of a core instead of "
-            f"{self.all_ms:.2f}, by shipped prices"
-        )
 
 
 @dataclass(frozen=True, repr=False)
@@ -133,15 +66,15 @@ class Plan:
     other_states: float | None = None
     tolerance: str = ""
     signal_e: float | None = None
-    noise_e: float | None = field(default=None, metadata=_LATER)
-    predicted_p999_e: float | None = field(default=None, metadata=_LATER)
-    predicted_max_e: float | None = field(default=None, metadata=_LATER)
-    tolerance_max: str = field(default="", metadata=_LATER)
-    tolerance_max_e: float | None = field(default=None, metadata=_LATER)
-    noise_ratio: float | None = field(default=None, metadata=_LATER)
-    saturating_lack: tuple[str, ...] = field(default=(), metadata=_LATER)
-    cost: Cost | None = field(default=None, metadata=_LATER)
-    reused: bool = field(default=False, metadata=_LATER)
+    noise_e: float | None = field(default=None, metadata=LATER)
+    predicted_p999_e: float | None = field(default=None, metadata=LATER)
+    predicted_max_e: float | None = field(default=None, metadata=LATER)
+    tolerance_max: str = field(default="", metadata=LATER)
+    tolerance_max_e: float | None = field(default=None, metadata=LATER)
+    noise_ratio: float | None = field(default=None, metadata=LATER)
+    saturating_lack: tuple[str, ...] = field(default=(), metadata=LATER)
+    cost: Cost | None = field(default=None, metadata=LATER)
+    reused: bool = field(default=False, metadata=LATER)
 
     def __repr__(self) -> str:
         kept = [each.name for each in self.decisions if each.decision == "kept"]

@@ -34,7 +34,8 @@ from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import Chip
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
 from nscc_runtime.planner.near import Charges
-from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.plan_parts import Decision
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import among, sample_of

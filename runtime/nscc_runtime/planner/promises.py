@@ -73,7 +73,12 @@ class Promises(Forecast):
         lit, least_e = self.every.names(LitLevel), _MATTERS * self.tolerance_e
         told = any(self.contribution(e)[0] > least_e for e in self.present if e.name in lit)
         stays = self.every.names(SlowWords) if told else ()
-        return {e.name: 0.0 if e.name in stays else e.cost_ns for e in self.present}
+        return {e.name: 0.0 if e.name in stays else e.summed_ns(self.passes) for e in self.present}
+
+    @property
+    def passes(self) -> int:
+        """How many frames of light are added up, over all buckets."""
+        return len(self.light.frames) * len(self.program.container.buckets)
 
     def signal_e(self) -> float:
         """See `nscc_runtime.planner.tolerance.Follows`."""

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 
 from nscc.columns import columns
 from nscc.tradeoff.points import Point, dominated
-from nscc_runtime.planner.plan import Decision, Plan
+from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planner.plan_parts import Decision
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
 
 SLACK = 1.1
