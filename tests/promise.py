@@ -92,12 +92,14 @@ class Outcome:
 
 
 def full_frames(
-    container: Container, light: Light, sensor: Sensor, count: int, seed: int, device_seed: int
-) -> np.ndarray:
-    """Exposures (count, buckets, rows, cols) of the reference with all effects."""
+    container: Container, light: Light, sensor: Sensor, count: int, seed: int, device_seed: int,
+    effects: str = "all",
+) -> np.ndarray:  # fmt: skip
+    """Exposures (count, buckets, rows, cols) of the reference with these effects."""
     made = frames(
-        container, light, sensor, selected("all"), seed=seed, device_seed=device_seed, count=count
-    )
+        container, light, sensor, selected(effects), seed=seed, device_seed=device_seed,
+        count=count,
+    )  # fmt: skip
     return np.stack([frame.exposure_e for frame in made])
 
 

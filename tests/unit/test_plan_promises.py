@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Callable
 from pathlib import Path
 
@@ -253,6 +254,35 @@ def test_values_leak_while_they_wait_for_their_readout() -> None:
     (found,) = promises(110210, plans=1, frames=3)
     assert found.found.broken == [], found.said
     assert found.found.foreseen, found.said
+
+
+@pytest.mark.parametrize("off", ["leakage", "leakage,-analog"])
+@pytest.mark.parametrize("name", ["b latch", "two buckets"])
+def test_errors_that_cancelled_by_leakage_alone_are_in_what_forcing_it_off_does(
+    name: str, off: str
+) -> None:
+    """The noise of a reset is subtracted again, but for what leaks meanwhile."""
+    container, sensor = made(name, reset_noise_e=400.0, leakage_tau_s=0.2)
+    light = scene("dim", SLOTS, SIDE, SIDE)
+    plan = Chooser(
+        Program.of(container, sensor), light, 5, 1, "1e", None, selected(f"auto,-{off}")
+    ).plan()
+    full, less = (
+        full_frames(container, light, sensor, 12, 3, 5, effects)
+        for effects in ("all", f"all,-{off}")
+    )
+    measured_e = np.sqrt(((full - less) ** 2).mean(axis=(0, 2, 3)).max())
+    assert measured_e > 2.0
+    assert plan.predicted_e == pytest.approx(measured_e, rel=0.05)
+    assert plan.noise_ratio is not None
+    ratio = math.sqrt(less.var(axis=0).mean() / full.var(axis=0).mean())
+    assert plan.noise_ratio == pytest.approx(ratio, abs=0.02)
+
+
+@pytest.mark.parametrize("seed", [310023, 310048])
+def test_what_dead_time_and_leakage_take_of_a_few_electrons_is_foreseen(seed: int) -> None:
+    """Tolerances of hundredths of an electron: dark charge leaks as well, and counts are whole."""
+    assert [each.said for each in promises(seed) if each.found.broken] == []
 
 
 def test_noise_that_hangs_on_pixels_at_the_full_well_is_no_promise() -> None:

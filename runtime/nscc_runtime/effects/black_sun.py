@@ -17,10 +17,10 @@ def _found(_pixels: Pixels, charge: Values, _word: Word) -> Values:
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of the light that falls between a reset and the word that reads its level, which
-    is subtracted; at most a full well"""
+    """rms and mean of what falls between a reset and the word that reads its level, which is
+    subtracted; at most a full well"""
     full_e = FULL(sample.sensor)
-    lit = sample.base - sample.without("black_sun") * sample.echo
+    lit = sample.charge - sample.without("black_sun")
     return Field(np.clip(lit, -full_e, full_e))
 
 

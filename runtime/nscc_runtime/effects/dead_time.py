@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from nscc_runtime.effects.effect import ByParts, Effect, InLoop
 from nscc_runtime.effects.field import Field, Sampled
 from nscc_runtime.effects.parts import SlowWords
@@ -13,9 +15,10 @@ def _ends(word: Word) -> float:
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of the light that moves: read and reset every slot: lost fraction x rms L;
-    edges: each moves by its words' time; without that in the level of a reset"""
-    return Field((sample.without("black_sun") - sample.without("dead_time")) * sample.echo)
+    """rms and mean of what falls meanwhile, and of its counts: read and reset every slot: lost
+    fraction x rms L; edges: each moves by its words' time; without that in the level of a reset"""
+    moved = sample.without("black_sun") - sample.without("dead_time")
+    return Field(moved, variance=sample.moved("dead_time"), noise=np.zeros(1))
 
 
 DEAD_TIME = Effect(

@@ -40,11 +40,12 @@ class Sampled(Protocol):
     """A sample of a scene's pixels under a program, every effect on; (buckets, pixels) each.
 
     Light is that with motion inside slots. `light`: what of it reaches the exposures, each slot
-    with its weight. `base`: that times `echo`, which is the light that comes again. `alone`,
-    `alike` and `still` are `base` without the neighbours' light, with all pixels responding alike,
-    and without motion (None where the scene has none). `pattern`: the sum of the words' fixed
-    errors. `dark_s`, `dark_2_s`: seconds, by weight and by squared weight; `dark`, `spilt`
-    (pixels,): electrons a second that fall without light, and what neighbours add to them.
+    with its weight. `base`: that times `echo`, which is the light that comes again; `charge`: that
+    and what falls without light. `alone`, `alike` and `still` are `base` without the neighbours'
+    light, with all pixels responding alike, and without motion (None where the scene has none).
+    `pattern`: the sum of the words' fixed errors. `dark_s`, `dark_2_s`: seconds, by weight and by
+    squared weight; `dark`, `spilt` (pixels,): electrons a second that fall without light, and what
+    neighbours add to them.
     """
 
     sensor: Sensor
@@ -56,6 +57,8 @@ class Sampled(Protocol):
     def light(self) -> Values: ...
     @property
     def base(self) -> Values: ...
+    @property
+    def charge(self) -> Values: ...
     @property
     def alone(self) -> Values: ...
     @property
@@ -76,14 +79,18 @@ class Sampled(Protocol):
         """What is fixed on the chip (pixels,)."""
 
     def without(self, name: str) -> Values:
-        """`light` as the words would weigh it without an effect."""
+        """`charge` as the words would weigh it without an effect."""
+
+    def moved(self, name: str) -> Values:
+        """The variance of the counts by what an effect, leakage or dead time, changes of their
+        weights."""
 
     def by_words(self, name: str) -> Values:
         """What an effect that changes what words do changes in one frame, noise included: pixels
         run through their words with it and without."""
 
     def by_rate(self, pattern: bool = False) -> Values:
-        """What the pixels' own rates of leakage add to `light`, or to `pattern`."""
+        """What the pixels' own rates of leakage add to `charge`, or to `pattern`."""
 
     def counted(self, moved: bool = False) -> Values:
         """The variance of the counts of light, or of what neighbours exchange of them, that by the

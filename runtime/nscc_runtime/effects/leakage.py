@@ -34,10 +34,13 @@ def _kept(pixels: Pixels, seconds: float) -> Values:
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel"""
-    leaked = sample.base - (sample.without("leakage") - sample.by_rate()) * sample.echo
+    """rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts"""
+    leaked = sample.charge - sample.without("leakage") + sample.by_rate()
     # A plan that leaves leakage out still takes errors as at its mean.
-    return Field(leaked + sample.by_rate(pattern=True), behind_well=0.0)
+    return Field(
+        leaked + sample.by_rate(pattern=True), variance=sample.moved("leakage"),
+        behind_well=0.0, noise=np.zeros(1),
+    )  # fmt: skip
 
 
 LEAKAGE = Effect(

@@ -21,12 +21,14 @@ LEAK_STEP = 0.1
 
 @dataclass(frozen=True, eq=False)
 class ByLane:
-    """A program's words with every effect (`full`), and with every effect but one, by its name."""
+    """A program's words with every effect (`full`), and with every effect but one, by its name;
+    `moving` are those of which the counts are asked that they move."""
 
     tables: Tables
     slot_s: Values
     full: Model
     less: Mapping[str, Model]
+    moving: tuple[str, ...]
 
     @cached_property
     def faster(self) -> Model:
@@ -52,19 +54,29 @@ class ByLane:
     def _row(self, model: Model) -> int:
         return self._known.index(self.tables.same(model))
 
-    @cached_property
-    def weights(self) -> list[Values]:
-        """The weights (N, lanes) of slots by every such model, bucket by bucket; last the squared
-        ones of the full model."""
-        models = [np.moveaxis(self.tables.weights(model).slots, 2, 0) for model in self._known]
-        return [each for some in (*models, models[0] ** 2) for each in some]
+    @property
+    def squared_row(self) -> int:
+        """Which row has the squared weights of the full model."""
+        return len(self._known)
+
+    def moved_row(self, name: str) -> int:
+        """Which row has the squares of what one of those that are `moving` changes."""
+        return len(self._known) + 1 + self.moving.index(name)
 
     @cached_property
-    def seconds(self) -> tuple[Values, Values]:
-        """Seconds (buckets, lanes), by weight and by squared weight."""
-        slots = self.tables.weights(self.full).slots
-        one, two = (np.einsum("n,nlb->bl", self.slot_s, each) for each in (slots, slots**2))
-        return one, two
+    def weights(self) -> list[Values]:
+        """The weights (N, lanes) of slots by every such model, bucket by bucket; then the squared
+        ones of the full model, and the squares of what effects change of them."""
+        models = [np.moveaxis(self.tables.weights(model).slots, 2, 0) for model in self._known]
+        full = models[0]
+        moved = [(full - models[self.row[name]]) ** 2 for name in self.moving]
+        return [each for some in (*models, full**2, *moved) for each in some]
+
+    @cached_property
+    def seconds(self) -> Values:
+        """The seconds (rows, buckets, lanes) of all of these weights."""
+        found = np.array([self.slot_s @ each for each in self.weights])
+        return found.reshape(self.squared_row + 1 + len(self.moving), -1, found.shape[1])
 
     @cached_property
     def most(self) -> Values:

@@ -37,6 +37,8 @@ Held = dict[tuple[str, ...], Values]
 
 FORCED = "forced off"
 """What all that is forced off does where pixels run through their words: random parts included."""
+WORDS_FORCED = "errors of words, forced"
+"""What the words make of other effects' errors where what is forced off changes how they weigh."""
 BOTH = "saturation"
 """What saturation of PIX and of registers do together."""
 _SURELY = 1.5
@@ -55,11 +57,12 @@ class Fields:
     larger; `shifts`: the electrons by which an effect changes the counts;
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
-    `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
-    the mean leakage. All but what saturation loses is as if nothing saturated; `clipped`: where the
-    full well is passed; `after`: the fields there of effects that act on what the well lets through
-    (0 where only their noise does); `unfilled`: at most the part of the light there whose reads are
-    not full, as of a frame with many reads, 1 elsewhere.
+    `neighbours[closed]`: the same of crosstalk; `less_noise`: by how much what is forced off makes
+    the variance smaller that words' errors have without its own; `noise_cut`: that the noise of
+    words is drawn as at the mean leakage. All but what saturation loses is as if nothing saturated;
+    `clipped`: where the full well is passed; `after`: the fields there of effects that act on what
+    the well lets through (0 where only their noise does); `unfilled`: at most the part of the light
+    there whose reads are not full, as of a frame with many reads, 1 elsewhere.
     """
 
     sample: Sample
@@ -71,6 +74,7 @@ class Fields:
     thinning: dict[bool, Values]
     neighbours: dict[bool, Values]
     noise_cut: Values
+    less_noise: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
     unfilled: Values
@@ -147,26 +151,53 @@ class SampledFields:
     def _far(self) -> Fields:
         """As if nothing saturated."""
         scene, found = self._scene, self._found
-        expected = scene.base + scene.dark_s * (scene.dark + scene.spilt) + scene.pattern
+        expected = scene.charge + scene.pattern
         noise_cut = np.zeros(expected.shape)
         for _, part in scene.all.errors():
             noise_cut += scene.errors_cut(part.at, part.sigma_e(self.program.sensor))
         thinning, neighbours = scene.left_out()
+        fixed = {name: each.fixed for name, each in found.items() if each.fixed is not None}
+        variance = {n: each.variance for n, each in found.items() if each.variance is not None}
+        less_noise = np.zeros(expected.shape)
+        if self.forced_off:
+            fixed[WORDS_FORCED], variance[WORDS_FORCED], less_noise = self._words_forced
         return Fields(
             self.sample,
             expected,
-            {name: each.fixed for name, each in found.items() if each.fixed is not None},
-            {name: each.variance for name, each in found.items() if each.variance is not None},
+            fixed,
+            variance,
             {name: each.noise for name, each in found.items() if each.noise is not None},
             {name: each.shift for name, each in found.items() if each.shift is not None},
             thinning,
             neighbours,
             noise_cut,
+            less_noise,
             np.zeros(expected.shape, np.bool_),
             {},
             np.ones(expected.shape),
             among(self.sample.places, self.spilt, len(self.program.lanes)),
         )
+
+    @property
+    def _words_forced(self) -> tuple[Values, Values, Values]:
+        """See `WORDS_FORCED`, and `Fields.less_noise`: by choice effects are left out with errors
+        weighed as if they were there (`nscc_runtime.planner.weighing`)."""
+        program, scene = self.program, self._scene
+        wanted = scene.all.without(*self.forced_off)
+        tables, full, model = program.tables, program.full, program.model(wanted)
+        fixed, variance, less = np.zeros((3, len(scene.buckets), len(scene.places)))
+        if tables.same(full) == tables.same(model):
+            return fixed, variance, less
+        for _, part in wanted.errors():
+            changed, lost = tables.noise_between(part.at, full, model)
+            sigma_e2 = part.sigma_e(program.sensor) ** 2
+            variance += sigma_e2 * changed.T[:, scene.lanes]
+            less += sigma_e2 * lost.T[:, scene.lanes]
+        if wanted.part(WordGain) is not None:
+            changed = tables.pattern(full) - tables.pattern(model)
+            error_e = scene.on_device(wanted.the(WordGain).error_e)
+            fixed += changed.T[:, scene.lanes] * error_e
+        return fixed, variance, less
 
 
 def _field(effect: Effect, scene: SampledScene) -> Field:

@@ -32,7 +32,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import Chip
-from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
+from nscc_runtime.planner.effect_fields import BOTH, FORCED, WORDS_FORCED, Fields, SampledFields
 from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.plan_parts import Decision
@@ -185,7 +185,7 @@ class Forecast(ABC):
 
     def lost(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
         """The names of all that is random and that a plan lacks."""
-        return dropped if everywhere else dropped.union(self.taken(dropped))
+        return dropped.union((WORDS_FORCED,), () if everywhere else self.taken(dropped))
 
     def inside(self, dropped: frozenset[str]) -> frozenset[str]:
         """The fixed fields that a plan lacks which leaves these effects out."""
@@ -194,7 +194,7 @@ class Forecast(ABC):
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
         if self._having[SlowWords] <= dropped:
             found |= self._having[LitLevel]
-        return found | {CLIP, FORCED}
+        return found | {CLIP, FORCED, WORDS_FORCED}
 
     @remembered
     def state(self, dropped: frozenset[str]) -> str:

@@ -76,7 +76,8 @@ class Program:
     @cached_property
     def by_lane(self) -> ByLane:
         """What the fields of effects are made of."""
-        return ByLane(self.tables, self.slot_s, self.full, self.less)
+        moving = everything().names(Leak) | everything().names(SlowWords)
+        return ByLane(self.tables, self.slot_s, self.full, self.less, tuple(sorted(moving)))
 
     @cached_property
     def pixels(self) -> Pixels:

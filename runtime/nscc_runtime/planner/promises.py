@@ -141,6 +141,7 @@ class Promises(Forecast):
             square += noise.all
             kept_e2 += 0.0 if name in dropped else noise.far
             kept_e2 += 0.0 if name in near_lost else noise.near
+        kept_e2 -= float(self.fields.sample.mean(self.fields.less_noise).mean())
         if not everywhere:
             kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
@@ -198,6 +199,7 @@ class Promises(Forecast):
             full += there
             lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
             mine += np.where(lost, 0.0, found.noise[name] if state == "sums" else there)
+        mine -= found.less_noise
         if not everywhere:
             mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine

@@ -138,10 +138,15 @@ class SampledScene:
     def _full(self) -> list[Values]:
         return self._weights[: len(self.buckets)]
 
+    @property
+    def _squared(self) -> list[Values]:
+        first = self.by_lane.squared_row * len(self.buckets)
+        return self._weights[first : first + len(self.buckets)]
+
     @cached_property
     def _light(self) -> Values:
-        """Sums (models and one, 2, buckets, pixels) of the light before the pixels respond to it
-        and of what their neighbours count, by every model of the words and last by squared weights.
+        """Sums (rows, 2, buckets, pixels) of the light before the pixels respond to it and of what
+        their neighbours count, by all that `ByLane.weights` has.
         """
         return self._both(self.moving, self._weights)
 
@@ -157,7 +162,7 @@ class SampledScene:
 
     @cached_property
     def _lit(self) -> Values:
-        """The light (models and one, buckets, pixels) as the words weigh it."""
+        """The light (rows, buckets, pixels) as the words weigh it."""
         return self._seen(self.response * self._light[:, 0], self._light[:, 1])
 
     @property
@@ -165,7 +170,19 @@ class SampledScene:
         return np.asarray(self._lit[0])
 
     def without(self, name: str) -> Values:
-        return np.asarray(self._lit[self.by_lane.row[name]])
+        return self._charge(self.by_lane.row[name])
+
+    def _charge(self, row: int) -> Values:
+        """What falls, light and dark, by weights of a row."""
+        dark = self.by_lane.seconds[row][:, self.lanes] * (self.dark + self.spilt)
+        return np.asarray(self._lit[row] * self.echo + dark)
+
+    @cached_property
+    def charge(self) -> Values:
+        return self._charge(0)
+
+    def moved(self, name: str) -> Values:
+        return self._charge(self.by_lane.moved_row(name))
 
     def by_words(self, name: str) -> Values:
         every = all_by_words()
@@ -210,7 +227,7 @@ class SampledScene:
     def by_rate(self, pattern: bool = False) -> Values:
         if pattern:
             return np.asarray(self._off * (self._errors(self.by_lane.faster) - self.pattern))
-        return np.asarray(self._off * (self._lit[self.by_lane.faster_row] - self.light))
+        return np.asarray(self._off * (self._charge(self.by_lane.faster_row) - self.charge))
 
     @cached_property
     def _off(self) -> Values:
@@ -224,7 +241,7 @@ class SampledScene:
 
     @cached_property
     def dark_2_s(self) -> Values:
-        return np.asarray(self.by_lane.seconds[1][:, self.lanes])
+        return np.asarray(self.by_lane.seconds[self.by_lane.squared_row][:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
         return self._moved if moved else self._counted
@@ -235,7 +252,7 @@ class SampledScene:
     @cached_property
     def _by_squares(self) -> tuple[Values, Values]:
         """The light by squared weights, and what neighbours count of theirs."""
-        own, flow = self._light[-1] * self.echo
+        own, flow = self._light[self.by_lane.squared_row] * self.echo
         return np.asarray(own * self.response), np.asarray(flow)
 
     @cached_property
@@ -290,7 +307,7 @@ class SampledScene:
         for members in self._members(self._used):
             # Of all groups and buckets at once: every sum reads the light again.
             weights.append(members)
-            weights += [each * members for each in (*self._full, *self._weights[-count:])]
+            weights += [each * members for each in (*self._full, *self._squared)]
         found = sums_by_slot(self.moving, self._frames.own, self._local, weights)
         found *= self.echo * self.response
         found += np.array([program.slot_s @ each for each in weights])[:, self._local] * self.dark

@@ -99,6 +99,21 @@ class Tables:
                 factor += weight[:, :, None] * drawn[number][:, None, :]
         return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
 
+    def noise_between(self, at: str, full: Model, other: Model) -> tuple[Weights, Weights]:
+        """The variance (lanes, buckets) of what unit errors at `reads`, `resets` or `words` make
+        under one model less what they make under another; and by how much the one's is larger."""
+        found, others = (
+            numbered_errors(self.container.target, self.weights(model))[at]
+            for model in (full, other)
+        )
+        lanes, buckets = len(self.container.encoding), len(self.container.buckets)
+        changed, less = np.zeros((2, lanes, buckets))
+        for number in found.keys() | others.keys():
+            one, another = found.get(number, 0.0), others.get(number, 0.0)
+            changed += (one - another) ** 2
+            less += one**2 - another**2
+        return changed, less
+
     @remembered
     def pattern(self, full: Model) -> Weights:
         """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
