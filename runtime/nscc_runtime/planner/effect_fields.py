@@ -288,7 +288,6 @@ class _Near:
     def added(self, fields: Fields, found: Mapping[str, Field], held: Held) -> Fields:
         """The fields with what the words make of these pixels."""
         near, (well, register) = self.scene.sample.near, self._saturation
-        near, (well, register) = self.scene.sample.near, self._saturation
         fixed, blank = dict(fields.fixed), np.zeros_like(fields.expected)
         for name, without in ((well, (well,)), (register, (register,)), (BOTH, (well, register))):
             fixed[name] = blank.copy()

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
+from nscc_runtime.planner.effect_fields import BOTH
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
@@ -21,7 +22,7 @@ from nscc_runtime.planner.tolerance import (
     tolerance_of,
     with_readout_e,
 )
-from nscc_runtime.planner.worst import Worst, worst_of
+from nscc_runtime.planner.worst import Worst, worst_measured, worst_of
 from nscc_runtime.remembered import remembered
 
 _UNDRAWN = (THINNING, NEIGHBOURS, NOISE)
@@ -103,7 +104,15 @@ class Promises(Forecast):
         """The predicted errors of the worst pixels; those that run through their words because they
         may saturate are without the effects that are `lacking` there."""
         found = self.errors(dropped, everywhere, lacking)
-        return worst_of(*found, self.fields.sample.weight, len(self.program.lanes))
+        weight, pixels = self.fields.sample.weight, len(self.program.lanes)
+        worst = worst_of(*found, weight, pixels)
+        near, cut = self.fields.sample.near, self.inside(dropped) & (self.saturation | {BOTH})
+        if not cut or not near.any():
+            return worst
+        # What saturation would take is of one frame's noise: another's takes it farther.
+        taken = np.sum([self.fields.fixed[name][:, near] for name in sorted(cut)], axis=0)
+        tail = worst_measured(taken, float(weight[near].sum() / weight.sum()), pixels)
+        return replace(worst, max_e=max(worst.max_e, tail.max_e))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
         """The standard error (buckets,) of predicted mean squares."""
