@@ -53,7 +53,11 @@ def _field(sample: Sampled) -> Field:
     """bias = mean of (b + pattern) sum c - gain loss, rms = sqrt(mean of its square + sigma^2 sum
     c^2), c the words' signed coefficients"""
     return Field(
-        sample.base - sample.without("analog") * sample.echo + sample.pattern,
+        sample.base
+        - sample.without("analog") * sample.echo
+        + sample.pattern
+        + sample.dark_e
+        - sample.dark_without("analog"),
         variance=sample.errors("words", _noise(sample.sensor)),
         behind_well=sample.pattern,
     )

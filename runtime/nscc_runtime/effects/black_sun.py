@@ -17,10 +17,11 @@ def _found(_pixels: Pixels, charge: Values, _word: Word) -> Values:
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of the light that falls between a reset and the word that reads its level, which
-    is subtracted; at most a full well"""
+    """rms and mean of the charge that falls between a reset and the word that reads its level,
+    which is subtracted; at most a full well"""
     full_e = FULL(sample.sensor)
     lit = sample.base - sample.without("black_sun") * sample.echo
+    lit += sample.dark_e - sample.dark_without("black_sun")
     return Field(np.clip(lit, -full_e, full_e))
 
 
@@ -34,7 +35,7 @@ BLACK_SUN = Effect(
     "subtracted: the brightest lights turn dark. Without `dead_time` words take no time.",
     cost="none beside `dead_time`",
     applied="to PIX as a source, at the boundary of its reset",
-    absent="no word reads the level of a reset at its boundary, or there is no light",
+    absent="no word reads the level of a reset at its boundary, or there is no charge",
     parameters=(FULL,),
     reference={"level": _found},
     field=_field,

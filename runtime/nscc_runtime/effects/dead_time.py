@@ -13,9 +13,10 @@ def _ends(word: Word) -> float:
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of the light that moves: read and reset every slot: lost fraction x rms L;
+    """rms and mean of the charge that moves: read and reset every slot: lost fraction x rms L;
     edges: each moves by its words' time; without that in the level of a reset"""
-    return Field((sample.without("black_sun") - sample.without("dead_time")) * sample.echo)
+    moved = (sample.without("black_sun") - sample.without("dead_time")) * sample.echo
+    return Field(moved + sample.dark_without("black_sun") - sample.dark_without("dead_time"))
 
 
 DEAD_TIME = Effect(

@@ -44,7 +44,8 @@ class Sampled(Protocol):
     `alike` and `still` are `base` without the neighbours' light, with all pixels responding alike,
     and without motion (None where the scene has none). `pattern`: the sum of the words' fixed
     errors. `dark_s`, `dark_2_s`: seconds, by weight and by squared weight; `dark`, `spilt`
-    (pixels,): electrons a second that fall without light, and what neighbours add to them.
+    (pixels,): electrons a second that fall without light, and what neighbours add to them;
+    `dark_e`: what of both reaches the exposures.
     """
 
     sensor: Sensor
@@ -72,11 +73,16 @@ class Sampled(Protocol):
     def dark(self) -> Values: ...
     @property
     def spilt(self) -> Values: ...
+    @property
+    def dark_e(self) -> Values: ...
     def on_device(self, make: OnDevice) -> Values:
         """What is fixed on the chip (pixels,)."""
 
     def without(self, name: str) -> Values:
         """`light` as the words would weigh it without an effect."""
+
+    def dark_without(self, name: str) -> Values:
+        """`dark_e` as the words would weigh it without an effect."""
 
     def by_words(self, name: str) -> Values:
         """What an effect that changes what words do changes in one frame, noise included: pixels
@@ -84,6 +90,9 @@ class Sampled(Protocol):
 
     def by_rate(self, pattern: bool = False) -> Values:
         """What the pixels' own rates of leakage add to `light`, or to `pattern`."""
+
+    def dark_by_rate(self) -> Values:
+        """What they add to `dark_e`."""
 
     def counted(self, moved: bool = False) -> Values:
         """The variance of the counts of light, or of what neighbours exchange of them, that by the

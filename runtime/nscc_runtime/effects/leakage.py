@@ -34,8 +34,9 @@ def _kept(pixels: Pixels, seconds: float) -> Values:
 
 
 def _field(sample: Sampled) -> Field:
-    """rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel"""
+    """rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, dark charge included"""
     leaked = sample.base - (sample.without("leakage") - sample.by_rate()) * sample.echo
+    leaked += sample.dark_e - sample.dark_without("leakage") + sample.dark_by_rate()
     # A plan that leaves leakage out still takes errors as at its mean.
     return Field(leaked + sample.by_rate(pattern=True), behind_well=0.0)
 

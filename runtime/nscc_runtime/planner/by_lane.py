@@ -60,11 +60,11 @@ class ByLane:
         return [each for some in (*models, models[0] ** 2) for each in some]
 
     @cached_property
-    def seconds(self) -> tuple[Values, Values]:
-        """Seconds (buckets, lanes), by weight and by squared weight."""
-        slots = self.tables.weights(self.full).slots
-        one, two = (np.einsum("n,nlb->bl", self.slot_s, each) for each in (slots, slots**2))
-        return one, two
+    def seconds(self) -> Values:
+        """Seconds (models and one, buckets, lanes) by the weights of every such model, and last by
+        the squared ones."""
+        found = np.stack([self.slot_s @ each for each in self.weights])
+        return found.reshape(len(self._known) + 1, -1, found.shape[1])
 
     @cached_property
     def most(self) -> Values:

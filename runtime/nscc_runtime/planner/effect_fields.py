@@ -147,7 +147,7 @@ class SampledFields:
     def _far(self) -> Fields:
         """As if nothing saturated."""
         scene, found = self._scene, self._found
-        expected = scene.base + scene.dark_s * (scene.dark + scene.spilt) + scene.pattern
+        expected = scene.base + scene.dark_e + scene.pattern
         noise_cut = np.zeros(expected.shape)
         for _, part in scene.all.errors():
             noise_cut += scene.errors_cut(part.at, part.sigma_e(self.program.sensor))

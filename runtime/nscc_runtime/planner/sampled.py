@@ -222,9 +222,21 @@ class SampledScene:
     def dark_s(self) -> Values:
         return np.asarray(self.by_lane.seconds[0][:, self.lanes])
 
+    @property
+    def dark_e(self) -> Values:
+        return self.dark_s * (self.dark + self.spilt)
+
+    def dark_without(self, name: str) -> Values:
+        seconds = self.by_lane.seconds[self.by_lane.row[name]][:, self.lanes]
+        return np.asarray(seconds * (self.dark + self.spilt))
+
+    def dark_by_rate(self) -> Values:
+        faster = self.by_lane.seconds[self.by_lane.faster_row][:, self.lanes]
+        return np.asarray(self._off * (faster - self.dark_s) * (self.dark + self.spilt))
+
     @cached_property
     def dark_2_s(self) -> Values:
-        return np.asarray(self.by_lane.seconds[1][:, self.lanes])
+        return np.asarray(self.by_lane.seconds[-1][:, self.lanes])
 
     def counted(self, moved: bool = False) -> Values:
         return self._moved if moved else self._counted
