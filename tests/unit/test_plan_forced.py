@@ -1,0 +1,60 @@
+"""What effects that are left out change beside light: dark charge, and the errors of words.
+
+The oracle is the reference itself, with the same draws: what it measures of a plan has to be what
+the plan foretold.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import nscc
+from nscc.target.load import builtin_target
+from nscc_runtime import capture
+
+_ROWS, _COLS, _FRAMES = 40, 40, 12
+_TEXT = """nsl 1
+frame 11 slots of 1ms
+shutters book [ 11110000111, 00111100001, 10101010101, 00000000001 ]
+code id : row of book
+open when book[id]
+pixels id = (x * x + y) % 4
+"""
+
+
+@pytest.fixture(scope="module")
+def program() -> nscc.ShutterProgram:
+    small = replace(builtin_target("scamp5"), rows=_ROWS, cols=_COLS)
+    return nscc.compile(_TEXT, target=small)
+
+
+def foreseen_and_measured(
+    program: nscc.ShutterProgram, light_e: float, effects: str, sensor: dict[str, float]
+) -> tuple[float, float, float]:
+    """The error that a plan predicts, the most that it says it can be, and the error of its
+    frames, in electrons; of a scene with so many electrons in each slot."""
+    light = np.full((program.slots, _ROWS, _COLS), light_e)
+    given = {"sensor": sensor, "seed": 1, "device_seed": 3, "repeat": _FRAMES}
+    planned = capture(program, light, effects=effects, tolerance="0.1e", **given)
+    exact = capture(program, light, effects="all", fidelity="reference", **given)
+    square = (planned.exposure_e - exact.exposure_e) ** 2
+    return planned.plan.predicted_e, planned.plan.bound_e, float(np.sqrt(square.mean()))
+
+
+@pytest.mark.parametrize(
+    "effects", ["all,-dead_time,-black_sun", "all,-black_sun", "all,-leakage", "all,-analog"]
+)
+def test_what_words_lose_of_dark_charge_is_foreseen(
+    program: nscc.ShutterProgram, effects: str
+) -> None:
+    sensor = {
+        "dark_current_e_per_s": 2e5, "leakage_tau_s": 0.5, "analog_gain": 0.99,
+        "analog_noise_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_bias_lsb": 0.0,
+        "read_noise_e": 0.0, "reset_noise_e": 0.0,
+    }  # fmt: skip
+    foreseen, most, measured = foreseen_and_measured(program, 0.0, effects, sensor)
+    assert measured == pytest.approx(foreseen, rel=0.15)
+    assert measured <= 1.02 * most
