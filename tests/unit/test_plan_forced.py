@@ -23,12 +23,21 @@ code id : row of book
 open when book[id]
 pixels id = (x * x + y) % 4
 """
+_EDGES = """nsl 1
+frame 37 slots of 200us
+code stop : 1..37
+open when n < stop
+pixels stop = 1 + (x + 3 * y) % 37
+"""
+
+
+def compiled(text: str) -> nscc.ShutterProgram:
+    return nscc.compile(text, target=replace(builtin_target("scamp5"), rows=_ROWS, cols=_COLS))
 
 
 @pytest.fixture(scope="module")
 def program() -> nscc.ShutterProgram:
-    small = replace(builtin_target("scamp5"), rows=_ROWS, cols=_COLS)
-    return nscc.compile(_TEXT, target=small)
+    return compiled(_TEXT)
 
 
 def foreseen_and_measured(
@@ -58,3 +67,16 @@ def test_what_words_lose_of_dark_charge_is_foreseen(
     foreseen, most, measured = foreseen_and_measured(program, 0.0, effects, sensor)
     assert measured == pytest.approx(foreseen, rel=0.15)
     assert measured <= 1.02 * most
+
+
+@pytest.mark.parametrize("text", [_TEXT, _EDGES])
+@pytest.mark.parametrize("effects", ["all,-leakage", "all,-leakage,-read", "none,+read,+analog"])
+@pytest.mark.parametrize("tau_s", [0.05, 1.0])
+def test_what_errors_of_words_become_without_leakage_is_foreseen(
+    text: str, effects: str, tau_s: float
+) -> None:
+    program = compiled(text)
+    sensor = {"leakage_tau_s": tau_s, "leakage_spread_fraction": 0.3}
+    foreseen, most, measured = foreseen_and_measured(program, 1.0, effects, sensor)
+    assert measured == pytest.approx(foreseen, rel=0.15)
+    assert measured <= 1.05 * most

@@ -27,6 +27,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.reweighed import Reweighed
 from nscc_runtime.planner.sample import Sample, among
 from nscc_runtime.planner.sampled import SampledScene
 from nscc_runtime.remembered import remembered
@@ -134,6 +135,11 @@ class SampledFields:
     @cached_property
     def _scene(self) -> SampledScene:
         return SampledScene(self.program, self.light, self.sample, self.device_seed)
+
+    @cached_property
+    def reweighed(self) -> Reweighed:
+        """What becomes of errors where what weighs them is off."""
+        return Reweighed.of(self._scene)
 
     @cached_property
     def _near(self) -> _Near:

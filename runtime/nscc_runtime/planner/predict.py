@@ -37,6 +37,7 @@ from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Decision, Plan
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.reweighed import off_for_good
 from nscc_runtime.planner.sample import among, sample_of
 from nscc_runtime.remembered import remembered
 
@@ -166,20 +167,43 @@ class Forecast(ABC):
     def squares(self, dropped: frozenset[str], everywhere: bool) -> Values:
         """Predicted mean squares (buckets,), in square electrons; `everywhere`: all pixels run
         through their words."""
-        wrong = self.inside(dropped), self.lost(dropped, everywhere)
-        return self.account(self.state(dropped)).square(*wrong) + self._rounding(dropped)
+        wrong = self.wrong(dropped, everywhere)
+        return self.account_of(dropped, everywhere).square(*wrong) + self._rounding(dropped)
 
     def most(self, dropped: frozenset[str], everywhere: bool) -> Values:
         """The most (buckets,) that they can be: fixed parts add up."""
-        wrong = self.inside(dropped), self.lost(dropped, everywhere)
-        return self.account(self.state(dropped)).most(*wrong) + self._rounding(dropped)
+        wrong = self.wrong(dropped, everywhere)
+        return self.account_of(dropped, everywhere).most(*wrong) + self._rounding(dropped)
+
+    def wrong(
+        self, dropped: frozenset[str], everywhere: bool
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """The names of what is fixed, and of what is random, that a plan has wrong."""
+        off = self.off_for_good(dropped, everywhere)
+        return self.inside(dropped) | off, self.lost(dropped, everywhere) | off
+
+    def off_for_good(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
+        """The errors of words that not even sums take as with every effect."""
+        return off_for_good(dropped if everywhere else dropped & self.forced_off, dropped)
+
+    def account_of(self, dropped: frozenset[str], everywhere: bool) -> Account:
+        """The account that has all of that."""
+        more = bool(self.off_for_good(dropped, everywhere))
+        return self.account(self.state(dropped), more)
 
     @remembered
-    def account(self, state: str) -> Account:
-        """What is wrong in a state of the pixels that may saturate, by effects and short cuts."""
+    def account(self, state: str, off_for_good: bool = False) -> Account:
+        """What is wrong in a state of the pixels that may saturate, by effects and short cuts; and
+        by errors that lack what weighs them."""
         fields = self.fields
         fixed = {name: self.left(name, state) for name in (*fields.fixed, CLIP)}
         random = self.random(state) | self._squares(state)
+        if off_for_good:
+            # These are behind the full well.
+            where = self._where("sums" if state == "clip" else state)
+            found = self.sampled.reweighed
+            fixed |= {name: each * where for name, each in found.fixed.items()}
+            random |= {name: each * where for name, each in found.variance.items()}
         return Account(fields.sample, len(fields.expected), fixed, random)
 
     def lost(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:

@@ -111,8 +111,8 @@ class Promises(Forecast):
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Means and variances (buckets, pixels of the sample) of what a plan leaves wrong."""
         state = self.state(dropped)
-        lost = self.inside(dropped), self.lost(dropped, everywhere)
-        mean, variance = self.account(state).errors(*lost)
+        lost = self.wrong(dropped, everywhere)
+        mean, variance = self.account_of(dropped, everywhere).errors(*lost)
         variance += self.rounding_of(dropped)
         if lacking:
             near = guesses(self.fields, self.runs(state), lacking).errors(lacking, lacking)
@@ -138,6 +138,9 @@ class Promises(Forecast):
             kept_e2 += 0.0 if name in near_lost else noise.near
         if not everywhere:
             kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
+        for name in self.off_for_good(dropped, everywhere):
+            more = self.sampled.reweighed.noise[name] * self._where(state)
+            kept_e2 -= float(self.fields.sample.mean(more).mean())
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
         if not square + added > 0:
             return None
@@ -154,14 +157,15 @@ class Promises(Forecast):
 
         It is none where registers fade and are simulated as if they did not: other words act then.
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
-        another's: it is no promise where saturation is left out, nor where none of that noise, all
+        another's: beside such pixels it is no promise where saturation is left out or what weighs
+        errors is off, nor where none of that noise, all
         of it, or losing `_WORSE` times as much of it, would make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
         as_if_fresh = self.program.tables.decays and self.every.names(Fading) <= dropped
         if ratio is None or self.coarse or as_if_fresh or not near.any():
             return None if self.coarse or as_if_fresh else ratio
-        if dropped & self.saturation:
+        if dropped & self.saturation or self.off_for_good(dropped, everywhere):
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
         uncut = sum(self.fields.noise.values(), np.zeros(full.shape))

@@ -82,6 +82,10 @@ class Tables:
             self.container, words, model.gain, model.leak_per_s, model.dead_time, model.lit_level
         )
 
+    def numbered(self, at: str, model: Model) -> dict[int, Weights]:
+        """The coefficients (lanes, buckets) of small errors, by the numbers of their draws."""
+        return numbered_errors(self.container.target, self.weights(model))[at]
+
     @remembered
     def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
         """Coefficients L (lanes, buckets, draws) of the keyed draws of small errors at `reads`,
@@ -89,7 +93,7 @@ class Tables:
         errors.
         """
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        found = numbered_errors(self.container.target, self.weights(full))[at]
+        found = self.numbered(at, full)
         drawn = self.program.draws[at]
         factor = np.zeros((lanes, buckets, buckets))
         square = np.zeros((lanes, buckets))
