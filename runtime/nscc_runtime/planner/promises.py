@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
+from nscc_runtime.planner.predict import FORMULA, NEIGHBOURS, NOISE, THINNING, Forecast
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.tolerance import (
+    OPTION_MAX,
     Given,
     Tolerance,
     mean_signal_e,
@@ -48,7 +49,9 @@ class Promises(Forecast):
     def allowed_max(self) -> Tolerance | None:
         """The same of the tolerance of the worst pixel; None: it may be anything."""
         asked = self.tolerance_max
-        return None if asked is None else tolerance_of(asked, self.program.sensor, self)
+        if asked is None:
+            return None
+        return tolerance_of(asked, self.program.sensor, self, OPTION_MAX)
 
     @property
     def tolerance_e(self) -> float:
@@ -97,8 +100,12 @@ class Promises(Forecast):
     ) -> Worst:
         """The predicted errors of the worst pixels; those that run through their words because they
         may saturate are without the effects that are `lacking` there."""
-        found = self.errors(dropped, everywhere, lacking)
-        return worst_of(*found, self.fields.sample.weight, len(self.program.lanes))
+        errors = self.errors(dropped, everywhere, lacking)
+        found = worst_of(*errors, self.fields.sample.weight, len(self.program.lanes))
+        if everywhere or FORMULA not in self.taken(dropped):
+            return found
+        # A count is right or it is one off, beside all else: its variance tells nothing of that.
+        return replace(found, max_e=max(found.max_e, found.p999_e + 1.0))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
         """The standard error (buckets,) of predicted mean squares."""
