@@ -20,7 +20,13 @@ from nscc_runtime.effects import optional, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.plan_parts import Approximation
-from nscc_runtime.planner.tolerance import LEAST_E, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.planner.tolerance import (
+    LEAST_E,
+    OPTION_MAX,
+    Tolerance,
+    mean_signal_e,
+    tolerance_of,
+)
 from nscc_runtime.sensor import default_sensor
 
 SENSOR = default_sensor(builtin_target("scamp5")).changed(electrons_per_lsb=100.0)
@@ -124,6 +130,15 @@ def test_what_is_no_tolerance(text: str | float) -> None:
     [said] = caught.value.diagnostics
     assert (said.code, caught.value.status) == ("NS0746", 2)
     assert len(said.message) < 120
+
+
+@pytest.mark.parametrize("text", ["5", "1e20e", "1%"])
+def test_the_option_that_was_wrong_is_named(text: str) -> None:
+    with pytest.raises(Rejected) as caught:
+        tolerance_of(text, SENSOR, SceneOf(0.0), OPTION_MAX)
+    [said] = caught.value.diagnostics
+    assert "--tolerance-max" in said.message or "nothing" in said.message
+    assert "--tolerance-max 5e" in said.helps[0]
 
 
 @given(st.text())

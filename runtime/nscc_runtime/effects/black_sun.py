@@ -34,7 +34,7 @@ BLACK_SUN = Effect(
     "subtracted: the brightest lights turn dark. Without `dead_time` words take no time.",
     cost="none beside `dead_time`",
     applied="to PIX as a source, at the boundary of its reset",
-    absent="no word reads the level of a reset at its boundary, or there is no light",
+    absent="no word reads the level of a reset at its boundary, or there is no charge",
     parameters=(FULL,),
     reference={"level": _found},
     field=_field,

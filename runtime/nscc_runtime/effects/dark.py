@@ -35,9 +35,7 @@ def _fall(slots: Slots, charge: Values) -> Values:
 def _field(sample: Sampled) -> Field:
     """bias = mean of D t, t the open time by weight, D of each pixel and what its neighbours spill;
     rms = sqrt(mean (D t)^2 + counts of variance D t)"""
-    return Field(
-        sample.dark_s * (sample.dark + sample.spilt), variance=sample.dark_2_s * sample.dark
-    )
+    return Field(sample.dark_e, variance=sample.dark_2_s * sample.dark)
 
 
 DARK = Effect(

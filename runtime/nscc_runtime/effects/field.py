@@ -45,7 +45,7 @@ class Sampled(Protocol):
     light, with all pixels responding alike, and without motion (None where the scene has none).
     `pattern`: the sum of the words' fixed errors. `dark_s`, `dark_2_s`: seconds, by weight and by
     squared weight; `dark`, `spilt` (pixels,): electrons a second that fall without light, and what
-    neighbours add to them.
+    neighbours add to them; `dark_e`: what of both reaches the exposures.
     """
 
     sensor: Sensor
@@ -75,6 +75,8 @@ class Sampled(Protocol):
     def dark(self) -> Values: ...
     @property
     def spilt(self) -> Values: ...
+    @property
+    def dark_e(self) -> Values: ...
     def on_device(self, make: OnDevice) -> Values:
         """What is fixed on the chip (pixels,)."""
 

@@ -167,8 +167,8 @@ class Chooser:
     def _cost(self, dropped: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms, present = self.sample.pixels * 1e-6, [e for e in registered() if e.name in self.alone]
-        # The sample is exposed with all effects, and without each.
-        exposed = (len(present) + 1) * self.sample.light.frames[0].size
+        # Every frame of the sample is exposed with all effects, and without each.
+        exposed = (len(present) + 1) * self.sample.light.frames[0].size * self.sample.frames
         planning_ms = SHIPPED.looked * exposed * 1e-6
         frame_ms, every_ms = (
             ms * (SHIPPED.looked + sum(self._saved_ns(e) for e in present if e.name not in without))

@@ -23,6 +23,7 @@ from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planner.audit import Audit
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.tolerance import (
+    OPTION_MAX,
     Given,
     Tolerance,
     mean_signal_e,
@@ -85,7 +86,9 @@ class PlanningByWays:
     def _allowed(self, tolerance: Given, most: Given | None) -> tuple[Tolerance, Tolerance | None]:
         """What tolerances mean on this scene."""
         allowed = tolerance_of(tolerance, self.sensor, self)
-        return allowed, None if most is None else tolerance_of(most, self.sensor, self)
+        if most is None:
+            return allowed, None
+        return allowed, tolerance_of(most, self.sensor, self, OPTION_MAX)
 
     @property
     def open_part(self) -> NDArray[np.float32]:

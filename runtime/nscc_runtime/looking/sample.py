@@ -2,12 +2,13 @@
 
 Effects are measured, not computed: the tiles are exposed with all of them and with some left out,
 under the same draws. A difference in light is then a difference in exposures, but for the few
-pixels whose comparisons it tips over: these end in other states, and are counted apart.
+pixels whose comparisons it tips over: these end in other states, and are counted apart. Where
+states are kept, a film's later frames begin in others than its first: all of them are tried.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -22,7 +23,7 @@ from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
 from nscc_runtime.planner.sample import chances, drawn_by
 from nscc_runtime.planner.worst import Worst, worst_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.film import Executed
+from nscc_runtime.reference.film import Executed, next_planes
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.remembered import remembered
@@ -36,6 +37,11 @@ _WHOLE = 2048
 _SLOTS = 16
 """Slots whose light decides where tiles are taken."""
 _SEEDS = 0, 0
+_FRAMES = 16
+"""At most so many frames of a film are tried."""
+_SETTLED = 0.005
+"""A film has shown what it does once no more than this part of its pixels begins a frame as it has
+begun none before."""
 
 
 @dataclass(frozen=True)
@@ -72,6 +78,18 @@ def difference(
         (error * much).sum(axis=(1, 2)),
         float(1.0 - alike.sum() / weight.sum()) if weight.any() else 0.0,
         worst_of(flat, np.zeros_like(flat), alike.reshape(-1), pixels),
+    )
+
+
+def of_all(found: Sequence[Difference]) -> Difference:
+    """Of several frames what is worst in any of them; the mean is that of the worst bucket's."""
+    squares = np.array([each.square for each in found])
+    means = np.array([each.mean for each in found])
+    return Difference(
+        squares.max(axis=0),
+        np.take_along_axis(means, squares.argmax(axis=0)[None], axis=0)[0],
+        max(each.other_states for each in found),
+        Worst(max(each.worst.p999_e for each in found), max(each.worst.max_e for each in found)),
     )
 
 
@@ -129,38 +147,53 @@ class Sample:
 
     @remembered
     def without(self, dropped: frozenset[str]) -> Difference:
-        """What leaving these effects out changes."""
-        full = self._executed(everything())
-        some = self._executed(everything().without(*dropped))
-        return difference(some, full, self.weight, self.pixels)
+        """What leaving these effects out changes, in the worst of a film's frames."""
+        effects = everything().without(*dropped)
+        return of_all(
+            [
+                difference(self._exposed(effects, number, loaded), full, self.weight, self.pixels)
+                for number, (loaded, full) in enumerate(self._film)
+            ]
+        )
+
+    @property
+    def frames(self) -> int:
+        """How many frames are tried."""
+        return len(self._film)
 
     @cached_property
     def noise_e(self) -> float:
         """The root mean square over pixels and buckets of the standard deviation of exposures with
         every effect: of those that end in the same states."""
-        other = self._exposed(everything(), 1)
-        found = difference(other, self._full, self.weight, self.pixels)
+        other = self._exposed(everything(), 1, self.loaded)
+        found = difference(other, self._film[0][1], self.weight, self.pixels)
         return float(np.sqrt(found.square.mean() / 2))
 
-    def _executed(self, effects: Selection) -> Executed:
-        """The sample with these effects; those of all effects are kept."""
-        if effects == everything():
-            return self._full
-        return self._exposed(effects)
-
     @cached_property
-    def _full(self) -> Executed:
-        return self._exposed(everything())
+    def _film(self) -> list[tuple[Mapping[str, Bits], Executed]]:
+        """The registers with which each frame starts, and the frame with all effects: as many as
+        it takes until pixels begin them as they have begun others."""
+        container, weight = self.ways.container, self.weight / self.weight.sum()
+        loaded, found = self.loaded, list[tuple[Mapping[str, Bits], Executed]]()
+        while len(found) < _FRAMES:
+            seen = np.zeros(self.weight.shape, np.bool_)
+            for before, _ in found:
+                seen |= np.all([loaded[name] == before[name] for name in loaded], axis=0)
+            if found and float(weight[~seen].sum()) <= _SETTLED:
+                break
+            found.append((loaded, self._exposed(everything(), len(found), loaded)))
+            loaded = {**self.loaded, **next_planes(container, loaded, found[-1][1].planes)}
+        return found
 
-    def _exposed(self, effects: Selection, frame: int = 0) -> Executed:
+    def _exposed(self, effects: Selection, frame: int, loaded: Mapping[str, Bits]) -> Executed:
         rows = range(self.light.shape[0])
         if self.ways.lacks(effects):
             reference = LookingReference(self.ways.container, self.ways.sensor, effects)
-            return reference.expose(self._scene, self.loaded, _SEEDS, frame)
+            return reference.expose(self._scene, loaded, _SEEDS, frame)
         before = frozenset(e.name for e in effects.effects if e.reference.keys() & BEFORE_WORDS)
         fallen = self._fallen(before, effects.noiseless, frame)
         return self.ways.run(
-            self._scene, self.loaded, effects, _SEEDS, frame, rows,
+            self._scene, loaded, effects, _SEEDS, frame, rows,
             lambda part: fallen.rows(slice(part.start, part.stop)), among=self.weight > 0,
         )  # fmt: skip
 

@@ -96,3 +96,19 @@ class ByLane:
         factor, rest = self.tables.noise(at, self.full)
         other = self.tables.noise(at, self.faster)[0] - factor
         return rest.T, (other**2).sum(axis=2).T
+
+    @remembered
+    def reweighed(self, at: str, name: str) -> tuple[Values, Values, Values, Values]:
+        """Of unit errors, (buckets, lanes) each: the variance of what they change by without an
+        effect, at the mean leakage; twice its product with what faster leakage changes, and the
+        square of that; and by how much their own variance is larger with the effect."""
+        full, less = (self.tables.numbered(at, each) for each in (self.full, self.less[name]))
+        leaks = self.less[name].leak_per_s != self.full.leak_per_s
+        faster = self.tables.numbered(at, self.faster) if leaks else full
+        found = np.zeros((4, *self.seconds.shape[1:]))
+        for number, weight in full.items():
+            lost, by_rate = weight - less[number], faster[number] - weight
+            more = weight**2 - less[number] ** 2
+            found += np.stack([lost**2, 2.0 * lost * by_rate, by_rate**2, more]).swapaxes(1, 2)
+        mean, product, square, more = found
+        return mean, product, square, more

@@ -185,7 +185,10 @@ class Chooser(Costs):
         square = self.squares(dropped, path != "sums")
         error = self.sampling_error(dropped, path != "sums")
         most = self.most(dropped, path != "sums") + _ERRORS * error
-        added = self.lacking(self.state(dropped)).square(dropped, lacking) if lacking else _NOTHING
+        added = unsure = _NOTHING
+        if lacking:
+            near = self.lacking(self.state(dropped))
+            added, unsure = near.square(dropped, lacking), _ERRORS * near.square_error(lacking)
         worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]
@@ -196,7 +199,7 @@ class Chooser(Costs):
         return Plan(
             self.tolerance_e,
             math.sqrt(float(np.max(square + added))),
-            math.sqrt(float(np.max(most + added))),
+            math.sqrt(float(np.max(most + added + unsure))),
             loop,
             tuple(reasons),
             len(self.fields.sample.places) / len(self.program.lanes),

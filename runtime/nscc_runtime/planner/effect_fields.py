@@ -27,6 +27,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.reweighed import Reweighed
 from nscc_runtime.planner.sample import Sample, among
 from nscc_runtime.planner.sampled import SampledScene
 from nscc_runtime.remembered import remembered
@@ -37,8 +38,6 @@ Held = dict[tuple[str, ...], Values]
 
 FORCED = "forced off"
 """What all that is forced off does where pixels run through their words: random parts included."""
-WORDS_FORCED = "errors of words, forced"
-"""What the words make of other effects' errors where what is forced off changes how they weigh."""
 BOTH = "saturation"
 """What saturation of PIX and of registers do together."""
 _SURELY = 1.5
@@ -57,12 +56,11 @@ class Fields:
     larger; `shifts`: the electrons by which an effect changes the counts;
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
-    `neighbours[closed]`: the same of crosstalk; `less_noise`: by how much what is forced off makes
-    the variance smaller that words' errors have without its own; `noise_cut`: that the noise of
-    words is drawn as at the mean leakage. All but what saturation loses is as if nothing saturated;
-    `clipped`: where the full well is passed; `after`: the fields there of effects that act on what
-    the well lets through (0 where only their noise does); `unfilled`: at most the part of the light
-    there whose reads are not full, as of a frame with many reads, 1 elsewhere.
+    `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
+    the mean leakage. All but what saturation loses is as if nothing saturated; `clipped`: where the
+    full well is passed; `after`: the fields there of effects that act on what the well lets through
+    (0 where only their noise does); `unfilled`: at most the part of the light there whose reads are
+    not full, as of a frame with many reads, 1 elsewhere.
     """
 
     sample: Sample
@@ -74,7 +72,6 @@ class Fields:
     thinning: dict[bool, Values]
     neighbours: dict[bool, Values]
     noise_cut: Values
-    less_noise: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
     unfilled: Values
@@ -140,6 +137,11 @@ class SampledFields:
         return SampledScene(self.program, self.light, self.sample, self.device_seed)
 
     @cached_property
+    def reweighed(self) -> Reweighed:
+        """What becomes of errors where what weighs them is off."""
+        return Reweighed.of(self._scene)
+
+    @cached_property
     def _near(self) -> _Near:
         return _Near(self._scene, self._far.spilt, self.forced_off, self.threads)
 
@@ -158,9 +160,6 @@ class SampledFields:
         thinning, neighbours = scene.left_out()
         fixed = {name: each.fixed for name, each in found.items() if each.fixed is not None}
         variance = {n: each.variance for n, each in found.items() if each.variance is not None}
-        less_noise = np.zeros(expected.shape)
-        if self.forced_off:
-            fixed[WORDS_FORCED], variance[WORDS_FORCED], less_noise = self._words_forced
         return Fields(
             self.sample,
             expected,
@@ -171,33 +170,11 @@ class SampledFields:
             thinning,
             neighbours,
             noise_cut,
-            less_noise,
             np.zeros(expected.shape, np.bool_),
             {},
             np.ones(expected.shape),
             among(self.sample.places, self.spilt, len(self.program.lanes)),
         )
-
-    @property
-    def _words_forced(self) -> tuple[Values, Values, Values]:
-        """See `WORDS_FORCED`, and `Fields.less_noise`: by choice effects are left out with errors
-        weighed as if they were there (`nscc_runtime.planner.weighing`)."""
-        program, scene = self.program, self._scene
-        wanted = scene.all.without(*self.forced_off)
-        tables, full, model = program.tables, program.full, program.model(wanted)
-        fixed, variance, less = np.zeros((3, len(scene.buckets), len(scene.places)))
-        if tables.same(full) == tables.same(model):
-            return fixed, variance, less
-        for _, part in wanted.errors():
-            changed, lost = tables.noise_between(part.at, full, model)
-            sigma_e2 = part.sigma_e(program.sensor) ** 2
-            variance += sigma_e2 * changed.T[:, scene.lanes]
-            less += sigma_e2 * lost.T[:, scene.lanes]
-        if wanted.part(WordGain) is not None:
-            changed = tables.pattern(full) - tables.pattern(model)
-            error_e = scene.on_device(wanted.the(WordGain).error_e)
-            fixed += changed.T[:, scene.lanes] * error_e
-        return fixed, variance, less
 
 
 def _field(effect: Effect, scene: SampledScene) -> Field:

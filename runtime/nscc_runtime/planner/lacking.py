@@ -128,6 +128,10 @@ class Lacking:
         mean, _ = self._measured(lacking)
         return mean + self._evened(dropped, lacking)
 
+    def square_error(self, lacking: frozenset[str]) -> Values:
+        """The standard error (buckets,) of that: some of these pixels were measured, not all."""
+        return self._measured(lacking)[1]
+
     def _alike(self, dropped: frozenset[str], lacking: frozenset[str]) -> bool:
         """Whether words count what sums do, so that these have counts for their neighbours."""
         counted = self._every.names(Counted)

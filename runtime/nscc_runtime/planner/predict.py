@@ -32,12 +32,13 @@ from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.chip import Chip
-from nscc_runtime.planner.effect_fields import BOTH, FORCED, WORDS_FORCED, Fields, SampledFields
+from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
 from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.plan_parts import Decision
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.reweighed import off_for_good
 from nscc_runtime.planner.sample import among, sample_of
 from nscc_runtime.remembered import remembered
 
@@ -167,25 +168,48 @@ class Forecast(ABC):
     def squares(self, dropped: frozenset[str], everywhere: bool) -> Values:
         """Predicted mean squares (buckets,), in square electrons; `everywhere`: all pixels run
         through their words."""
-        wrong = self.inside(dropped), self.lost(dropped, everywhere)
-        return self.account(self.state(dropped)).square(*wrong) + self._rounding(dropped)
+        wrong = self.wrong(dropped, everywhere)
+        return self.account_of(dropped, everywhere).square(*wrong) + self._rounding(dropped)
 
     def most(self, dropped: frozenset[str], everywhere: bool) -> Values:
         """The most (buckets,) that they can be: fixed parts add up."""
-        wrong = self.inside(dropped), self.lost(dropped, everywhere)
-        return self.account(self.state(dropped)).most(*wrong) + self._rounding(dropped)
+        wrong = self.wrong(dropped, everywhere)
+        return self.account_of(dropped, everywhere).most(*wrong) + self._rounding(dropped)
+
+    def wrong(
+        self, dropped: frozenset[str], everywhere: bool
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """The names of what is fixed, and of what is random, that a plan has wrong."""
+        off = self.off_for_good(dropped, everywhere)
+        return self.inside(dropped) | off, self.lost(dropped, everywhere) | off
+
+    def off_for_good(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
+        """The errors of words that not even sums take as with every effect."""
+        return off_for_good(dropped if everywhere else dropped & self.forced_off, dropped)
+
+    def account_of(self, dropped: frozenset[str], everywhere: bool) -> Account:
+        """The account that has all of that."""
+        more = bool(self.off_for_good(dropped, everywhere))
+        return self.account(self.state(dropped), more)
 
     @remembered
-    def account(self, state: str) -> Account:
-        """What is wrong in a state of the pixels that may saturate, by effects and short cuts."""
+    def account(self, state: str, off_for_good: bool = False) -> Account:
+        """What is wrong in a state of the pixels that may saturate, by effects and short cuts; and
+        by errors that lack what weighs them."""
         fields = self.fields
         fixed = {name: self.left(name, state) for name in (*fields.fixed, CLIP)}
         random = self.random(state) | self._squares(state)
+        if off_for_good:
+            # These are behind the full well.
+            where = self._where("sums" if state == "clip" else state)
+            found = self.sampled.reweighed
+            fixed |= {name: each * where for name, each in found.fixed.items()}
+            random |= {name: each * where for name, each in found.variance.items()}
         return Account(fields.sample, len(fields.expected), fixed, random)
 
     def lost(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
         """The names of all that is random and that a plan lacks."""
-        return dropped.union((WORDS_FORCED,), () if everywhere else self.taken(dropped))
+        return dropped if everywhere else dropped.union(self.taken(dropped))
 
     def inside(self, dropped: frozenset[str]) -> frozenset[str]:
         """The fixed fields that a plan lacks which leaves these effects out."""
@@ -194,7 +218,7 @@ class Forecast(ABC):
         found = dropped - self.saturation | (lost if lost != self.saturation else {BOTH})
         if self._having[SlowWords] <= dropped:
             found |= self._having[LitLevel]
-        return found | {CLIP, FORCED, WORDS_FORCED}
+        return found | {CLIP, FORCED}
 
     @remembered
     def state(self, dropped: frozenset[str]) -> str:

@@ -13,9 +13,10 @@ from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.effect_fields import BOTH
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.predict import NEIGHBOURS, NOISE, THINNING, Forecast
+from nscc_runtime.planner.predict import FORMULA, NEIGHBOURS, NOISE, THINNING, Forecast
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.tolerance import (
+    OPTION_MAX,
     Given,
     Tolerance,
     mean_signal_e,
@@ -49,7 +50,9 @@ class Promises(Forecast):
     def allowed_max(self) -> Tolerance | None:
         """The same of the tolerance of the worst pixel; None: it may be anything."""
         asked = self.tolerance_max
-        return None if asked is None else tolerance_of(asked, self.program.sensor, self)
+        if asked is None:
+            return None
+        return tolerance_of(asked, self.program.sensor, self, OPTION_MAX)
 
     @property
     def tolerance_e(self) -> float:
@@ -103,16 +106,19 @@ class Promises(Forecast):
     ) -> Worst:
         """The predicted errors of the worst pixels; those that run through their words because they
         may saturate are without the effects that are `lacking` there."""
-        found = self.errors(dropped, everywhere, lacking)
+        errors = self.errors(dropped, everywhere, lacking)
         weight, pixels = self.fields.sample.weight, len(self.program.lanes)
-        worst = worst_of(*found, weight, pixels)
+        found = worst_of(*errors, weight, pixels)
+        if not everywhere and FORMULA in self.taken(dropped):
+            # A count is right or one off, beside all else: its variance tells nothing of that.
+            found = replace(found, max_e=max(found.max_e, found.p999_e + 1.0))
         near, cut = self.fields.sample.near, self.inside(dropped) & (self.saturation | {BOTH})
         if not cut or not near.any():
-            return worst
+            return found
         # What saturation would take is of one frame's noise: another's takes it farther.
         taken = np.sum([self.fields.fixed[name][:, near] for name in sorted(cut)], axis=0)
         tail = worst_measured(taken, float(weight[near].sum() / weight.sum()), pixels)
-        return replace(worst, max_e=max(worst.max_e, tail.max_e))
+        return replace(found, max_e=max(found.max_e, tail.max_e))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
         """The standard error (buckets,) of predicted mean squares."""
@@ -125,8 +131,8 @@ class Promises(Forecast):
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """Means and variances (buckets, pixels of the sample) of what a plan leaves wrong."""
         state = self.state(dropped)
-        lost = self.inside(dropped), self.lost(dropped, everywhere)
-        mean, variance = self.account(state).errors(*lost)
+        lost = self.wrong(dropped, everywhere)
+        mean, variance = self.account_of(dropped, everywhere).errors(*lost)
         variance += self.rounding_of(dropped)
         if lacking:
             near = guesses(self.fields, self.runs(state), lacking).errors(lacking, lacking)
@@ -150,9 +156,11 @@ class Promises(Forecast):
             square += noise.all
             kept_e2 += 0.0 if name in dropped else noise.far
             kept_e2 += 0.0 if name in near_lost else noise.near
-        kept_e2 -= float(self.fields.sample.mean(self.fields.less_noise).mean())
         if not everywhere:
             kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
+        for name in self.off_for_good(dropped, everywhere):
+            more = self.sampled.reweighed.noise[name] * self._where(state)
+            kept_e2 -= float(self.fields.sample.mean(more).mean())
         added = with_readout_e(0.0, self.program.sensor) ** 2 if readout else 0.0
         if not square + added > 0:
             return None
@@ -169,14 +177,15 @@ class Promises(Forecast):
 
         It is none where registers fade and are simulated as if they did not: other words act then.
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
-        another's: it is no promise where saturation is left out, nor where none of that noise, all
+        another's: beside such pixels it is no promise where saturation is left out or what weighs
+        errors is off, nor where none of that noise, all
         of it, or losing `_WORSE` times as much of it, would make another."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
         as_if_fresh = self.program.tables.decays and self.every.names(Fading) <= dropped
         if ratio is None or self.coarse or as_if_fresh or not near.any():
             return None if self.coarse or as_if_fresh else ratio
-        if dropped & self.saturation:
+        if dropped & self.saturation or self.off_for_good(dropped, everywhere):
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
         uncut = sum(self.fields.noise.values(), np.zeros(full.shape))
@@ -208,7 +217,6 @@ class Promises(Forecast):
             full += there
             lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
             mine += np.where(lost, 0.0, found.noise[name] if state == "sums" else there)
-        mine -= found.less_noise
         if not everywhere:
             mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine

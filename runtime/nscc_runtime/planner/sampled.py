@@ -239,6 +239,10 @@ class SampledScene:
     def dark_s(self) -> Values:
         return np.asarray(self.by_lane.seconds[0][:, self.lanes])
 
+    @property
+    def dark_e(self) -> Values:
+        return self.dark_s * (self.dark + self.spilt)
+
     @cached_property
     def dark_2_s(self) -> Values:
         return np.asarray(self.by_lane.seconds[self.by_lane.squared_row][:, self.lanes])
@@ -273,6 +277,18 @@ class SampledScene:
         always, by_rate = self.by_lane.errors_cut(at)
         found = always[:, self.lanes] + by_rate[:, self.lanes] * self._off**2
         return np.asarray(sigma_e**2 * found)
+
+    def pattern_without(self, name: str) -> Values:
+        """By how much the words' fixed errors are larger with an effect, at the mean leakage."""
+        return self.pattern - self._errors(self.by_lane.less[name])
+
+    def reweighed(self, name: str, at: str, sigma_e: float) -> tuple[Values, Values]:
+        """The variance of what errors change by without an effect, and by how much their own is
+        larger with it."""
+        parts = self.by_lane.reweighed(at, name)
+        mean, product, square, more = (sigma_e**2 * each[:, self.lanes] for each in parts)
+        changed = np.maximum(mean + self._off * product + self._off**2 * square, 0.0)
+        return np.asarray(changed), np.asarray(more)
 
     def left_out(self) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variance that sums leave out because counts are not spread over the slots, with

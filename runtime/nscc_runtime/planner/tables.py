@@ -82,6 +82,10 @@ class Tables:
             self.container, words, model.gain, model.leak_per_s, model.dead_time, model.lit_level
         )
 
+    def numbered(self, at: str, model: Model) -> dict[int, Weights]:
+        """The coefficients (lanes, buckets) of small errors, by the numbers of their draws."""
+        return numbered_errors(self.container.target, self.weights(model))[at]
+
     @remembered
     def noise(self, at: str, full: Model) -> tuple[Weights, Weights]:
         """Coefficients L (lanes, buckets, draws) of the keyed draws of small errors at `reads`,
@@ -89,7 +93,7 @@ class Tables:
         errors.
         """
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        found = numbered_errors(self.container.target, self.weights(full))[at]
+        found = self.numbered(at, full)
         drawn = self.program.draws[at]
         factor = np.zeros((lanes, buckets, buckets))
         square = np.zeros((lanes, buckets))
@@ -98,21 +102,6 @@ class Tables:
             if number in drawn:
                 factor += weight[:, :, None] * drawn[number][:, None, :]
         return factor, np.maximum(square - (factor * factor).sum(axis=2), 0.0)
-
-    def noise_between(self, at: str, full: Model, other: Model) -> tuple[Weights, Weights]:
-        """The variance (lanes, buckets) of what unit errors at `reads`, `resets` or `words` make
-        under one model less what they make under another; and by how much the one's is larger."""
-        found, others = (
-            numbered_errors(self.container.target, self.weights(model))[at]
-            for model in (full, other)
-        )
-        lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        changed, less = np.zeros((2, lanes, buckets))
-        for number in found.keys() | others.keys():
-            one, another = found.get(number, 0.0), others.get(number, 0.0)
-            changed += (one - another) ** 2
-            less += one**2 - another**2
-        return changed, less
 
     @remembered
     def pattern(self, full: Model) -> Weights:

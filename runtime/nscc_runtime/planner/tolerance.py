@@ -83,43 +83,46 @@ class Follows(Protocol):
         ...
 
 
-def tolerance_of(given: Given, sensor: Sensor, scene: Follows) -> Tolerance:
+OPTION, OPTION_MAX = "--tolerance", "--tolerance-max"
+
+
+def tolerance_of(given: Given, sensor: Sensor, scene: Follows, option: str = OPTION) -> Tolerance:
     """Of `5e`, of `0.1lsb`, of `1%` of the scene's signal, of `0.1noise`, of a number of electrons;
     one that is found already stays what it is.
 
     The scene is asked for its signal or its noise only where a tolerance is a part of it. Raises
-    Rejected (NS0746, status 2) for anything else, for electrons beyond LEAST_E..MOST_E, and for a
-    part of no signal.
+    Rejected (NS0746, status 2), which names the `option`, for anything else, for electrons beyond
+    LEAST_E..MOST_E, and for a part of no signal.
     """
     if isinstance(given, Tolerance):
         return given
     if not isinstance(given, str):
         text = f"{float(given)!r}".removesuffix(".0") + "e"
-        return _within(Tolerance(text, float(given)), str(given))
+        return _within(Tolerance(text, float(given)), str(given), option)
     match = _TOLERANCE.fullmatch(given.lower())
     if match is None:
-        raise _malformed(f"'{given[:40]}'")
+        raise _malformed(f"'{given[:40]}'", option)
     value, unit = float(match[1]), match[2]
     text = f"{match[1]}{unit}"
     if unit in ("e", "lsb"):
         electrons = value * (1.0 if unit == "e" else sensor.electrons_per_lsb)
-        return _within(Tolerance(text, electrons), f"'{given[:40]}'")
+        return _within(Tolerance(text, electrons), f"'{given[:40]}'", option)
     if not 0 < value < math.inf:
-        raise _malformed(f"'{given[:40]}'")
+        raise _malformed(f"'{given[:40]}'", option)
     if unit == "noise":
         noise = scene.noise_e()
         found = Tolerance(text, value * noise, noise_e=noise)
-        return _within(found, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons")
+        return _within(found, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons", option)
     signal = scene.signal_e()
     if not signal > 0:
         raise rejected(
             "NS0746",
             f"{text[:40]} of this scene is nothing: its mean signal is 0 electrons",
             notes=("a part of the signal is a part of the mean exposure, without effects",),
-            helps=("say it in electrons, --tolerance 5e, or in codes, --tolerance 0.1lsb",),
+            helps=(f"say it in electrons, {option} 5e, or in codes, {option} 0.1lsb",),
         )
     found = Tolerance(text, value / 100 * signal, signal_e=signal)
-    return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons")
+    return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons", option)
 
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
@@ -143,20 +146,21 @@ def most_change(noise_part: float) -> float:
     return noise_part**2
 
 
-def _within(found: Tolerance, shown: str) -> Tolerance:
+def _within(found: Tolerance, shown: str, option: str) -> Tolerance:
     if not LEAST_E <= found.electrons <= MOST_E:
-        raise _malformed(shown)
+        raise _malformed(shown, option)
     return found
 
 
-def _malformed(shown: str) -> Rejected:
+def _malformed(shown: str, option: str) -> Rejected:
+    what = "a tolerance" if option == OPTION else f"the tolerance of {option}"
     return rejected(
         "NS0746",
-        f"a tolerance is a number above 0 with its unit, not {shown}",
+        f"{what} is a number above 0 with its unit, not {shown}",
         notes=(
             "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean signal; "
             "noise: parts of the frame's own noise",
             f"it lies between {LEAST_E:g} and {MOST_E:g} electrons",
         ),
-        helps=("write --tolerance 5e, --tolerance 0.1lsb, --tolerance 1% or leave it out",),
+        helps=(f"write {option} 5e, {option} 0.1lsb, {option} 1% or leave it out",),
     )

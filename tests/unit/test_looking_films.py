@@ -1,0 +1,41 @@
+"""Plans of programs whose states go on from frame to frame: the promise is for every frame."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import nscc
+from nscc.target.load import builtin_target
+from nscc_runtime import capture
+
+_SIDE, _FRAMES = 48, 5
+_TEXT = """nsl 2
+frame 16 slots of 500us
+sense full when exposure > 80% at n == N
+sense dim when exposure < 30% at n == N
+state stop : 0..4 = 4 kept
+state was : 0..4 = 4
+next stop = max(stop - 1, 0) if full else min(stop + 1, 4) if dim else stop
+next was = stop
+open when n < 1 << stop
+read was, stop
+"""
+
+
+@pytest.mark.parametrize("frame_e", [30000.0, 60000.0, 240000.0])
+def test_frames_that_begin_in_other_states_keep_the_promise(frame_e: float) -> None:
+    # The first frame is full, so that little decides on it; the next ones are open for less.
+    program = nscc.compile(_TEXT, target=replace(builtin_target("scamp5"), rows=_SIDE, cols=_SIDE))
+    light = np.full((program.slots, _SIDE, _SIDE), frame_e / program.slots)
+    given = {"seed": 5, "device_seed": 3, "repeat": _FRAMES}
+    planned = capture(program, light, effects="auto", tolerance="5e", **given)
+    exact = capture(program, light, effects="all", fidelity="reference", **given)
+    same = np.ones((_FRAMES, _SIDE, _SIDE), np.bool_)
+    for name in ("states_stop", "states_was"):
+        same &= planned.told[name] == exact.told[name]
+    assert same.mean() > 0.99
+    square = np.where(same[:, None], (planned.exposure_e - exact.exposure_e) ** 2, 0.0)
+    assert np.sqrt(square.mean(axis=(1, 2, 3))).max() <= 1.1 * 5.0
