@@ -225,11 +225,15 @@ def test_a_plan_of_before_opens_and_its_new_effects_are_simulated(tmp_path: Path
              "noise_ratio")  # fmt: skip
     for name in later:
         del values["plan"][name]
+    del values["plan"]["cost"]["all_planning_ms"]
     rows = values["plan"]["effects"]
     values["plan"]["effects"] = [row for row in rows if row["name"] != "black_sun"]
     (tmp_path / "p.json").write_text(json.dumps(values))
     again = read_plan(tmp_path / "p.json", "p", sensor)
     assert again.kept.on == plan.kept.on | {"black_sun"}
+    assert "; of the next frames" in str(plan)
+    assert str(again).count("% of all") == 1
+    assert "; of the next frames" not in str(again)
     assert [each.name for each in again.decisions] == [each.name for each in plan.decisions]
 
 
