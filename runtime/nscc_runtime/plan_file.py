@@ -31,11 +31,10 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
         plan = Plan.from_json(values["plan"])
         made_for = str(values["program_sha256"]), str(values["sensor_sha256"])
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        words = " ".join(str(error).split())[:120]
         raise rejected(
             "NS0747",
             f"'{path}' is no plan of this version",
-            notes=(f"{type(error).__name__}: {words}",),
+            notes=(_reason(error),),
             helps=("give --plan a name that does not exist: the plan made is written there",),
         ) from error
     is_for = program_sha256, sensor_sha256(sensor)
@@ -48,6 +47,22 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
     return plan
+
+
+def _reason(error: Exception) -> str:
+    """What is wrong with a file, in words."""
+    words = " ".join(str(error).split())[:120]
+    if isinstance(error, OSError):
+        return f"it cannot be read: {error.strerror}"
+    if isinstance(error, UnicodeDecodeError):
+        return "it is no text"
+    if isinstance(error, json.JSONDecodeError):
+        return f"it is not JSON: {words}"
+    if isinstance(error, KeyError):
+        return f"it lacks {words}"
+    if isinstance(error, (TypeError, AttributeError, RecursionError)):
+        return "its values are of other kinds than a plan's"
+    return words
 
 
 def plan_table(plan: Plan, report: Audit | None = None) -> str:

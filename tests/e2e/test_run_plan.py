@@ -211,6 +211,7 @@ def test_files_that_are_no_plans(content: bytes, folder: Path) -> None:
     (folder / "plan.json").write_bytes(content)
     outcome = run(folder, "--plan", "plan.json")
     assert (outcome.status, outcome.codes) == (2, ["NS0747"])
+    assert "Error" not in outcome.err.replace("error[", "")  # in words, not Python's
     assert (folder / "plan.json").read_bytes() == content
     assert not (folder / "f.npz").exists()
 

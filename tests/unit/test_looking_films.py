@@ -23,6 +23,14 @@ next was = stop
 open when n < 1 << stop
 read was, stop
 """
+_CLOSING = """nsl 2
+frame 40 slots of 500us
+sense bright when light > 30% at n % 5 == 0
+state closed_at : 0..8 = 0
+next closed_at = looks when bright and closed_at == 0
+open when closed_at == 0
+read closed_at
+"""
 
 
 @pytest.mark.parametrize("frame_e", [30000.0, 60000.0, 240000.0])
@@ -39,3 +47,16 @@ def test_frames_that_begin_in_other_states_keep_the_promise(frame_e: float) -> N
     assert same.mean() > 0.99
     square = np.where(same[:, None], (planned.exposure_e - exact.exposure_e) ** 2, 0.0)
     assert np.sqrt(square.mean(axis=(1, 2, 3))).max() <= 1.1 * 5.0
+
+
+@pytest.mark.parametrize("scene", range(4))
+def test_at_most_allows_for_frames_that_were_not_measured(scene: int) -> None:
+    program = nscc.compile(_CLOSING, target=replace(builtin_target("scamp5"), rows=50, cols=4))
+    total = np.random.default_rng(scene).lognormal(7.0, 2.5, (50, 4))
+    light = np.full((program.slots, 1, 1), 1.0 / program.slots) * total
+    given = {"seed": scene, "device_seed": 3, "repeat": 24}
+    planned = capture(program, light, effects="auto", tolerance="0.5e", **given)
+    exact = capture(program, light, effects="all", fidelity="reference", **given)
+    same = planned.told["states_closed_at"] == exact.told["states_closed_at"]
+    square = np.where(same[:, None], (planned.exposure_e - exact.exposure_e) ** 2, 0.0)
+    assert np.sqrt(square.mean()) <= planned.plan.bound_e + 1e-9  # rounding

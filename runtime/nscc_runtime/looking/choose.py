@@ -29,6 +29,8 @@ _LEFT_OUT = 0.5
 of them."""
 _KEPT = 0.7
 """The same of plans that serve another scene."""
+_ERRORS = 3.0
+"""Standard errors of a sample that a bound allows for."""
 _REFERENCE_NS = 1000.0
 """What a pixel costs more in the reference."""
 LOOKS = "pixels look at the light: each runs through the words that act in it"
@@ -148,7 +150,7 @@ class Chooser:
         plan = Plan(
             tolerance_e=self.tolerance_e,
             predicted_e=now.error_e,
-            bound_e=max(most, now.error_e),
+            bound_e=math.sqrt(max(most, now.error_e) ** 2 + _ERRORS * float(now.unsure.max())),
             slot_loop="all",
             slot_loop_reasons=(LOOKS,),
             sampled_fraction=self.sample.fraction,

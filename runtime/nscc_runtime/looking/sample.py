@@ -48,10 +48,12 @@ begun none before."""
 class Difference:
     """What leaving effects out changes: the mean square of the exposures (buckets,) and their mean,
     in electrons, over the pixels that end in the same states, and the share of those that do not;
-    `worst`, of the former the worst pixels.
+    `worst`, of the former the worst pixels. `unsure` (buckets,): the standard error of `square`, as
+    another frame, or other tiles, would have another.
     """
 
     square: NDArray[np.float64]
+    unsure: NDArray[np.float64]
     mean: NDArray[np.float64]
     other_states: float
     worst: Worst
@@ -73,8 +75,11 @@ def difference(
     error = np.where(alike > 0, some.exposure.exposure_e - full.exposure.exposure_e, 0.0)
     much = alike / max(float(alike.sum()), 1e-300)
     flat = error.reshape(len(error), -1)
+    square = (error**2 * much).sum(axis=(1, 2))
+    away = (error**2 - square[:, None, None]) * much
     return Difference(
-        (error**2 * much).sum(axis=(1, 2)),
+        square,
+        np.sqrt((away**2).sum(axis=(1, 2))),
         (error * much).sum(axis=(1, 2)),
         float(1.0 - alike.sum() / weight.sum()) if weight.any() else 0.0,
         worst_of(flat, np.zeros_like(flat), alike.reshape(-1), pixels),
@@ -87,6 +92,7 @@ def of_all(found: Sequence[Difference]) -> Difference:
     means = np.array([each.mean for each in found])
     return Difference(
         squares.max(axis=0),
+        np.max([each.unsure for each in found], axis=0),
         np.take_along_axis(means, squares.argmax(axis=0)[None], axis=0)[0],
         max(each.other_states for each in found),
         Worst(max(each.worst.p999_e for each in found), max(each.worst.max_e for each in found)),

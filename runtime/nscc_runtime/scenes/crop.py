@@ -31,9 +31,9 @@ class Window:
                 "NS0734",
                 f"the scene '{name}' is {size(have)}, smaller than the array of {size(need)}",
                 notes=(
-                    "sizes are rows x columns; pictures are cropped to the array, never scaled",
+                    "sizes are rows x columns; without --fit pictures are cropped, never scaled",
                 ),
-                helps=("use a larger picture, or a target with a smaller array",),
+                helps=("use a larger picture, `--fit scale`, or a target with a smaller array",),
                 data={"scene": list(have), "array": list(need)},
             )
         if self.corner is None:

@@ -270,7 +270,8 @@ def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
     if len(shape) not in (2, 3):
         raise rejected(
             "NS0733",
-            f"'light' in '{request.name}' has {len(shape)} dimensions: {size(shape)}",
+            f"'light' in '{request.name}' has {len(shape)} dimension{'s' * (len(shape) != 1)}: "
+            f"{size(shape)}",
             notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
             helps=("give the array two or three dimensions",),
         )

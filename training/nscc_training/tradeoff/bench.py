@@ -258,7 +258,11 @@ def target_of(text: str, sensor: Any, scene: Follows) -> Tolerance:
     raise rejected(
         "NS0827",
         reason,
-        notes=("%: of the scene's mean signal; e: electrons; lsb: codes of the ADC",),
+        notes=(
+            "%: of the scene's mean signal; e: electrons; lsb: codes of the ADC; noise: parts of "
+            "the frame's own noise",
+            f"it lies between {LEAST_E:g} electrons and the mean signal",
+        ),
         helps=("write --target-error 1%, --target-error 50e or --target-error 0.5lsb",),
     )
 
