@@ -35,8 +35,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return DONE
     try:
         return _run(arguments)
-    except KeyboardInterrupt:
-        sys.stderr.write("\ninterrupted\n")
+    except KeyboardInterrupt as stop:
+        sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
         return INTERRUPTED
     except BrokenPipeError:
         # The reader of our output has seen enough (`nscc disasm x.icw | head`): no fault, and

@@ -24,9 +24,9 @@ _LEVELS = [str(level) for level in LEVELS]
 @click.command("of", cls=CommonCommand)
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
 @click.option("--scene", type=SCENE, help="As in nscc run.")
-@click.option("--target-error", metavar="1%|5e|0.1lsb", default="1%", show_default=True,
-              help="The error to stay within: of the scene's mean signal, in electrons, or in "
-              "codes of the ADC.")  # fmt: skip
+@click.option("--target-error", metavar="1%|5e|0.1lsb|1noise", default="1%", show_default=True,
+              help="The error to stay within: of the scene's mean signal, in electrons, in codes "
+              "of the ADC, or of the frame's own noise.")  # fmt: skip
 @some_option("--stages", STAGES, "NAME,..", "Stages to measure.")
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O to compare.", default="0,1,2")
 @shared.repeats_option(3)

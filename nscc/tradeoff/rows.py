@@ -17,8 +17,8 @@ class Rows:
 
     `file` has a line for each, JSON, on the disk as soon as it is measured. Its first line is `of`,
     the digest of all that decides them: what was measured of anything else is dropped. One process
-    at a time has the file, to the end of a `with`. Raises Rejected: NS0825 where another process
-    has it, NS0784 where it cannot be written.
+    at a time has the file, to the end of a `with`; who interrupts it is told of the file. Raises
+    Rejected: NS0825 where another process has it, NS0784 where it cannot be written.
     """
 
     def __init__(self, file: Path | None = None, of: str = "") -> None:
@@ -68,11 +68,16 @@ class Rows:
         return self
 
     def __exit__(
-        self, _type: type[BaseException] | None, _value: BaseException | None,
+        self, _type: type[BaseException] | None, value: BaseException | None,
         _trace: TracebackType | None,
     ) -> None:  # fmt: skip
-        if self._lines is not None:
-            self._lines.close()
+        if self._lines is None:
+            return
+        self._lines.close()
+        if isinstance(value, KeyboardInterrupt) and self._known:
+            raise KeyboardInterrupt(
+                f"what was measured is kept in '{self._path}', and the same command goes on"
+            ) from value
 
 
 def _row(line: str) -> tuple[str, Any] | None:

@@ -96,6 +96,20 @@ def test_a_measurement_that_was_ended_goes_on(
     assert [latch.times_ms[0], edges.times_ms[0], latch.times_ms[1]] == before
 
 
+def test_who_interrupts_is_told_where_rows_are_kept(tmp_path: Path) -> None:
+    file = tmp_path / "rows"
+    told = r"kept in '.*rows', and the same command goes on"
+    rows = Rows(file, "x")
+    rows.once("a", lambda: 1)
+    with pytest.raises(KeyboardInterrupt, match=told), rows:
+        raise KeyboardInterrupt
+    assert json.loads(file.read_text().splitlines()[1]) == ["a", 1]
+    for nothing in (Rows(), Rows(tmp_path / "none", "x")):
+        with pytest.raises(KeyboardInterrupt) as found, nothing:
+            raise KeyboardInterrupt
+        assert found.value.args == ()
+
+
 def test_a_command_leaves_its_products_and_no_rows(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(TEXT)
     command = ["tradeoff", "synthesis", "p.nsl", "--levels", "0", "--repeats", "1", "-o", "out"]
