@@ -166,6 +166,18 @@ def test_the_command(folder: Path) -> None:
     assert not [*folder.glob("*.jsonl")]
 
 
+def test_slots_of_different_lengths_are_told_by_their_mean(folder: Path) -> None:
+    uneven = TEXT.replace("8 slots of 1ms", "slots [1ms, 2ms, 4ms, 8ms, 16ms, 32ms, 64ms, 128ms]")
+    (folder / "p.nsl").write_text(uneven)
+    command = ["tradeoff", "p.nsl", "--scene", "builtin:flat:20000", "--stages", "slots",
+               "--repeats", "1", "-O", "0"]  # fmt: skip
+    done = invoke(command, folder)
+    assert done.status == 0
+    assert "31875 us in the mean  " in done.out
+    (folder / "p.nsl").write_text(TEXT)
+    assert "in the mean" not in invoke(command, folder).out
+
+
 @pytest.mark.parametrize(
     ("more", "code"),
     [

@@ -109,7 +109,8 @@ def slots(bench: Bench) -> Found:
             timed = replace(own, slot_us=scaled(own, whole_us))
             slot_us = np.array(timed.slot_us).reshape(-1, join).sum(axis=1).tolist()
             made = _compiled(bench, with_slot_us(source, slot_us))
-            setting = f"{whole_us / count:.4g} us"
+            uneven = not np.allclose(slot_us, slot_us[0])
+            setting = f"{whole_us / count:.5g} us" + " in the mean" * uneven
             if isinstance(made, Diagnostic):
                 misfits.append(Misfit.of("slots", f"{count} x {setting}", made))
                 continue
