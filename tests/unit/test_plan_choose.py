@@ -178,6 +178,39 @@ def test_the_same_plan_every_time(mid: tuple[Container, Light, Sensor]) -> None:
     assert plan_for(Program.of(container, sensor), light, 2.0, device_seed=6) != first
 
 
+@pytest.mark.parametrize(
+    ("name", "effects", "tolerance"),
+    [
+        ("mid", "auto", 5.0),
+        ("mid", "auto,-leakage,+lag", 40.0),
+        ("saturated", "auto", 50.0),
+        ("saturated", "auto,-analog,-prnu", 50.0),
+        ("saturated", "auto", 3.0),
+    ],
+)
+def test_a_plan_for_the_same_scene_is_worth_what_it_was(
+    name: str, effects: str, tolerance: float
+) -> None:
+    """What was left out by choice is not taken for forced off."""
+    container = case("b edges", 8, rows=64, cols=64)
+    sensor, light = sensor_of(container), scene(name, 8, 64, 64)
+    program = Program.of(container, sensor)
+    plan = plan_for(program, light, tolerance, selected(effects), 5)
+    again = predicted_for(program, light, plan, 5)
+    assert any(e.decision == "dropped" and not e.forced for e in plan.decisions)
+    kept = {e.name: (e.decision, e.forced) for e in plan.decisions}
+    assert {e.name: (e.decision, e.forced) for e in again.decisions} == kept
+    # What planning takes is less where nothing is searched for.
+    bare = [
+        replace(p, cost=None, decisions=tuple(replace(e, reason="") for e in p.decisions))
+        for p in (plan, again)
+    ]
+    assert bare[0] == bare[1]
+    assert again.cost is not None
+    assert plan.cost is not None
+    assert again.cost.planning_ms <= plan.cost.planning_ms
+
+
 def test_a_plan_for_another_scene_says_what_it_is_worth_there() -> None:
     container = case("b edges", 8, rows=64, cols=64)
     sensor = sensor_of(container)

@@ -17,7 +17,7 @@ from nscc_runtime.effects import AfterExposure, Effect, Selection, everything, r
 from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.looking.sample import Difference, Sample
-from nscc_runtime.planner.choose import after_exposure
+from nscc_runtime.planner.choose import TAKEN, after_exposure
 from nscc_runtime.planner.costs import MARGIN
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planner.plan_parts import Choice, Cost, Decision
@@ -52,7 +52,7 @@ def predicted_for(
     """The same decisions for another scene: what they make wrong there, of the tolerances there."""
     on = {each.name for each in plan.decisions if each.decision == "kept"}
     chosen = Selection(always_on() | on, frozenset(optional()))
-    made = Chooser(sample, tolerance, tolerance_max, chosen).plan("taken from the plan given")
+    made = Chooser(sample, tolerance, tolerance_max, chosen).plan(TAKEN)
     forced = {each.name: each.forced for each in plan.decisions}
     decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
     return replace(made, decisions=decisions)

@@ -17,7 +17,6 @@ from nscc_runtime.effects import (
     registered,
     selected,
 )
-from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.planner.costs import MARGIN, Costs
@@ -32,6 +31,8 @@ from nscc_runtime.remembered import remembered
 _NOTHING = np.zeros(1)
 _ERRORS = 3.0
 """Standard errors of a sample that a bound allows for."""
+TAKEN = "taken from the plan given"
+"""The reason of decisions that were made for another scene."""
 
 
 def plan_for(
@@ -59,14 +60,17 @@ def predicted_for(
 ) -> Plan:
     """The same decisions for another scene: what they make wrong there. A tolerance that is a part
     of the scene is one of this scene."""
-    on = {each.name for each in plan.decisions if each.decision == "kept"}
-    wanted = Selection(always_on() | on, frozenset(optional()))
+    # What was left out by choice stays so: it is not forced off, as pixels that run through their
+    # words have it.
+    wanted = replace(plan.wanted, auto=True)
+    dropped = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
     asked = plan.asked, plan.asked_max
     chooser = Chooser(program, light, device_seed, threads, *asked, wanted)
-    lacking = frozenset(plan.saturating_lack)
-    made = chooser.made(chooser.forced_off, lacking, "taken from the plan given")
-    forced = {each.name: each.forced for each in plan.decisions}
-    decisions = tuple(replace(each, forced=forced[each.name]) for each in made.decisions)
+    made = chooser.made(dropped, frozenset(plan.saturating_lack), TAKEN)
+    decisions = tuple(
+        each if each.decision == "absent" or each.kind == "after" else replace(each, reason=TAKEN)
+        for each in made.decisions
+    )
     return replace(made, decisions=decisions)
 
 
