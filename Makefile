@@ -26,7 +26,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-pages test-slow bench docs linkcheck pictures vsix lint format types clean
+.PHONY: help demo test quick test-pages test-slow bench docs linkcheck pictures figures vsix lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -135,6 +135,11 @@ linkcheck: $(VENV)/.docs-installed $(VENV)/.compiled
 # Those that pages keep beside them, for who reads them as files.
 pictures: $(VENV)/.docs-installed $(VENV)/.compiled
 	PYTHONPATH=docs $(BIN)/python -m nscc_site
+
+# Measures what pages show, and prints it into them. Minutes, on a machine that does nothing else.
+PAGES ?= docs/emulator.md docs/tradeoff.md
+figures: $(VENV)/.test-installed $(VENV)/.compiled
+	$(BIN)/python docs/figures.py $(PAGES)
 
 # What it is made with comes from npm, and stays in $(OUT).
 vsix:

@@ -388,7 +388,7 @@ def test_what_a_plan_costs_adds_up_and_its_frames_take_at_most_those_of_all() ->
     assert plan.cost.total_ms <= 1.45 * plan.cost.all_ms
     assert plan.cost.all_ms == pytest.approx(everything.cost.total_ms)
     assert plan.cost.all_planning_ms == pytest.approx(everything.cost.planning_ms)
-    assert f"instead of {plan.cost.all_ms:.2f}; of the next frames " in table[-1]
+    assert f"instead of {plan.cost.all_ms:.2f}; next frames: saves " in table[-1]
     assert set(plan.saturating_lack) <= {e.name for e in plan.decisions if e.decision == "dropped"}
 
 

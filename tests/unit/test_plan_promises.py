@@ -231,9 +231,9 @@ def test_a_plan_of_before_opens_and_its_new_effects_are_simulated(tmp_path: Path
     (tmp_path / "p.json").write_text(json.dumps(values))
     again = read_plan(tmp_path / "p.json", "p", sensor)
     assert again.kept.on == plan.kept.on | {"black_sun"}
-    assert "; of the next frames" in str(plan)
+    assert "; next frames: " in str(plan)
     assert str(again).count("% of all") == 1
-    assert "; of the next frames" not in str(again)
+    assert "; next frames: " not in str(again)
     assert [each.name for each in again.decisions] == [each.name for each in plan.decisions]
 
 

@@ -44,6 +44,10 @@ class Approximation:
     error_e: float
 
 
+_LITTLE = 0.005
+"""A part that is nothing in whole percents."""
+
+
 @dataclass(frozen=True)
 class Cost:
     """What a frame takes, planning included: milliseconds of one core by the prices that plans are
@@ -69,14 +73,16 @@ class Cost:
     @property
     def said(self) -> str:
         """What it saves of all, in words."""
-        said = _saved(" of all", self.total_ms, self.all_ms)
+        said = _saved(self.total_ms, self.all_ms)
         if self.all_planning_ms is not None:
-            next_ms = self.total_ms - self.planning_ms
-            next_said = _saved("", next_ms, self.all_ms - self.all_planning_ms)
-            said += f"; of the next frames {next_said}"
-        return f"saves {said}, by shipped prices"
+            next_ms, all_ms = self.total_ms - self.planning_ms, self.all_ms - self.all_planning_ms
+            said += f"; next frames: {_saved(next_ms, all_ms)}"
+        return f"{said}, by shipped prices"
 
 
-def _saved(of: str, some_ms: float, all_ms: float) -> str:
-    saved = 1.0 - some_ms / all_ms if all_ms > 0 else 0.0
-    return f"{saved:.0%}{of}: {some_ms:.2f} ms of a core instead of {all_ms:.2f}"
+def _saved(some_ms: float, all_ms: float) -> str:
+    part = 1.0 - some_ms / all_ms if all_ms > 0 else 0.0
+    said = f"saves {abs(part):.0%} of all"
+    if part < -_LITTLE:
+        said = f"takes {-part:.0%} more than all"
+    return f"{said}: {some_ms:.2f} ms of a core instead of {all_ms:.2f}"

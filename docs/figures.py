@@ -1,0 +1,82 @@
+"""Figures that pages show, printed into them by the commands that find them.
+
+    make figures PAGES="docs/tradeoff.md docs/emulator.md"
+
+A page names the command in a comment before the fenced block that shows what it printed, and which
+of its lines these are: `from` the first that a pattern is found in, `until` the next that another
+is found in, of these `only` those with a third one:
+
+    <!-- printed by: nscc effects --cost | from ^effect | until ^$ | only ^(effect|shot) -->
+"""
+
+from __future__ import annotations
+
+import re
+import shlex
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+REPOSITORY = Path(__file__).resolve().parent.parent
+PRINTED = re.compile(r"^(<!-- printed by: ([^\n]+) -->\n+(`{3,})text\n)(.*?)^\3$", re.M | re.S)
+"""The comment with the beginning of its block, the command with its clauses, the fence, lines."""
+_CLAUSES = ("from", "until", "only")
+
+
+def filled(page: str, output_of: Callable[[str], str]) -> str:
+    """A page with what its commands print now. Raises ValueError for a clause that there is not,
+    and where no line is left: a command prints something else than it did."""
+
+    def fill(block: re.Match[str]) -> str:
+        begin, named, fence, _ = block.groups()
+        command, *clauses = named.split(" | ")
+        return begin + "".join(f"{line}\n" for line in chosen(output_of(command), clauses)) + fence
+
+    return PRINTED.sub(fill, page)
+
+
+def chosen(output: str, clauses: list[str]) -> list[str]:
+    """The lines of an output that a page shows."""
+    given = dict(clause.split(" ", 1) for clause in clauses)
+    if not given.keys() <= set(_CLAUSES):
+        raise ValueError(f"clauses are {', '.join(_CLAUSES)}, not {', '.join(given)}")
+    lines = output.splitlines()
+    if "from" in given:
+        found = [bool(re.search(given["from"], line)) for line in lines]
+        lines = lines[found.index(True) :] if any(found) else []
+    if "until" in given:
+        ends = (n for n, line in enumerate(lines) if n and re.search(given["until"], line))
+        lines = lines[: next(ends, len(lines))]
+    lines = [line.rstrip() for line in lines if re.search(given.get("only", ""), line)]
+    if not any(lines):
+        raise ValueError(f"nothing left by {clauses} of:\n{output}")
+    while not lines[-1]:
+        lines.pop()
+    return lines
+
+
+def printed(command: str) -> str:
+    """What a command of nscc, or a file of Python, prints in the repository. Raises RuntimeError
+    with all of it where it does not end with status 0."""
+    program, *arguments = shlex.split(command)
+    started = {"nscc": ["-m", "nscc_cli"], "python": []}[program]
+    ended = subprocess.run(
+        [sys.executable, *started, *arguments], cwd=REPOSITORY, stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT, text=True, check=False,
+    )  # fmt: skip
+    if ended.returncode != 0:
+        raise RuntimeError(f"{command}: status {ended.returncode}\n{ended.stdout}")
+    return ended.stdout
+
+
+def main(pages: list[str]) -> None:
+    """Fill pages, each as soon as its commands have ended."""
+    for name in pages:
+        page = REPOSITORY / name
+        page.write_text(filled(page.read_text(), printed))
+        print(f"printed into {name}")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1:])
