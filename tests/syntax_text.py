@@ -25,6 +25,24 @@ _LEVEL = {"or": 1, "xor": 2, "and": 3, "<<": 6, "+": 7, "-": 7, "*": 8, "/": 8, 
 _COMPARISONS = ("<", "<=", ">", ">=", "==", "!=")
 _NOT, _COMPARE, _SHIFT, _NEGATION, _ATOM = 4, 5, 6, 9, 10
 
+PIECES = (
+    "(", "[", "let ", "nsl 1 ", '"', '"\n', "#", "#\n", "# ", "\n", "a", "1", "1_", "1.", "- ",
+    "not ", "fram\n", "let 1 ", "let a = 1;\n", "let a = 1\n", "code code : ", "bucket open ",
+    "module x\n", "target a-b ", ";", "\u00e9", "\v", "pixels a = tile [[1,\n",
+)  # fmt: skip
+"""What a parser may have to read over and over, and in proportion to how much it is."""
+
+
+def over_and_over(piece: str, size: int) -> str:
+    """As many pieces as fit into so many bytes."""
+    return piece * (size // len(piece.encode()))
+
+
+def tile(cells: str, size: int) -> str:
+    """A program with a tile of so many bytes, its rows of 65 cells or so."""
+    row = "[" + cells * 64 + "1]"
+    return "nsl 1\npixels a = tile [" + ",\n".join([row] * max(1, size // len(row))) + "]"
+
 
 def read(text: str) -> tuple[t.File, tuple[Diagnostic, ...]]:
     """The tree and errors of a text."""
