@@ -10,15 +10,16 @@ from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.make import make_decoder  # noqa: E402
 
 
+@pytest.mark.parametrize("side", [32, pytest.param(64, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("slots", [1, 8, 13, 16])
 @pytest.mark.parametrize("name", ["unet2d", "unet3d", "unrolled"])
-def test_gradients_of_small_networks(name: str, slots: int) -> None:
+def test_gradients_of_small_networks(name: str, slots: int, side: int) -> None:
     torch.manual_seed(1)
     decoder = make_decoder(name, "small", Task("clip", slots, (4, 4)))
     for parameter in decoder.parameters():
         # Where a network begins by adding nothing, most of it has no gradient.
         torch.nn.init.normal_(parameter, std=0.05)
-    frame, shutters = torch.rand(2, 64, 64), (torch.rand(slots, 64, 64) < 0.5).float()
+    frame, shutters = torch.rand(2, side, side), (torch.rand(slots, side, side) < 0.5).float()
     found = []
     for enabled in (False, True):
         # What was freed before is not zero: uninitialised memory does not pass for a gradient.
