@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from marks import slow
 from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
@@ -309,8 +310,10 @@ PROGRAMS = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", PROGRAMS)
-@pytest.mark.parametrize("effects", ["none", "all"])
+@pytest.mark.parametrize(
+    ("name", "effects"),
+    [(name, "all") for name in PROGRAMS] + [slow(name, "none") for name in PROGRAMS],
+)
 def test_frames_of_every_program_are_reconstructed(name: str, effects: str, tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(f"nsl 1\n{PROGRAMS[name]}\n")
     scene = f"builtin:{'hdr' if name == 'stops' else 'motion'}"

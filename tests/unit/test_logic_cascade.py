@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from gates_oracle import asked_of, bits, book, words_if_right
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
+from marks import slow
 
 from nscc.logic import generate
 from nscc.logic.cascade import cascade
@@ -38,7 +39,7 @@ def test_random_books(machine, lowering, density):
     assert words_if_right(asked, MACHINES[machine], solution) >= len(asked.demands)
 
 
-@pytest.mark.parametrize(("shutters", "registers"), [(65, 9), (200, 11), (480, 12)])
+@pytest.mark.parametrize(("shutters", "registers"), [slow(65, 9), slow(200, 11), (480, 12)])
 def test_planes_are_changed_until_they_tell_all_shutters_apart(shutters, registers):
     """More shutters than predicates alone tell apart: sets of several words, one not full."""
     asked = asked_of(book(shutters, 12, 8))
@@ -107,8 +108,10 @@ def test_gives_up():
         cascade(asked_of(many), SCAMP5, Budget(10_000))
 
 
-@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
-@pytest.mark.parametrize("fan_in", [None, 4])
+@pytest.mark.parametrize(
+    ("lowering", "fan_in"),
+    [("accumulate", None), ("edges", 4), slow("accumulate", 4), slow("edges", None)],
+)
 def test_the_words_do_as_told(monkeypatch, lowering, fan_in):
     """Through the whole compiler: proved, and executed by an emulator of its own."""
     monkeypatch.setitem(generate.SEARCH_STEPS, 2, 100_000)

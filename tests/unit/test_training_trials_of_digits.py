@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from marks import slow
 from nscc_command import invoke
 from numpy.typing import NDArray
 from scipy.stats import norm
@@ -115,7 +116,7 @@ def check(found: NDArray[np.float64], wanted: NDArray[np.float64], seen: int) ->
 
 
 @pytest.mark.parametrize(
-    ("tile", "noise", "words"), [((1, 2), 0.4, 0.0), ((1, 2), 1.0, 0.5), ((1, 1), 0.1, 0.5)]
+    ("tile", "noise", "words"), [slow((1, 2), 0.4, 0.0), ((1, 2), 1.0, 0.5), slow((1, 1), 0.1, 0.5)]
 )
 def test_bits_follow_the_slope_of_the_mean_over_all_codes(
     tile: tuple[int, int], noise: float, words: float
@@ -140,7 +141,7 @@ def test_bits_follow_the_slope_of_the_mean_over_all_codes(
 
 @pytest.mark.parametrize(
     ("tile", "rows", "noise", "words"),
-    [((1, 2), 3, 0.5, 0.0), ((1, 1), 3, 0.7, 0.4), ((1, 2), 2, 1.0, 0.4)],
+    [slow((1, 2), 3, 0.5, 0.0), ((1, 1), 3, 0.7, 0.4), slow((1, 2), 2, 1.0, 0.4)],
 )
 def test_codebooks_follow_the_slope_of_the_mean_over_all_codes(
     tile: tuple[int, int], rows: int, noise: float, words: float
