@@ -71,7 +71,8 @@ def printed(command: str) -> str:
 
 
 def main(pages: list[str]) -> None:
-    """Fill pages, each as soon as its commands have ended."""
+    """Fill pages, each when its commands have ended; what these write is in `build`."""
+    (REPOSITORY / "build").mkdir(exist_ok=True)
     for name in pages:
         page = REPOSITORY / name
         page.write_text(filled(page.read_text(), printed))
