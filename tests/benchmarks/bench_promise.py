@@ -20,6 +20,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+import warnings
 from collections.abc import Iterable
 from pathlib import Path
 
@@ -93,6 +94,7 @@ def main() -> int:
     parser.add_argument("--kept-back", type=int, metavar="N", help="plans that no test has seen")
     parser.add_argument("--first-seed", type=int, default=10_000, help="of plans kept back")
     chosen = parser.parse_args()
+    warnings.simplefilter("ignore")  # scenes are bright, and effects forced off, on purpose
     if chosen.kept_back:
         return kept_back(chosen.kept_back, chosen.first_seed)
     print(f"{'':<16}{'runs':>6}{'broken':>8}{'judged':>8}{'foreseen':>10}{'needless':>10}")
