@@ -8,6 +8,7 @@ from typing import Any
 from hypothesis import strategies as st
 
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.render import render
 from nscc.source import Source, Span
 from nscc.syntax import tree as t
 from nscc.syntax.parse import parse
@@ -47,6 +48,13 @@ def tile(cells: str, size: int) -> str:
 def read(text: str) -> tuple[t.File, tuple[Diagnostic, ...]]:
     """The tree and errors of a text."""
     return parse(Source("test.nsl", text))
+
+
+def check(text: str) -> None:
+    """All that is said of a text, in two forms."""
+    _, errors = read(text)
+    render(errors, "human")
+    render(errors, "json")
 
 
 def codes(text: str) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from marks import slow
 
 torch = pytest.importorskip("torch")
 
@@ -10,7 +11,7 @@ from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.make import make_decoder  # noqa: E402
 
 
-@pytest.mark.parametrize("side", [32, pytest.param(64, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("side", [32, slow(64)])
 @pytest.mark.parametrize("slots", [1, 8, 13, 16])
 @pytest.mark.parametrize("name", ["unet2d", "unet3d", "unrolled"])
 def test_gradients_of_small_networks(name: str, slots: int, side: int) -> None:

@@ -18,7 +18,7 @@ from nscc_runtime.effects.parts import Fading, Moving
 from nscc_runtime.effects.registry import always_on, optional
 from nscc_runtime.looking.sample import Difference, Sample
 from nscc_runtime.planner.choose import TAKEN, after_exposure
-from nscc_runtime.planner.costs import MARGIN
+from nscc_runtime.planner.costs import BOUND_ERRORS, MARGIN
 from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
 from nscc_runtime.planner.plan_parts import Choice, Cost, Decision
 from nscc_runtime.planner.prices import SHIPPED
@@ -29,8 +29,6 @@ _LEFT_OUT = 0.5
 of them."""
 _KEPT = 0.7
 """The same of plans that serve another scene."""
-_ERRORS = 3.0
-"""Standard errors of a sample that a bound allows for."""
 _REFERENCE_NS = 1000.0
 """What a pixel costs more in the reference."""
 LOOKS = "pixels look at the light: each runs through the words that act in it"
@@ -150,7 +148,7 @@ class Chooser:
         plan = Plan(
             tolerance_e=self.tolerance_e,
             predicted_e=now.error_e,
-            bound_e=math.sqrt(max(most, now.error_e) ** 2 + _ERRORS * float(now.unsure.max())),
+            bound_e=math.sqrt(max(most, now.error_e) ** 2 + BOUND_ERRORS * float(now.unsure.max())),
             slot_loop="all",
             slot_loop_reasons=(LOOKS,),
             sampled_fraction=self.sample.fraction,

@@ -19,7 +19,7 @@ from nscc_runtime.effects import (
 )
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.planner.costs import MARGIN, Costs
+from nscc_runtime.planner.costs import BOUND_ERRORS, MARGIN, Costs
 from nscc_runtime.planner.plan import Loop, Plan
 from nscc_runtime.planner.plan_parts import Approximation, Choice, Decision
 from nscc_runtime.planner.predict import WORDS
@@ -29,8 +29,6 @@ from nscc_runtime.planner.worst import Worst
 from nscc_runtime.remembered import remembered
 
 _NOTHING = np.zeros(1)
-_ERRORS = 3.0
-"""Standard errors of a sample that a bound allows for."""
 TAKEN = "taken from the plan given"
 """The reason of decisions that were made for another scene."""
 
@@ -188,11 +186,11 @@ class Chooser(Costs):
         path = self.path(dropped)
         square = self.squares(dropped, path != "sums")
         error = self.sampling_error(dropped, path != "sums")
-        most = self.most(dropped, path != "sums") + _ERRORS * error
+        most = self.most(dropped, path != "sums") + BOUND_ERRORS * error
         added = unsure = _NOTHING
         if lacking:
             near = self.lacking(self.state(dropped))
-            added, unsure = near.square(dropped, lacking), _ERRORS * near.square_error(lacking)
+            added, unsure = near.square(dropped, lacking), BOUND_ERRORS * near.square_error(lacking)
         worst = self._worst(dropped, lacking)
         taken = self.short_cuts(dropped) if path == "sums" else ()
         cuts = [Approximation(name, math.sqrt(float(np.max(part)))) for name, part in taken]

@@ -21,6 +21,8 @@ from nscc_runtime.remembered import remembered
 
 MARGIN = 0.9
 """Effects are left out while the prediction stays below this part of the tolerance."""
+BOUND_ERRORS = 3.0
+"""Standard errors of a sample that a bound allows for."""
 _SHORT_CUTS = 0.6
 """Short cuts may take this part of the tolerance; beyond it, all pixels run through their words."""
 

@@ -158,13 +158,11 @@ class SampledFields:
         for _, part in scene.all.errors():
             noise_cut += scene.errors_cut(part.at, part.sigma_e(self.program.sensor))
         thinning, neighbours = scene.left_out()
-        fixed = {name: each.fixed for name, each in found.items() if each.fixed is not None}
-        variance = {n: each.variance for n, each in found.items() if each.variance is not None}
         return Fields(
             self.sample,
             expected,
-            fixed,
-            variance,
+            {name: each.fixed for name, each in found.items() if each.fixed is not None},
+            {name: each.variance for name, each in found.items() if each.variance is not None},
             {name: each.noise for name, each in found.items() if each.noise is not None},
             {name: each.shift for name, each in found.items() if each.shift is not None},
             thinning,
