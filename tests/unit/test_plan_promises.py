@@ -265,6 +265,34 @@ def test_what_a_full_well_takes_in_other_frames_is_in_the_worst_pixel() -> None:
     assert [each.said for each in promises(320136) if each.found.broken] == []
 
 
+@pytest.mark.parametrize("name", ["a", "c edges", "c accumulate", "two buckets"])
+def test_what_noise_alone_takes_over_a_full_well_is_told(name: str) -> None:
+    """A pattern of response brings some pixels to within a few sigma of the well: one in a hundred
+    frames shows what the plan's own does not."""
+    container, sensor = made(name, register_max_e=1e6, register_min_e=-1e6)
+    program = Program.of(container, sensor)
+    first, stop = program.tables.held_slots
+    light = flat(0.97 * sensor.full_well_e * SLOTS / (stop - first).max())
+    chooser = Chooser(program, light, 5, 1, DEFAULT, None, selected("auto"))
+    fields, count = chooser.fields, 100
+    full, free = (
+        full_frames(container, light, sensor, count, 3, 5, effects=effects)
+        for effects in ("all", "all,-full_well")
+    )
+    lost = np.abs(full - free)
+    square = fields.fixed["full_well"] ** 2 + fields.variance["full_well"]
+    told = np.sqrt(fields.sample.mean(square))
+    worst = np.quantile(lost.reshape(count, -1).max(axis=1), 0.99)
+    assert worst > 50.0
+    assert told.max() == pytest.approx(np.sqrt((lost**2).mean(axis=(0, 2, 3))).max(), rel=0.35)
+    assert 0.9 < chooser.worst(chooser.saturation, False).max_e / worst < 2.0
+
+
+def test_a_pixel_that_is_full_in_no_frame_of_the_plan_breaks_no_limit() -> None:
+    """Three of a hundred pixels that come near the well are full in any of six frames."""
+    assert [each.said for each in promises(350136) if each.found.broken] == []
+
+
 @pytest.mark.parametrize("off", ["leakage", "leakage,-analog"])
 @pytest.mark.parametrize("name", ["b latch", "two buckets"])
 def test_errors_that_cancelled_by_leakage_alone_are_in_what_forcing_it_off_does(

@@ -205,3 +205,21 @@ def test_a_program_made_ready_knows_its_groups() -> None:
     other = Program.of(container, short)
     assert other.words(selected("all")) is other.pixels
     assert other.words(selected("all,-decay")) is other.fresh_pixels
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_pix_holds_the_slots_beyond_which_the_reference_is_full(name: str) -> None:
+    """Of even light a pixel loses something where the well is less than what PIX holds at most."""
+    container, slot_e = case(name, rows=ROWS, cols=COLS), 1000.0
+    light = Light.of_clip(np.full((container.slots, ROWS, COLS), slot_e, np.float32))
+    made = Program.of(container, sensor_of(container, **QUIET))
+    first, stop = made.tables.held_slots
+    assert ((first >= 0) & (first <= stop) & (stop <= container.slots)).all()
+    most = (stop - first).max(axis=0)[made.lanes].reshape(ROWS, COLS)
+    for slots in range(container.slots + 1):
+        sensor = sensor_of(container, full_well_e=(slots + 0.5) * slot_e, **QUIET)
+        full, free = (
+            expose(container, light, sensor, selected(effects)).exposure_e
+            for effects in ("full_well", "none")
+        )
+        np.testing.assert_array_equal((full != free).any(axis=0), most > slots)

@@ -22,11 +22,12 @@ from nscc_runtime.effects import (
     Selection,
     registered,
 )
-from nscc_runtime.effects.parts import Counted, Errors, Exchange, Soft, Well, WordGain
+from nscc_runtime.effects.parts import Counted, Exchange, Soft, Well
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
+from nscc_runtime.planner.rarely import beyond_registers, beyond_well
 from nscc_runtime.planner.reweighed import Reweighed
 from nscc_runtime.planner.sample import Sample, among
 from nscc_runtime.planner.sampled import SampledScene
@@ -45,7 +46,6 @@ _SURELY = 1.5
 TRIED = 4
 """Runs of a sample through its words that show what saturation loses."""
 _CLIPPED_E = 1.0
-_SIGMAS = 8
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +77,8 @@ class Fields:
     unfilled: Values
     spilt: NDArray[np.bool_]
     """Which pixels of the sample neighbours' light brings near saturation."""
+    rarely_e: Mapping[str, float]
+    """By effect, what noise alone takes of one pixel in one frame of some."""
 
     @cached_property
     def noise_left(self) -> dict[str, Values]:
@@ -172,6 +174,7 @@ class SampledFields:
             {},
             np.ones(expected.shape),
             among(self.sample.places, self.spilt, len(self.program.lanes)),
+            {},
         )
 
 
@@ -240,9 +243,9 @@ class _Near:
 
     @cached_property
     def without_noise(self) -> Held:
-        """Of the mean light."""
-        noise = self._every.names(Counted) | self._every.names(Errors)
-        return self._by_selection(self._every.without(*noise))
+        """Of the mean light. Words keep their errors, whose noise is no effect of its own: it goes
+        with what words do to charge."""
+        return self._by_selection(self._every.without(*self._every.names(Counted)))
 
     def surely_kept(self, tolerance_e: float) -> bool:
         """Whether what saturates has to be kept whatever noise does. The well alone is never left
@@ -268,9 +271,17 @@ class _Near:
             fixed[name] = blank.copy()
             fixed[name][:, near] = held[()] - held[without]
         # What noise alone takes there: which way is not known, and it must not make up for others.
-        rare, told = self._rarely_lost(held[(register,)]), np.abs(fixed[register][:, near])
-        variance = {**fields.variance, register: blank.copy()}
-        variance[register][:, near] = np.where(told < rare, rare**2, 0.0)
+        told = {name: fixed[name][:, near] ** 2 for name in (well, register)}
+        # Behind registers that are out of their range nothing is seen of a well.
+        linear = np.asarray((told[register] <= _CLIPPED_E**2).all(axis=0))
+        rarely = {
+            well: beyond_well(self.scene, near, linear).but_for(told[well]),
+            register: beyond_registers(self.scene, near, held[(register,)]),
+        }
+        variance = {**fields.variance, well: blank.copy(), register: blank.copy()}
+        variance[well][:, near] = rarely[well].square_e2
+        rare_e2 = rarely[register].square_e2
+        variance[register][:, near] = np.where(told[register] < rare_e2, rare_e2, 0.0)
         expected = fields.expected.copy()
         expected[:, near] = held[()]
         clipped = np.zeros(expected.shape, np.bool_)
@@ -291,6 +302,7 @@ class _Near:
         return replace(
             fields, expected=expected, fixed=fixed, variance=variance, clipped=clipped,
             after=after, unfilled=unfilled,
+            rarely_e={name: each.most_e for name, each in rarely.items()},
         )  # fmt: skip
 
     def forced(self, fields: Fields) -> Fields:
@@ -301,37 +313,6 @@ class _Near:
         every, without = (self._running(each).expose(0, 0)[0] for each in kept)
         lost[:, near] = every - without
         return replace(fields, fixed={**fields.fixed, FORCED: lost})
-
-    def _rarely_lost(self, expected: Values) -> Values:
-        """The RMS of what registers lose of exposures (buckets, pixels) that noise takes beyond
-        their linear range: a few pixels in a frame, which no sample shows.
-        """
-        scene, reach, soft = self.scene, self.scene.program.reach, self.scene.all.the(Soft)
-        near = scene.sample.near
-        lanes = scene.lanes[near]
-        # What a register held at most of light, before words and leakage took their part of it, and
-        # the errors of these pixels' own words.
-        gain = scene.by_lane.most[:, lanes]
-        held = np.abs(expected - scene.pattern[:, near]) / np.where(gain > 0, gain, 1.0)
-        error_e = np.abs(scene.on_device(scene.all.the(WordGain).error_e)[near])
-        size = held + reach.offset_e[lanes] * (error_e / max(reach.word_e, 1e-300))
-        sigma = np.sqrt(reach.sigma_e[lanes] ** 2 + np.abs(expected))
-        found = np.zeros(size.shape)
-        far = soft.lost_e(scene.sensor, size + _SIGMAS * sigma) > 0
-        if not far.any():
-            return found
-        z = np.linspace(-_SIGMAS, _SIGMAS, 16 * _SIGMAS + 1)
-        density = np.exp(-z * z / 2)
-        held = np.multiply.outer(z, sigma[far])
-        held += size[far]
-        square = soft.lost_e(scene.sensor, held)
-        square *= square
-        # Of many pixels the one that goes farthest may carry all of it.
-        count = max(2.0, scene.sample.weight[scene.sample.near].sum())
-        farthest = np.argmin(np.abs(z - (math.sqrt(2 * math.log(count)) + 1.0)))
-        mean = density @ square / density.sum()
-        found[far] = np.sqrt(np.maximum(mean, square[farthest] / count))
-        return found
 
     def _running(self, kept: Selection, some: NDArray[np.bool_] | None = None) -> Running:
         """The sample's pixels that may saturate, or some of them, to be run through their words:

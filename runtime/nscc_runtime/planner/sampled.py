@@ -247,6 +247,22 @@ class SampledScene:
     def dark_2_s(self) -> Values:
         return np.asarray(self.by_lane.seconds[self.by_lane.squared_row][:, self.lanes])
 
+    def held(self, some: NDArray[np.bool_]) -> Values:
+        """The charge (kinds, pixels) that PIX of some pixels holds, nothing saturated, when it is
+        read last before each reset."""
+        lit = self._frames.lit[:, :, some]
+        count, _, pixels = lit.shape
+        own, flow = (
+            self.moving.on_slots(lit.reshape(count, -1)).reshape(-1, 2, pixels).swapaxes(0, 1)
+        )
+        seen = self._own_part[some] * self.response[some] * own + self.exchanged * flow
+        upto = np.zeros((len(own) + 1, pixels))
+        slot_s = self.program.slot_s[:, None]
+        np.cumsum(seen * self.echo + slot_s * (self.dark + self.spilt)[some], axis=0, out=upto[1:])
+        first, stop = (each[:, self.lanes[some]] for each in self.program.tables.held_slots)
+        each = np.arange(pixels)
+        return np.asarray(upto[stop, each] - upto[first, each])
+
     def counted(self, moved: bool = False) -> Values:
         return self._moved if moved else self._counted
 

@@ -8,6 +8,7 @@ gain of the words, on leakage, dead time and decay.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -126,6 +127,32 @@ class Tables:
                 live = live | word.lanes
         found[:later] = live
         return found
+
+    @cached_property
+    def held_slots(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """The first of the slots whose charge PIX holds when it is read, and the one after the
+        last of them, (kinds, lanes) each: one kind for the last read before each reset, no slots
+        where a lane has fewer."""
+        words, slots = self.decayed, self.container.slots
+        shape = sum(word.resets for word in words) + 1, len(self.container.encoding)
+        first, stop = np.zeros(shape, np.int64), np.zeros(shape, np.int64)
+        reset_at, read_at, count = (np.zeros(shape[1], np.int64) for _ in range(3))
+
+        def end(here: NDArray[np.bool_], boundary: int) -> None:
+            """PIX is reset in these lanes, or the frame ends."""
+            held = np.flatnonzero(here & (read_at > reset_at))
+            first[count[held], held], stop[count[held], held] = reset_at[held], read_at[held]
+            count[held] += 1
+            reset_at[here] = boundary
+
+        for word in words:
+            if word.resets:
+                end(word.lanes, word.boundary)
+            elif "PIX" in word.op.sources:
+                read_at[word.lanes] = word.boundary
+        end(np.ones(shape[1], np.bool_), slots)
+        most = max(1, int(count.max(initial=0)))
+        return first[:most].copy(), stop[:most].copy()
 
     @remembered
     def least_read(self, full: Model) -> Weights:

@@ -19,7 +19,7 @@ Values = NDArray[np.float64]
 
 ONE_IN = 1000
 """One pixel in so many is beyond the error that is called that of 99.9 %."""
-_FRAMES = 100
+FRAMES = 100
 """The largest error is the one that a pixel of one frame in so many passes."""
 _COMMONER = 10
 """Beside the error that one pixel in a thousand passes, that of so many more shows how errors go on
@@ -64,7 +64,7 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
         return Worst(0.0, 0.0)
     part = weight / weight.sum()
     sigma = np.sqrt(np.maximum(variance, 1e-12))
-    common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(mean)))
+    common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(mean)))
     found = [Worst(0.0, 0.0)]
     for size, spread in zip(np.abs(mean), sigma, strict=True):
         sides = _Sides(np.append(size, -size), np.append(spread, spread), np.append(part, part))
@@ -86,7 +86,7 @@ def worst_measured(errors: Values, part: float, pixels: int) -> Worst:
     follows: what pixels lack that may saturate is much for a few, so a normal tail is too short.
     """
     sizes = np.abs(errors)
-    rare = min(1.0 / ONE_IN, 1.0 / (_FRAMES * pixels * len(sizes)))
+    rare = min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(sizes)))
     p999_e = max(_exceeded_by(1.0 / ONE_IN / part, each) for each in sizes)
     max_e = max(_exceeded_by(rare / part, each) for each in sizes)
     return Worst(p999_e, max(max_e, float(sizes.max())))
