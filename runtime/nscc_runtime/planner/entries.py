@@ -41,17 +41,36 @@ def entries_of(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
     return np.array(rows, _ENTRY), np.array(operands, np.int64)
 
 
-def flags_of(
-    entries: NDArray[Any], acts: NDArray[np.bool_], start: NDArray[np.int64]
-) -> NDArray[np.uint8]:
-    """`ACTS` and `SEEN` of the words of lanes, those of lane l from start[l] to start[l + 1] - 1:
-    whether each acts, and whether what falls on PIX before it is read, by it or later, before PIX
-    is reset."""
-    count, resets = len(entries), entries["resets"].astype(bool)
-    turns = acts & (resets | entries["reads_pix"].astype(bool))
-    # The next word that reads or resets PIX; none of another lane.
-    here = np.where(turns, np.arange(count), count)
-    next_turn = np.minimum.accumulate(here[::-1])[::-1]
-    within = next_turn < np.repeat(start[1:], np.diff(start))
-    seen = within & ~resets[np.minimum(next_turn, count - 1)]
-    return np.asarray(ACTS * acts + SEEN * seen, np.uint8)
+class Turns:
+    """The words of lanes, those of lane l from start[l] to start[l + 1] - 1, and which of them read
+    or reset PIX: its turns."""
+
+    def __init__(
+        self, entries: NDArray[Any], acts: NDArray[np.bool_], start: NDArray[np.int64]
+    ) -> None:
+        self._acts, self._count = acts, len(entries)
+        self._resets = acts & entries["resets"].astype(bool)
+        self._turns = self._resets | acts & entries["reads_pix"].astype(bool)
+        self._end = np.repeat(start[1:], np.diff(start))
+
+    @property
+    def unread(self) -> NDArray[np.bool_]:
+        """Resets after which PIX is reset again before it is read: nothing hangs on them."""
+        return np.asarray(self._resets & self._then(self._resets, 1))
+
+    @property
+    def flags(self) -> NDArray[np.uint8]:
+        """`ACTS` and `SEEN` of each word: whether it acts, and whether what falls on PIX before it
+        is read, by it or later, before PIX is reset."""
+        seen = self._then(self._turns & ~self._resets, 0)
+        return np.asarray(ACTS * self._acts + SEEN * seen, np.uint8)
+
+    def _then(self, kind: NDArray[np.bool_], after: int) -> NDArray[np.bool_]:
+        """Whether the next turn, so many words after each or later, is of a kind; one of another
+        lane is none."""
+        if not self._count:
+            return np.zeros(0, np.bool_)
+        here = np.where(self._turns, np.arange(self._count), self._count)
+        coming = np.minimum.accumulate(here[::-1])[::-1]
+        coming = np.append(coming, np.full(after, self._count))[after:]
+        return np.asarray((coming < self._end) & kind[np.minimum(coming, self._count - 1)])

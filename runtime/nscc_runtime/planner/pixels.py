@@ -31,7 +31,7 @@ from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP
 from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
-from nscc_runtime.planner.entries import entries_of, flags_of
+from nscc_runtime.planner.entries import Turns, entries_of
 from nscc_runtime.planner.error_loop import ERRORS
 from nscc_runtime.planner.layout import Keys, Numbers, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
@@ -79,22 +79,25 @@ class Pixels:
         numbered = most_destinations(container.target)
         most = max((len(word.op.destinations) for word in program.words), default=0)
         draws = np.zeros((len(program.words), 1 + most, lanes, buckets))
-        for at, drawn in program.draws.items():
-            for number, weight in drawn.items():
+        for at, numbered_draws in program.draws.items():
+            for number, weight in numbered_draws.items():
                 if at == "words":
                     draws[number // numbered, 1 + number % numbered] = weight
                 else:
                     draws[number, 0] = weight
-        needed = acts | draws.any(axis=(1, 3))
-        lane, word = np.nonzero(needed.T)
+        drawn = np.asarray(draws.any(axis=(1, 3)))
+        lane, word = np.nonzero((acts | drawn).T)
         entries, operands = entries_of(program)
-        entry_start = np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
+        turns = Turns(entries[word], acts[word, lane], _starts(lane, lanes))
+        needed = ~turns.unread | drawn[word, lane]
+        lane, word = lane[needed], word[needed]
+        entry_start = _starts(lane, lanes)
         ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
         return cls(
             program,
             entry_start,
             np.append(word, 0).astype(np.int32),  # the loop looks at one more
-            flags_of(entries[word], acts[word, lane], entry_start),
+            Turns(entries[word], acts[word, lane], entry_start).flags,
             entries,
             operands,
             np.ascontiguousarray(draws[word, :, lane]),
@@ -371,6 +374,11 @@ class Running:
     @cached_property
     def _kept(self) -> Sites:
         return self.wired.laid_out(self._source, self._places, self.threads)
+
+
+def _starts(lane: NDArray[np.int64], lanes: int) -> NDArray[np.int64]:
+    """Where the words of each lane begin, and the last one's end, in a list of their lanes."""
+    return np.searchsorted(lane, np.arange(lanes + 1)).astype(np.int64)
 
 
 @lru_cache(_MOST_KEYS)
