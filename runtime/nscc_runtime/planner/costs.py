@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from nscc_runtime.effects import CannotHave, Effect, Selection, registered
-from nscc_runtime.effects.parts import Counted, Errors, Exchange
+from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.planner.effect_fields import TRIED
 from nscc_runtime.planner.lacking import Lacking
 from nscc_runtime.planner.plan_parts import Cost
@@ -139,7 +139,7 @@ class Costs(Promises):
         """Nanoseconds of running a sample of pixels near saturation through their words."""
         work, every = self.program.work, self.every
         alone = every.without(*every.names(Exchange))
-        quiet = alone.without(*every.names(Counted), *every.names(Errors))
+        quiet = alone.without(*every.names(Counted))
         tried = len(self.near) and np.count_nonzero(self.fields.sample.near)
         tries = [quiet, alone] if self.sampled.noisy(self.tolerance_e) else [quiet]
         return sum(float(tried) * TRIED * work.words_ns(each, SHIPPED, "nothing") for each in tries)
