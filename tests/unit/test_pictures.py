@@ -246,6 +246,17 @@ def test_nothing_to_draw(draw: Callable[[], Figure]) -> None:
         sheet.png_of(draw)
 
 
+def test_long_titles_do_not_widen_the_picture() -> None:
+    with sheet.style():
+        figure, [axes] = sheet.panels(1, (sheet.WIDTH, 3.0), 1)
+        axes.plot([1, 2], [3, 4])
+        sheet.head(figure, f"x.nsl on {'/a_folder' * 20}/scene.hdr: errors", "what was measured")
+        figure.draw_without_rendering()
+        assert figure.get_tightbbox().width < 1.05 * sheet.WIDTH
+        text = "".join(text.get_text() for text in figure.texts)
+        assert text.replace("\n", "").count("/a_folder") == 20
+
+
 def test_each_line_has_its_name_beside_it_and_each_lone_mark_its_text() -> None:
     with sheet.style():
         figure = diagram(3, 2, 1)()

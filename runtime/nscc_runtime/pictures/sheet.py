@@ -153,12 +153,12 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
             bottom += (box.height / DPI + 0.1) / height
             break
         legend.remove()
-    # A letter is about half as wide as its size.
-    note = textwrap.fill(note, max(40, int(width * 72 / (0.56 * SIZE))))
-    parts = ((note, SIZE, "normal", look().faint), (title, 14, "bold", look().ink))
-    for text, size, weight, colour in parts:
+    # A letter's width, of its size.
+    parts = ((note, SIZE, "normal", 0.56, look().faint), (title, 14, "bold", 0.64, look().ink))
+    for text, size, weight, letter, colour in parts:
         if text:
-            written = figure.text(left, bottom, text, size=size, weight=weight, color=colour)
+            lines = textwrap.fill(text, max(40, int(width * 72 / (letter * size))))
+            written = figure.text(left, bottom, lines, size=size, weight=weight, color=colour)
             written.set_verticalalignment("bottom")
             bottom += (written.get_window_extent().height / DPI + 0.07) / height
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from nscc.tradeoff.points import Point, dominated
@@ -68,7 +69,7 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     handles.append(Line2D([], [], color=look().ink, linestyle="", marker="o", markersize=10,
                           fillstyle="none", label="advised"))  # fmt: skip
     sheet.head(
-        figure, f"{joint.program} on {joint.scene}: what each stage's time buys",
+        figure, f"{joint.program} on {Path(joint.scene).name}: what each stage's time buys",
         "compile, lowering, slots: the chip's frame against the light that fell; effects: against "
         "the reference; decoder: against the scene's light (hollow: dominated within its stage; "
         f"pointing down: no error); {times} on {device}", handles,
