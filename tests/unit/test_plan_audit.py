@@ -68,6 +68,27 @@ def test_a_kept_promise_holds_and_the_slack_is_a_tenth(
         assert audited(mid, asked).holds is holds
 
 
+def test_what_a_plan_says_of_its_worst_pixels_is_checked(
+    mid: tuple[Container, Light, Sensor],
+) -> None:
+    container, light, sensor = mid
+    plan = plan_for(Program.of(container, sensor), light, 5.0, device_seed=5)
+    found = audited(mid, plan)
+    assert found.holds
+    said = {"predicted_p999_e": found.measured_p999_e, "predicted_max_e": found.measured_max_e}
+    assert min(said.values()) > plan.tolerance_e
+    for name, measured_e in said.items():
+        for part, holds in ((1.9, True), (2.1, False)):
+            other = replace(plan, **{name: measured_e / part})
+            assert audited(mid, other).holds is holds
+        less = replace(plan, **{name: 0.0}, tolerance_e=1.01 * measured_e)
+        assert found.breach(less) is None, "within the tolerance nothing is off"
+    said = found.breach(replace(plan, predicted_max_e=1.0))
+    assert said is not None
+    assert "the worst pixel" in said
+    assert "said 1 e" in said
+
+
 def test_the_reference_beside_itself_is_no_error(mid: tuple[Container, Light, Sensor]) -> None:
     container, _, sensor = mid
     light = Light.of_clip(mid[1].frames[:, :8, :8])

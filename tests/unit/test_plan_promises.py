@@ -288,9 +288,11 @@ def test_what_noise_alone_takes_over_a_full_well_is_told(name: str) -> None:
     assert 0.9 < chooser.worst(chooser.saturation, False).max_e / worst < 2.0
 
 
-def test_a_pixel_that_is_full_in_no_frame_of_the_plan_breaks_no_limit() -> None:
-    """Three of a hundred pixels that come near the well are full in any of six frames."""
-    assert [each.said for each in promises(350136) if each.found.broken] == []
+@pytest.mark.parametrize("seed", [350136, 350052, 380117])
+def test_what_is_rare_is_said_though_no_frame_or_sample_of_the_plan_has_it(seed: int) -> None:
+    """Of pixels that come near a well 3 % are full in six frames; of 2304 that may saturate 2 would
+    not without what registers lose; of those that fill their registers 0.2 % are below that."""
+    assert [each.said for each in promises(seed) if each.found.broken] == []
 
 
 @pytest.mark.parametrize("off", ["leakage", "leakage,-analog"])

@@ -23,7 +23,7 @@ from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.prices import SHIPPED, Beside
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample, among, brightest, weighed
-from nscc_runtime.planner.worst import Worst, largest, worst_measured
+from nscc_runtime.planner.worst import Worst, largest, worst_measured, worst_of
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
@@ -32,6 +32,8 @@ _FEWEST, _MOST = 48, 512
 """Pixels on which it is measured, beside those for sure."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
+_CHANGED_E, _TOLD = 1e-3, 10
+"""Of so many measured pixels that change the tail of all is told."""
 _PART = 8
 """Of this many pixels near saturation one is measured."""
 _APART_NS = 1e6
@@ -159,7 +161,16 @@ class Lacking:
         if error.shape[1] > sure:
             part = (len(self.near) - sure) / pixels
             tails.append(worst_measured(error[:, sure:], part, pixels))
+        if np.count_nonzero(sizes > _CHANGED_E) < _TOLD:
+            tails.append(self._uncut(lacking))
         return replace(found, max_e=max(each.max_e for each in (found, *tails)))
+
+    def _uncut(self, lacking: frozenset[str]) -> Worst:
+        """What they would lack if nothing cut it off: noise may have it so in a frame that was not
+        measured."""
+        guessed = guesses(self.fields, self.running, lacking, cut_off=False)
+        errors = guessed.errors(lacking, lacking)
+        return worst_of(*errors, self.fields.sample.weight, len(self.program.lanes))
 
     def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
@@ -258,15 +269,17 @@ def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
     return lacking - everything().names(Exchange)
 
 
-def guesses(fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str]) -> Account:
+def guesses(
+    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str], cut_off: bool = True
+) -> Account:
     """What pixels of a sample lack that run through their words without some effects, or any of
-    them; nothing where saturation cuts it off."""
+    them; with `cut_off` nothing where saturation cuts it off."""
     fixed: dict[str, Values] = {}
     random: dict[str, Values] = {}
     # Absent where nothing saturates.
-    cut = np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E
+    cut = cut_off & (np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E)
     for name in sorted(lacking):
-        behind = fields.after.get(name)
+        behind = fields.after.get(name) if cut_off else None
         runs = running if name in by_spilt(lacking) else running & ~fields.spilt
         if name in fields.fixed:
             kept = np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])

@@ -30,6 +30,9 @@ _SLACK = 1.0 - 1e-5
 """Light that is added up to float32 is compared with a little less than the limit."""
 _SPILT = 0.02
 """Of a full well: a pixel that gets so much more of its neighbours than it gives is told apart."""
+_FEW = 1 / 64
+"""Of the pixels that may saturate under all effects: where no more would not under those of a
+plan, these run as well."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,22 +139,42 @@ class Near:
     @property
     def places(self) -> Places:
         """Where they are, in order."""
-        return self.charges.places[self._reach(self.charges.most)]
+        return self.charges.places[self._reach(self.charges.most, self._limits)]
 
     @property
     def spilt(self) -> Places:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
-        alone = self._reach(self.charges.own)
+        alone = self._reach(self.charges.own, self._limits)
         alone &= self.charges.gained_e <= _SPILT * self.chip.full_e
-        return self.charges.places[self._reach(self.charges.most) & ~alone]
+        return self.charges.places[self._reach(self.charges.most, self._limits) & ~alone]
+
+    @cached_property
+    def _limits(self) -> Values:
+        """The charge (kinds, lanes) from which they run through their words.
+
+        Of few pixels that only effects which are left out could saturate a sample has none, and so
+        nothing would tell what sums make of them.
+        """
+        own, wanted = self.chip.near_e, self.chip.own(_wanted).near_e
+        if np.array_equal(own, wanted):
+            return own
+        some, most = (
+            np.count_nonzero(self._reach(self.charges.most, limits)) for limits in (own, wanted)
+        )
+        return wanted if most - some <= _FEW * most else own
 
     @cached_property
     def _lanes(self) -> NDArray[np.int32]:
         return self.chip.program.lanes[self.charges.places]
 
-    def _reach(self, charge: Values) -> NDArray[np.bool_]:
+    def _reach(self, charge: Values, limits: Values) -> NDArray[np.bool_]:
         lanes, found = self._lanes, np.zeros(charge.shape[1], np.bool_)
-        for each, limit in zip(charge, self.chip.near_e, strict=True):
+        for each, limit in zip(charge, limits, strict=True):
             if limit.min() < np.inf:
                 found |= each >= limit[lanes]
         return found
+
+
+def _wanted(chip: Chip) -> Chip:
+    """The same chip with all effects that are wanted."""
+    return chip_of(chip.program, chip.device_seed, chip.wanted, chip.wanted)
