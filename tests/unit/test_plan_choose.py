@@ -367,6 +367,29 @@ def test_wells_that_are_smaller_than_registers(name: str, tolerance: float) -> N
     assert 0.85 * found.err <= found.plan.predicted_e <= 2.0 * found.err + 0.05
 
 
+def assert_the_table_adds_up(plan: Plan) -> None:
+    table = str(plan).splitlines()
+    end = next(i for i, line in enumerate(table) if line.startswith("predicted error"))
+    took = [
+        float(line.split()[-1]) for line in table[1:end]
+        if line.startswith("(") or (" kept " in line and line[-1].isdigit() and "." in line[-5:])
+    ]  # fmt: skip
+    assert plan.cost is not None
+    assert sum(took) == pytest.approx(plan.cost.total_ms, abs=0.01 * len(took))
+
+
+def test_what_several_effects_would_save_is_said_where_all_pixels_run_through_their_words() -> None:
+    """Crosstalk draws the counts that shot noise and dark current have: without any of the three
+    there are none."""
+    container = case("d edges", 8, rows=64, cols=64)
+    plan = made(container, scene("hdr", 8, 64, 64), sensor_of(container), 0.1)
+    assert plan.slot_loop == "all"
+    assert_the_table_adds_up(plan)
+    rest = next(line for line in str(plan).splitlines() if line.startswith("(the rest)"))
+    assert ("less what each of several effects would save" in rest) == ("-" in rest.split()[-1])
+    assert float(rest.split()[-1]) < 0
+
+
 def test_what_a_plan_costs_adds_up_and_its_frames_take_at_most_those_of_all() -> None:
     """Saturating pixels lack what the plan drops; the table's last column is the plan's time.
     Planning may take longer than that of all effects, as frames make up for it."""
@@ -375,13 +398,8 @@ def test_what_a_plan_costs_adds_up_and_its_frames_take_at_most_those_of_all() ->
     plan, everything = (made(container, light, sensor, 50.0, name) for name in ("auto", "all"))
     assert plan.cost is not None
     assert everything.cost is not None
+    assert_the_table_adds_up(plan)
     table = str(plan).splitlines()
-    end = next(i for i, line in enumerate(table) if line.startswith("predicted error"))
-    took = [
-        float(line.split()[-1]) for line in table[1:end]
-        if line.startswith("(") or (" kept " in line and line[-1].isdigit() and "." in line[-5:])
-    ]  # fmt: skip
-    assert sum(took) == pytest.approx(plan.cost.total_ms, abs=0.01 * len(took))
     assert plan.cost.all_planning_ms is not None
     frame_ms = plan.cost.total_ms - plan.cost.planning_ms
     assert frame_ms <= plan.cost.all_ms - plan.cost.all_planning_ms

@@ -63,12 +63,16 @@ class Cost:
 
     def rows(self, effects_ms: float, saturating: str) -> list[tuple[str, str, float]]:
         """What is not an effect's own: its name, what it is, and milliseconds; with `effects_ms`
-        for the effects that are kept, the total."""
+        for the effects that are kept, the total. Where all pixels run through their words, that is
+        more than what these take: counts are saved by leaving out any effect that needs them."""
         rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
         found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
         if self.saturating_ms > 0:
             found.insert(0, ("(saturating)", saturating, self.saturating_ms))
-        return [*found, ("(the rest)", "light, words and readout", rest_ms)]
+        rest = "light, words and readout"
+        if rest_ms < 0:
+            rest += ", less what each of several effects would save"
+        return [*found, ("(the rest)", rest, rest_ms)]
 
     @property
     def said(self) -> str:
