@@ -75,18 +75,20 @@ def test_what_a_plan_says_of_its_worst_pixels_is_checked(
     plan = plan_for(Program.of(container, sensor), light, 5.0, device_seed=5)
     found = audited(mid, plan)
     assert found.holds
-    said = {"predicted_p999_e": found.measured_p999_e, "predicted_max_e": found.measured_max_e}
-    assert min(said.values()) > plan.tolerance_e
-    for name, measured_e in said.items():
-        for part, holds in ((1.9, True), (2.1, False)):
-            other = replace(plan, **{name: measured_e / part})
-            assert audited(mid, other).holds is holds
-        less = replace(plan, **{name: 0.0}, tolerance_e=1.01 * measured_e)
-        assert found.breach(less) is None, "within the tolerance nothing is off"
+    measured_e = found.measured_p999_e, found.measured_max_e / 2
+    assert min(measured_e) > plan.tolerance_e
+    for most_e, holds in ((1.05 * max(measured_e), True), (0.95 * max(measured_e), False)):
+        other = replace(plan, predicted_max_e=most_e)
+        assert audited(mid, other).holds is holds
+        within = replace(other, tolerance_e=1.01 * found.measured_max_e)
+        assert found.breach(within) is None
     said = found.breach(replace(plan, predicted_max_e=1.0))
     assert said is not None
-    assert "the worst pixel" in said
-    assert "said 1 e" in said
+    assert "one pixel in a thousand" in said
+    assert "said 1 e of the worst" in said
+    lone = replace(found, measured_p999_e=1.0).breach(replace(plan, predicted_max_e=1.0))
+    assert lone is not None
+    assert "a pixel is" in lone
 
 
 def test_the_reference_beside_itself_is_no_error(mid: tuple[Container, Light, Sensor]) -> None:

@@ -97,6 +97,11 @@ class Chip:
             return np.zeros(len(self.program.lanes))
         return self.device.fixed(part.per_s)
 
+    @cached_property
+    def frame_dark_e(self) -> Values:
+        """The dark charge (pixels,) of a frame."""
+        return np.asarray(self.current * self.program.slot_s.sum())
+
     @remembered
     def dark_rates(self, groups: tuple[int, ...]) -> Values:
         """The dark charge (groups, pixels) of some groups of slots."""

@@ -137,16 +137,20 @@ class Lacking:
     def _alike(self, dropped: frozenset[str], lacking: frozenset[str]) -> bool:
         """Whether words count what sums do, so that these have counts for their neighbours."""
         counted = self._every.names(Counted)
-        return counted & dropped == counted & lacking
+        return counted & dropped == counted & (lacking | self.forced_off)
 
     def _evened(self, dropped: frozenset[str], lacking: frozenset[str]) -> Values:
         """What it adds that neighbours' counts are those of sums now, taken as even over their
-        slots; where sums have crosstalk, that is one of their short cuts."""
-        beside = everything().names(Exchange)
-        fields = self.fields
-        if not beside & dropped or beside & lacking or not self._alike(dropped, lacking):
-            return np.zeros(len(fields.expected))
-        return fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
+        slots; where they are without it, or where sums have crosstalk, that is one of the plan's
+        short cuts."""
+        beside, fields = everything().names(Exchange), self.fields
+        before, now = (
+            bool(beside & dropped) and not beside & (lost | self.forced_off)
+            and self._alike(dropped, lost)
+            for lost in (frozenset[str](), lacking)
+        )  # fmt: skip
+        evened = fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
+        return evened * (int(now) - int(before))
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
@@ -161,16 +165,18 @@ class Lacking:
         if error.shape[1] > sure:
             part = (len(self.near) - sure) / pixels
             tails.append(worst_measured(error[:, sure:], part, pixels))
+        max_e = max(each.max_e for each in (found, *tails))
         if np.count_nonzero(sizes > _CHANGED_E) < _TOLD:
-            tails.append(self._uncut(lacking))
-        return replace(found, max_e=max(each.max_e for each in (found, *tails)))
+            max_e = max(max_e, min(self._uncut(lacking).max_e, self._chip.full_e))
+        return replace(found, max_e=max_e)
 
     def _uncut(self, lacking: frozenset[str]) -> Worst:
-        """What they would lack if nothing cut it off: noise may have it so in a frame that was not
-        measured."""
-        guessed = guesses(self.fields, self.running, lacking, cut_off=False)
-        errors = guessed.errors(lacking, lacking)
-        return worst_of(*errors, self.fields.sample.weight, len(self.program.lanes))
+        """What they would lack if nothing cut it off: noise may have it so in another frame than
+        the one that was measured."""
+        fields = self.fields
+        nowhere = np.zeros(fields.expected.shape, np.bool_)
+        errors = guesses(fields, self.running, lacking, nowhere).errors(lacking, lacking)
+        return worst_of(*errors, fields.sample.weight, len(self.program.lanes))
 
     def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
@@ -219,17 +225,15 @@ class Lacking:
 
     def _chances(self, seen: Charges) -> Values:
         """How likely each is to be drawn: a quarter evenly, a quarter of those that are not full, a
-        quarter of those that may lack their neighbours, a quarter by what these change."""
+        quarter of those that may lack their neighbours, a quarter by what these change there."""
         own_e, most_e, full_e = reached(seen.own_e), np.inf, self._chip.full_e
         not_full = own_e < full_e
         if self.program.all_single:
             # A full pixel changes no more; one that is read many times may be full now and then.
             own_e, most_e = np.minimum(own_e, full_e), full_e
-        scores = (
-            not_full,
-            ~among(seen.places, self.spilt, len(self.program.lanes)),
-            np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e),
-        )
+        alone = ~among(seen.places, self.spilt, len(self.program.lanes))
+        changed_e = np.abs(np.minimum(own_e + seen.gained_e, most_e) - own_e)
+        scores = not_full, alone, np.where(alone, changed_e, 0.0)
         return np.asarray(1.0 + sum(each / max(each.mean(), 1e-300) for each in scores))
 
     @cached_property
@@ -270,16 +274,20 @@ def by_spilt(lacking: frozenset[str]) -> frozenset[str]:
 
 
 def guesses(
-    fields: Fields, running: NDArray[np.bool_], lacking: frozenset[str], cut_off: bool = True
+    fields: Fields,
+    running: NDArray[np.bool_],
+    lacking: frozenset[str],
+    cut: NDArray[np.bool_] | None = None,
 ) -> Account:
     """What pixels of a sample lack that run through their words without some effects, or any of
-    them; with `cut_off` nothing where saturation cuts it off."""
+    them; nothing where it is `cut` off (buckets, pixels), by default by what saturates."""
     fixed: dict[str, Values] = {}
     random: dict[str, Values] = {}
-    # Absent where nothing saturates.
-    cut = cut_off & (np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E)
+    if cut is None:
+        # Absent where nothing saturates.
+        cut = np.abs(fields.fixed.get(BOTH, np.zeros(fields.expected.shape))) > _CUT_E
     for name in sorted(lacking):
-        behind = fields.after.get(name) if cut_off else None
+        behind = fields.after.get(name)
         runs = running if name in by_spilt(lacking) else running & ~fields.spilt
         if name in fields.fixed:
             kept = np.where(cut, 0.0 if behind is None else behind, fields.fixed[name])

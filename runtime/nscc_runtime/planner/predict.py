@@ -40,6 +40,15 @@ from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.reweighed import off_for_good
 from nscc_runtime.planner.sample import among, sample_of
+from nscc_runtime.planner.short_cuts import (
+    BESIDE_NEAR,
+    FORMULA,
+    FORMULA_E,
+    LEAK,
+    NEIGHBOURS,
+    NOISE,
+    THINNING,
+)
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
@@ -48,19 +57,11 @@ CLIP = "clip"
 """Sums that are clipped know nothing of light that falls before the level of a reset is read; that
 is about as much as all of the gates' switching does.
 """
-_FORMULA_E = 0.015
-"""RMS of counts by formula against exact ones: one electron in some five thousand pixels."""
 _LEAK_PART = 0.05
 _CLOSED_PART = 0.1
 WORDS = "words"
 """The state where pixels run through their words; without some of saturation it begins so."""
 _NOTHING = np.zeros(1)
-THINNING = "counts are not spread over the slots of a group"
-FORMULA = "counts from a rate of 10 on by formula"
-NEIGHBOURS = "neighbours' counts are taken as even over their slots"
-NOISE = "the noise of words as at the mean leakage"
-LEAK = "leakage from sums at {rates}"
-"""The short cuts of sums."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,7 +103,7 @@ class Forecast(ABC):
     def total_e(self) -> Values:
         """All the charge (rows, cols) of each pixel; a few may have most of the dark one, as lamps
         have most of the light."""
-        found = self._everything.total + self._everything.chip.own(_dark_e)
+        found = self._everything.total + self._everything.chip.frame_dark_e
         return np.asarray(found.reshape(self.light.shape))
 
     @cached_property
@@ -351,6 +352,8 @@ class Forecast(ABC):
             found = (THINNING, FORMULA)
             if not beside <= dropped:
                 found += (NEIGHBOURS,)
+            elif beside - self.forced_off and counted & dropped <= self.forced_off:
+                found += (BESIDE_NEAR,)
         if not errors <= dropped:
             found += (NOISE,)
         return found if leak <= dropped else (*found, LEAK)
@@ -370,11 +373,12 @@ class Forecast(ABC):
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
         # neighbours' from sums: of one that is full, these matter nothing.
-        beside = np.maximum(where, self.runs(state) * fields.unfilled)
+        unfilled = self.runs(state) * fields.unfilled
         return {
             THINNING: fields.thinning[self.closed] * where,
-            FORMULA: np.full(where.shape, _FORMULA_E**2),
-            NEIGHBOURS: fields.neighbours[self.closed] * beside,
+            FORMULA: np.full(where.shape, FORMULA_E**2),
+            NEIGHBOURS: fields.neighbours[self.closed] * np.maximum(where, unfilled),
+            BESIDE_NEAR: fields.neighbours[self.closed] * unfilled,
             NOISE: fields.noise_cut * after,
             LEAK: leaked**2 * after,
         }
@@ -392,8 +396,3 @@ class Forecast(ABC):
 def _without(chip: Chip, *lost: str) -> Chip:
     """The same chip without some effects."""
     return replace(chip, kept=everything().without(*lost))
-
-
-def _dark_e(chip: Chip) -> Values:
-    """The dark charge (pixels,) of a frame."""
-    return np.asarray(chip.current * chip.program.slot_s.sum())

@@ -13,8 +13,9 @@ from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
 from nscc_runtime.planner.effect_fields import BOTH
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.predict import FORMULA, NEIGHBOURS, NOISE, THINNING, Forecast
+from nscc_runtime.planner.predict import Forecast
 from nscc_runtime.planner.prepared import Prepared
+from nscc_runtime.planner.short_cuts import FORMULA, UNDRAWN
 from nscc_runtime.planner.tolerance import (
     OPTION_MAX,
     Given,
@@ -26,7 +27,6 @@ from nscc_runtime.planner.tolerance import (
 from nscc_runtime.planner.worst import Worst, worst_measured, worst_of
 from nscc_runtime.remembered import remembered
 
-_UNDRAWN = (THINNING, NEIGHBOURS, NOISE)
 _WORSE = 3.0
 _MATTERS = 0.01
 """Of the tolerance: what is smaller goes with what it hangs on."""
@@ -169,7 +169,7 @@ class Promises(Forecast):
 
     def _undrawn(self, dropped: frozenset[str]) -> list[str]:
         """The short cuts of a plan whose squares are variance that is not drawn."""
-        return [name for name in self.taken(dropped) if name in _UNDRAWN]
+        return [name for name in self.taken(dropped) if name in UNDRAWN]
 
     def noise_told(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
