@@ -295,6 +295,22 @@ def test_what_is_rare_is_said_though_no_frame_or_sample_of_the_plan_has_it(seed:
     assert [each.said for each in promises(seed) if each.found.broken] == []
 
 
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
+def test_what_a_few_pixels_beside_suns_lack_is_measured() -> None:
+    """Not those that only their neighbours' light brings near saturation: these never lack it, and
+    get so much of it that the others were hardly drawn."""
+    assert [each.said for each in promises(390240) if each.found.broken] == []
+
+
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
+def test_counts_of_neighbours_that_pixels_near_saturation_have_from_sums_are_foreseen() -> None:
+    """Sums have no crosstalk there, pixels near saturation do: as even over the slots."""
+    plans = [each.found for each in promises(390152) if "crosstalk" not in each.found.plan.kept]
+    assert plans
+    assert all(each.foreseen and not each.broken for each in plans)
+    assert any("near saturation" in cut.name for each in plans for cut in each.plan.approximations)
+
+
 @pytest.mark.parametrize("off", ["leakage", "leakage,-analog"])
 @pytest.mark.parametrize("name", ["b latch", "two buckets"])
 def test_errors_that_cancelled_by_leakage_alone_are_in_what_forcing_it_off_does(
