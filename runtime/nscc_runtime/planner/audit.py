@@ -106,13 +106,13 @@ class Audit:
         said_e = plan.predicted_max_e
         if said_e is not None:
             for which, measured_e, most_e in (
-                ("one pixel in a thousand is", self.measured_p999_e, said_e),
+                ("one pixel in a thousand is at least", self.measured_p999_e, said_e),
                 ("a pixel is", self.measured_max_e, WORST_SLACK * said_e),
             ):
                 if measured_e > max(most_e, plan.tolerance_e):
                     return (
-                        f"the audit found that {which} {measured_e:.3g} e off or more, and the "
-                        f"plan said {said_e:.3g} e of the worst"
+                        f"the audit found that {which} {measured_e:.3g} e off, and the plan said "
+                        f"{said_e:.3g} e of the worst"
                     )
         if plan.noise_ratio is not None and self.std_ratio is not None:
             room = NOISE_SLACK + _SIGMAS * (self.std_ratio_mc_error or 0.0)

@@ -63,8 +63,8 @@ class Cost:
 
     def rows(self, effects_ms: float, saturating: str) -> list[tuple[str, str, float]]:
         """What is not an effect's own: its name, what it is, and milliseconds; with `effects_ms`
-        for the effects that are kept, the total. Where all pixels run through their words, that is
-        more than what these take: counts are saved by leaving out any effect that needs them."""
+        for the effects that are kept, the total. These may be more than it where all pixels run
+        through their words: leaving out any of several effects saves the same counts."""
         rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
         found = [("(planning)", "once for all frames of a scene", self.planning_ms)]
         if self.saturating_ms > 0:
