@@ -179,8 +179,9 @@ class Promises(Forecast):
         It is none where registers fade and are simulated as if they did not: other words act then.
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
         another's: beside such pixels it is no promise where saturation is left out or what weighs
-        errors is off, nor where none of that noise, all
-        of it, or losing `_WORSE` times as much of it, would make another."""
+        errors is off, nor where none of that noise, all of it, or losing `_WORSE` times as much of
+        it, would make another; nor, where they have any of it, with noise forced off, which may
+        cancel in all other pixels and not in them."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
         as_if_fresh = self.program.tables.decays and self.every.names(Fading) <= dropped
@@ -199,6 +200,8 @@ class Promises(Forecast):
         )  # fmt: skip
         lost = (all_e2 - far) - (kept - far_kept)
         if lost > 0 and not far > 0:
+            return None
+        if self.forced_off & self.fields.noise.keys() and (all_e2 - far + more) > _UNTOLD * all_e2:
             return None
         cases = [(kept - (_WORSE - 1.0) * lost, all_e2), (kept + more, all_e2 + more)]
         if far > 0:
