@@ -25,7 +25,7 @@ from nscc_runtime.planner.choose import Chooser
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import chances, sample_of
 from nscc_runtime.planner.tolerance import DEFAULT
-from nscc_runtime.planner.worst import largest, worst_measured, worst_of
+from nscc_runtime.planner.worst import Worst, largest, worst_measured, worst_of
 from nscc_runtime.sensor import Sensor
 
 SLOTS, SIDE = 8, 48
@@ -89,13 +89,33 @@ def test_worst_pixels_that_were_measured_weigh_what_they_stand_for() -> None:
 def test_worst_pixels_of_which_some_were_measured_are_told_from_the_largest(
     law: Callable[..., np.ndarray],
 ) -> None:
-    """By 288 of 2304 errors; seldom less than the largest of nine frames in ten."""
+    """By 288 of 2304 errors, all alike or the larger ones more likely; seldom less than the
+    largest of nine frames in ten."""
     rng = np.random.default_rng(3)
-    said = [worst_measured(law(rng, size=(1, 288)), 1.0, 2304).max_e for _ in range(200)]
     frames = [np.abs(law(rng, size=2304)).max() for _ in range(200)]
-    assert np.mean(said < np.quantile(frames, 0.9)) < 0.05
-    assert np.median(said) < 2 * np.max(frames)
-    assert worst_measured(np.array([[-3.0]]), 1 / 2304, 2304).max_e == 3.0
+    for power in (0.0, 1.0):
+        said = []
+        for _ in range(200):
+            errors = law(rng, size=2304)
+            chance = np.abs(errors) ** power
+            chance *= 288 / chance.sum()
+            seen = np.flatnonzero(rng.random(2304) < chance)
+            part = 1.0 / np.minimum(chance[seen], 1.0) / 2304
+            said.append(worst_measured(errors[None, seen], part, 2304).max_e)
+        assert np.mean(said < np.quantile(frames, 0.9)) < 0.05
+        assert np.median(said) < 2 * np.max(frames)
+    assert worst_measured(np.array([[-3.0]]), np.array([1 / 2304]), 2304).max_e == 3.0
+    assert worst_measured(np.zeros((2, 0)), np.zeros(0), 2304) == Worst(0.0, 0.0)
+
+
+def test_one_measured_pixel_in_a_thousand_is_told_by_what_pixels_stand_for() -> None:
+    """Of 40,000 pixels 48 are measured: 19 stand for 2 each and are off by 10 e, the others by 1 e.
+    One in a thousand are 40."""
+    errors = np.append(np.full(19, 10.0), np.full(29, 1.0))
+    part = np.append(np.full(19, 2.0), np.full(29, 39_962 / 29)) / 40_000
+    assert worst_measured(errors[None], part, 40_000).p999_e == 1.0
+    part[:19] *= 1.5
+    assert worst_measured(errors[None], part, 40_000).p999_e == 10.0
 
 
 def test_pixels_beside_a_sun_are_drawn_whatever_suns_there_are() -> None:

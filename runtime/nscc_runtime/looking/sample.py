@@ -21,7 +21,7 @@ from nscc_runtime.effects.views import Scene
 from nscc_runtime.light import Light
 from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
 from nscc_runtime.planner.sample import chances, drawn_by
-from nscc_runtime.planner.worst import Worst, worst_of
+from nscc_runtime.planner.worst import Worst, worst_measured
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.film import Executed, next_planes
 from nscc_runtime.reference.intervals import Intervals
@@ -74,7 +74,6 @@ def difference(
     alike = np.where(same_states(some, full), weight, 0.0)
     error = np.where(alike > 0, some.exposure.exposure_e - full.exposure.exposure_e, 0.0)
     much = alike / max(float(alike.sum()), 1e-300)
-    flat = error.reshape(len(error), -1)
     square = (error**2 * much).sum(axis=(1, 2))
     away = (error**2 - square[:, None, None]) * much
     return Difference(
@@ -82,7 +81,7 @@ def difference(
         np.sqrt((away**2).sum(axis=(1, 2))),
         (error * much).sum(axis=(1, 2)),
         float(1.0 - alike.sum() / weight.sum()) if weight.any() else 0.0,
-        worst_of(flat, np.zeros_like(flat), alike.reshape(-1), pixels),
+        worst_measured(error[:, alike > 0], much[alike > 0], pixels),
     )
 
 

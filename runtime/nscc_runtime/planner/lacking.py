@@ -161,10 +161,11 @@ class Lacking:
         # All others of the array lack nothing.
         sizes = np.append(error.max(axis=0), 0.0)
         found = largest(sizes, np.append(self._sample.weight, pixels - len(self.near)))
-        tails = [worst_measured(error[:, :sure], sure / pixels, pixels)]
-        if error.shape[1] > sure:
-            part = (len(self.near) - sure) / pixels
-            tails.append(worst_measured(error[:, sure:], part, pixels))
+        stands_for = self._sample.weight / pixels
+        tails = [
+            worst_measured(error[:, which], stands_for[which], pixels)
+            for which in (slice(sure), slice(sure, None))
+        ]
         max_e = max(each.max_e for each in (found, *tails))
         if np.count_nonzero(sizes > _CHANGED_E) < _TOLD:
             max_e = max(max_e, min(self._uncut(lacking).max_e, self._chip.full_e))

@@ -117,7 +117,7 @@ class Promises(Forecast):
             return found
         # What saturation would take is of one frame's noise: another's takes it farther.
         taken = np.sum([self.fields.fixed[name][:, near] for name in sorted(cut)], axis=0)
-        tail = worst_measured(taken, float(weight[near].sum() / weight.sum()), pixels)
+        tail = worst_measured(taken, weight[near] / weight.sum(), pixels)
         rarely_e = max(self.fields.rarely_e.get(name, 0.0) for name in self.saturation & dropped)
         return replace(found, max_e=max(found.max_e, tail.max_e, rarely_e))
 

@@ -78,28 +78,32 @@ def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Wor
     return Worst(max(each.p999_e for each in found), max(each.max_e for each in found))
 
 
-def worst_measured(errors: Values, part: float, pixels: int) -> Worst:
-    """Of errors (buckets, pixels measured) that stand for a `part` of the `pixels` of a frame, the
-    others being right.
+def worst_measured(errors: Values, part: Values, pixels: int) -> Worst:
+    """Of errors (buckets, pixels measured), the others of the frame being right.
 
-    Beyond the largest they are taken to become rarer exponentially, as those do from which most
-    follows: what pixels lack that may saturate is much for a few, so a normal tail is too short.
+    `part` (pixels measured,): the share of the `pixels` of a frame that each stands for. Beyond the
+    largest they are taken to become rarer exponentially, as those do from which most follows: what
+    pixels lack that may saturate is much for a few, so a normal tail is too short.
     """
     sizes = np.abs(errors)
     rare = min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(sizes)))
-    p999_e = max(_exceeded_by(1.0 / ONE_IN / part, each) for each in sizes)
-    max_e = max(_exceeded_by(rare / part, each) for each in sizes)
-    return Worst(p999_e, max(max_e, float(sizes.max())))
+    p999_e, max_e = (
+        max(_exceeded_by(share, each, part) for each in sizes) for share in (1.0 / ONE_IN, rare)
+    )
+    return Worst(p999_e, max(max_e, float(sizes.max(initial=0.0))))
 
 
-def _exceeded_by(share: float, sizes: Values) -> float:
-    """The size that this share of the pixels exceeds, by what was measured at some."""
-    falling, count = np.sort(sizes)[::-1], len(sizes)
-    if share * count >= 1.0 or count < 2 * _TAIL:
-        return float(falling[min(int(share * count), count - 1)])
+def _exceeded_by(share: float, sizes: Values, part: Values) -> float:
+    """The size that this share of the frame exceeds, by what was measured at some of its pixels."""
+    order = np.argsort(-sizes, kind="stable")
+    falling, upto, count = sizes[order], np.cumsum(part[order]), len(sizes)
+    if count < 2 * _TAIL or upto[0] <= share:
+        at = int(np.searchsorted(upto, share, side="right"))
+        return float(falling[at]) if at < count else 0.0
     ranks = np.arange(1, count // _TAIL) if count >= 4 * _TAIL else np.array([count // 4])
-    excess = np.cumsum(falling)[ranks - 1] / ranks - falling[ranks]
-    return float(np.max(falling[ranks] + excess * np.log((ranks + 1) / (count * share))))
+    beyond = np.cumsum(falling * part[order])[ranks - 1] / upto[ranks - 1]
+    excess = beyond - falling[ranks]
+    return float(np.max(falling[ranks] + excess * np.log(upto[ranks] / share)))
 
 
 def largest(sizes: Values, weight: Values) -> Worst:
