@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from nscc.compiler import compile_source
+from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Severity
 from nscc.pipeline import Options
 from nscc.source import Source
@@ -138,6 +138,25 @@ def test_a_sample_stands_for_the_scene(program: Container) -> None:
     nothing = sample.without(frozenset())
     assert not nothing.square.any()
     assert nothing.other_states == 0.0
+
+
+@pytest.mark.parametrize(
+    ("name", "rows", "cols", "e_per_s", "tolerance"),
+    [("first_light", 2, 19, 1.4e6, "1%"), ("float_pixel", 4, 14, 2.9e5, "50e")],
+)
+def test_what_happens_to_few_pixels_of_small_arrays_is_foreseen(
+    name: str, rows: int, cols: int, e_per_s: float, tolerance: str, root: Path
+) -> None:
+    """One frame of them shows none that ends in another state, nor one in a thousand."""
+    target = replace(builtin_target("scamp5"), rows=rows, cols=cols)
+    small = compile_file(root / "examples" / f"{name}.nsl", Options(target=target)).container
+    assert small is not None
+    still = np.tile(e_per_s * np.linspace(0.05, 4.0, cols), (rows, 1))
+    ramp = Light.of_still(still.astype(np.float32), np.array(small.slot_us) * 1e-6)
+    (found,) = captures(small, [ramp], tolerance=tolerance, audit=True)
+    assert found.plan is not None
+    assert found.audit is not None
+    assert found.audit.breach(found.plan) is None
 
 
 def test_films_of_programs_that_look_share_a_plan(program: Container) -> None:

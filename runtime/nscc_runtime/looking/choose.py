@@ -64,7 +64,7 @@ def serves(sample: Sample, plan: Plan) -> bool:
     )
     if not dropped:
         return True
-    found, most = sample.without(dropped), plan.tolerance_max_e
+    found, most = sample.without(dropped, sample.times), plan.tolerance_max_e
     return (
         found.error_e <= MARGIN * plan.tolerance_e
         and found.other_states <= _KEPT * MOST_OTHER_STATES
@@ -104,7 +104,7 @@ class Chooser:
             e.name for e in registered()
             if e.kind != "after" and self._forced(e) and e not in self.effects
         )  # fmt: skip
-        dropped, now = forced, self.sample.without(forced)
+        now = self.sample.without(forced)
         # What the user forced off has broken the promise: the rest keeps to it by itself.
         most = (MARGIN * self.tolerance_e) ** 2
         most_square = most + (now.square.max() if now.square.max() > most else 0.0)
@@ -113,15 +113,27 @@ class Chooser:
         most_e = math.inf
         if self.allowed_max is not None:
             most_e = max(MARGIN * self.allowed_max.electrons, now.worst.max_e)
-        for name in self._free(dropped):
+
+        def fits(then: Difference) -> bool:
+            return (
+                then.square.max() <= most_square
+                and then.other_states <= most_other
+                and then.worst.max_e <= most_e
+            )
+
+        chosen = list[str]()
+        for name in self._free(forced):
             if self.alone[name].square.max() > most_square:
                 break
-            then = self.sample.without(dropped | {name})
-            if then.worst.max_e > most_e:
-                continue
-            if then.square.max() <= most_square and then.other_states <= most_other:
-                dropped, now = dropped | {name}, then
-        return self._made(dropped, now, forced_reason)
+            if fits(self.sample.without(forced.union(chosen, {name}))):
+                chosen.append(name)
+        while not fits(now := self._tried(forced.union(chosen))) and chosen:
+            chosen.pop()
+        return self._made(forced.union(chosen), now, forced_reason)
+
+    def _tried(self, dropped: frozenset[str]) -> Difference:
+        """What a plan changes that leaves these effects out."""
+        return self.sample.without(dropped, self.sample.times)
 
     def _free(self, forced: frozenset[str]) -> list[str]:
         """What may be left out and saves something, what changes least first."""
@@ -167,8 +179,10 @@ class Chooser:
     def _cost(self, dropped: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms, present = self.sample.pixels * 1e-6, [e for e in registered() if e.name in self.alone]
-        # Every frame of the sample is exposed with all effects, and without each.
-        exposed = (len(present) + 1) * self.sample.light.frames[0].size * self.sample.frames
+        # Every frame of the sample is exposed with all effects, and without each; what is chosen
+        # may be tried more often.
+        exposures = len(present) + 1 + 2 * (self.sample.times - 1)
+        exposed = exposures * self.sample.light.frames[0].size * self.sample.frames
         planning_ms = SHIPPED.looked * exposed * 1e-6
         frame_ms, every_ms = (
             ms * (SHIPPED.looked + sum(self._saved_ns(e) for e in present if e.name not in without))

@@ -8,6 +8,7 @@ states are kept, a film's later frames begin in others than its first: all of th
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -18,6 +19,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.views import Scene
+from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
 from nscc_runtime.planner.sample import chances, drawn_by
@@ -34,6 +36,8 @@ _TILES, _SIDE = 256, 2
 """How many tiles, and how many of their pixels in each direction have all their neighbours."""
 _WHOLE = 2048
 """Arrays of so few pixels are taken whole."""
+_ENOUGH = 1024
+"""What is chosen is tried on so many pixels, those of several frames where one has fewer."""
 _SLOTS = 16
 """Slots whose light decides where tiles are taken."""
 _SEEDS = 0, 0
@@ -67,7 +71,7 @@ class Difference:
 def difference(
     some: Executed, full: Executed, weight: NDArray[np.float64], pixels: int
 ) -> Difference:
-    """Of a frame with some effects from that with all of them; `weight` (rows, cols): how many
+    """Of frames with some effects from those with all of them; `weight` (rows, cols): how many
     of the `pixels` of a scene each stands for."""
     valid = some.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
     weight = np.where(valid, weight, 0.0)
@@ -95,6 +99,21 @@ def of_all(found: Sequence[Difference]) -> Difference:
         np.take_along_axis(means, squares.argmax(axis=0)[None], axis=0)[0],
         max(each.other_states for each in found),
         Worst(max(each.worst.p999_e for each in found), max(each.worst.max_e for each in found)),
+    )
+
+
+def one_above_the_other(frames: Sequence[Executed]) -> Executed:
+    """Frames of the same pixels as if they were one of as many more rows."""
+    if len(frames) == 1:
+        return frames[0]
+    exposures = [each.exposure for each in frames]
+    exposure = Exposure(
+        np.concatenate([each.exposure_e for each in exposures], axis=1),
+        np.concatenate([each.valid for each in exposures], axis=1),
+    )
+    names = frames[0].planes
+    return Executed(
+        exposure, {name: np.concatenate([each.planes[name] for each in frames]) for name in names}
     )
 
 
@@ -151,15 +170,24 @@ class Sample:
         )
 
     @remembered
-    def without(self, dropped: frozenset[str]) -> Difference:
-        """What leaving these effects out changes, in the worst of a film's frames."""
-        effects = everything().without(*dropped)
-        return of_all(
-            [
-                difference(self._exposed(effects, number, loaded), full, self.weight, self.pixels)
-                for number, (loaded, full) in enumerate(self._film)
-            ]
-        )
+    def without(self, dropped: frozenset[str], times: int = 1) -> Difference:
+        """What leaving these effects out changes, in the worst of a film's frames, each tried so
+        many times with noise of its own."""
+        some, weight = everything().without(*dropped), np.tile(self.weight, (times, 1))
+        found = []
+        for number, (loaded, full) in enumerate(self._film):
+            again = range(number + _FRAMES, number + _FRAMES * times, _FRAMES)
+            mine = [self._exposed(some, frame, loaded) for frame in (number, *again)]
+            fulls = [full, *(self._exposed(everything(), frame, loaded) for frame in again)]
+            each = one_above_the_other(mine), one_above_the_other(fulls)
+            found.append(difference(*each, weight, self.pixels))
+        return of_all(found)
+
+    @cached_property
+    def times(self) -> int:
+        """How many times what is chosen is tried: one frame of few pixels shows little of what
+        happens to few of them."""
+        return math.ceil(_ENOUGH / np.count_nonzero(self.weight))
 
     @property
     def frames(self) -> int:
