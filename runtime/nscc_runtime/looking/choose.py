@@ -66,7 +66,7 @@ def serves(sample: Sample, plan: Plan) -> bool:
         return True
     found, most = sample.without(dropped, sample.times), plan.tolerance_max_e
     return (
-        found.error_e <= MARGIN * plan.tolerance_e
+        found.likely_e <= MARGIN * plan.tolerance_e
         and found.other_states <= _KEPT * MOST_OTHER_STATES
         and (most is None or found.worst.max_e <= MARGIN * most)
     )
@@ -106,8 +106,9 @@ class Chooser:
         )  # fmt: skip
         now = self.sample.without(forced)
         # What the user forced off has broken the promise: the rest keeps to it by itself.
-        most = (MARGIN * self.tolerance_e) ** 2
-        most_square = most + (now.square.max() if now.square.max() > most else 0.0)
+        most_rms_e = MARGIN * self.tolerance_e
+        if now.likely_e > most_rms_e:
+            most_rms_e = math.hypot(most_rms_e, now.likely_e)
         most_other = _LEFT_OUT * MOST_OTHER_STATES
         most_other += now.other_states if now.other_states > most_other else 0.0
         most_e = math.inf
@@ -116,15 +117,15 @@ class Chooser:
 
         def fits(then: Difference) -> bool:
             return (
-                then.square.max() <= most_square
+                then.likely_e <= most_rms_e
                 and then.other_states <= most_other
                 and then.worst.max_e <= most_e
             )
 
         chosen = list[str]()
         for name in self._free(forced):
-            if self.alone[name].square.max() > most_square:
-                break
+            if self.alone[name].likely_e > most_rms_e:
+                continue
             if fits(self.sample.without(forced.union(chosen, {name}))):
                 chosen.append(name)
         while not fits(now := self._tried(forced.union(chosen))) and chosen:
@@ -206,6 +207,7 @@ class Chooser:
             )  # fmt: skip
         choice: Choice = "dropped" if effect.name in dropped else "kept"
         then_e = now.error_e if choice == "dropped" else math.hypot(now.error_e, found.error_e)
+        likely_e = math.hypot(now.likely_e, found.likely_e)
         saved_ns = self._saved_ns(effect)
         if forced:
             reason = forced_reason
@@ -215,6 +217,8 @@ class Chooser:
             reason = "costs nothing"
         elif then_e > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then_e:.3g} e"
+        elif likely_e > MARGIN * self.tolerance_e:
+            reason = f"left out, a few pixels' error might make it {likely_e:.3g} e"
         elif self.allowed_max and found.worst.max_e > MARGIN * self.allowed_max.electrons:
             reason = f"left out, the worst pixel would be {found.worst.max_e:.3g} e off"
         else:

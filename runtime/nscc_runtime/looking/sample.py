@@ -67,6 +67,12 @@ class Difference:
         """Root mean square of the worst bucket."""
         return float(np.sqrt(self.square.max()))
 
+    @property
+    def likely_e(self) -> float:
+        """The same with the standard error of its square: where a few pixels have most of it,
+        another frame has more."""
+        return float(np.sqrt((self.square + self.unsure).max()))
+
 
 def difference(
     some: Executed, full: Executed, weight: NDArray[np.float64], pixels: int
