@@ -162,12 +162,17 @@ def _picture(
     return png_of(frame_sheet, readouts(container, frame.first, response()), title)
 
 
-def summary(container: Container, frame: Frame, files: Sequence[Path], *, alike: bool) -> str:
-    """A line a bucket, of the first frame, and a line a file; `alike`: no two frames differ."""
+def summary(
+    container: Container, frame: Frame, files: Sequence[Path], *, alike: bool, colours: bool = False
+) -> str:
+    """A line a bucket, of the first frame, and a line a file; `alike`: no two frames differ;
+    `colours`: they are red, green and blue."""
     from nscc_runtime.frame_file import frame_lines
 
     lines = frame_lines(container, frame)
     if frame.frame.ndim == 4:
         which = "all alike: there are no effects" if alike else "the first is described"
+        if colours:
+            which = "of red, green and blue light; that of red is described"
         lines.append(f"{len(frame.frame)} frames, {which}")
     return "\n".join([*lines, *(f"wrote {path}" for path in files)])

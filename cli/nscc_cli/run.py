@@ -101,6 +101,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
 def _run_on_emulator(
     program: Path, options: dict[str, Any], keep: tuple[str, ...], of_run: RunCapture | None
 ) -> None:
+    from nscc.prove.shutters import refuse_looking
     from nscc.words.readout import converter_of
     from nscc_runtime.frame_file import meta
     from nscc_runtime.pieces import simulate_scene
@@ -111,6 +112,8 @@ def _run_on_emulator(
     timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
+    if "shutter" in keep:
+        refuse_looking(container)
     if of_run is not None:
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)
@@ -131,7 +134,8 @@ def _run_on_emulator(
 
         done(plan_table(taken.plan, taken.audit) + "\n")
     alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
-    done(summary(container, frame, files, alike=alike))
+    colours = "colours" in exposed.laid
+    done(summary(container, frame, files, alike=alike, colours=colours))
     if taken.broken is not None:
         raise taken.broken
 

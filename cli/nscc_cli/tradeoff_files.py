@@ -25,7 +25,7 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 def output_files(options: Mapping[str, Any], *more: str) -> dict[str, Path]:
     """The products that have a place, by name: `csv`, `png`, and those of `more` that belong to
-    `-o`; NS0745 where two would be one file."""
+    `-o`; NS0745 where two would be one file, NS0786 for a picture that is not called one."""
     found: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
@@ -33,6 +33,10 @@ def output_files(options: Mapping[str, Any], *more: str) -> dict[str, Path]:
         found = {n: found.get(n) or out.with_name(out.name + end) for n, end in ends.items()}
     files = {name: path for name, path in found.items() if path is not None}
     refuse_same(files.values(), "--csv and --png")
+    if "png" in files:
+        from nscc_runtime.formats import check_ending
+
+        check_ending(files["png"], (".png",), "a picture")
     return files
 
 

@@ -15,14 +15,8 @@ from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 
 
-def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
-    """The distinct shutters bool (shutters, buckets, N) as the words open them.
-
-    Raises Rejected: NS0442 (status 1) where light counts half or twice; `name` is what the message
-    calls the container.
-    """
-    if container.target.streamed:
-        return _sent(container, name)
+def refuse_looking(container: Container, name: str = "this program") -> None:
+    """Raises Rejected: NS0444 (status 1) for programs whose shutters the light decides."""
     if container.machine is not None:
         raise rejected(
             "NS0444",
@@ -31,6 +25,17 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
             helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
             status=1,
         )
+
+
+def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
+    """The distinct shutters bool (shutters, buckets, N) as the words open them.
+
+    Raises Rejected: NS0442 (status 1) where light counts half or twice; `name` is what the message
+    calls the container.
+    """
+    if container.target.streamed:
+        return _sent(container, name)
+    refuse_looking(container, name)
     found = shutters(container, decoded(container))
     if found is None:
         raise rejected(

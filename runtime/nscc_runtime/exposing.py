@@ -148,6 +148,8 @@ def captures(
             helps=("give as many of both in lists, or one of either",),
         )
 
+    if threads is not None:
+        whole("nscc_runtime.captures", "threads", threads, least=1)
     plans = KeptPlans()
 
     def run(number: int, program: Any, light: Any) -> Capture:

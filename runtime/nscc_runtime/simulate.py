@@ -279,9 +279,9 @@ def _planned(
         elif request.plan is None or isinstance(request.plan, Path):
             plan = _made(planning, container, light, sensor, request)
         else:
-            assert not isinstance(request.plan, Path)
             plan = request.plan
-    if plan.breach is not None and (request.effects.auto or given):
+    asked = request.tolerance != DEFAULT or request.tolerance_max is not None
+    if plan.breach is not None and (request.effects.auto or given or asked):
         listener.warn(_over(plan, plan.breach, given))
     with timings.part("expose_s"):
         made = planning.frames(plan, request.seed, request.repeat or 1)

@@ -97,6 +97,29 @@ def test_linear_pictures(tmp_path: Path, suffix: str) -> None:
     np.testing.assert_allclose(light.slot(1), 2 * light.slot(0), rtol=1e-6)
 
 
+def test_grey_portable_float_maps_are_as_they_lie(tmp_path: Path) -> None:
+    """Rows from the bottom up, columns from left to right, as the format's description has it."""
+    grey = colours(8)[..., 0]
+    head = f"Pf\n{COLS} {ROWS}\n-1.0\n".encode()
+    (tmp_path / "p.pfm").write_bytes(head + grey[::-1].astype("<f4").tobytes())
+    light = load(tmp_path / "p.pfm", exposure=Exposure(30000.0))
+    np.testing.assert_allclose(light.total_e(), exposed(grey, 30000.0), rtol=1e-6)
+
+
+@pytest.mark.parametrize("dtype", [np.float32, np.float64])
+@pytest.mark.parametrize("channels", [1, 3, 4])
+def test_float_tiffs_of_any_number_of_channels(tmp_path: Path, dtype: Any, channels: int) -> None:
+    import cv2
+
+    rgb = colours(9).astype(dtype)
+    alpha = np.full((ROWS, COLS, 1), 0.5, dtype)
+    stored = {1: rgb[..., :1], 3: rgb[..., ::-1], 4: np.dstack([rgb[..., ::-1], alpha])}[channels]
+    assert cv2.imwrite(str(tmp_path / "p.tiff"), stored)
+    light = load(tmp_path / "p.tiff", exposure=Exposure(500.0), transfer="linear")
+    luminance = rgb[..., 0] if channels == 1 else rgb @ WEIGHTS
+    np.testing.assert_allclose(light.total_e(), exposed(luminance, 500.0), rtol=1e-6)
+
+
 def write_float(path: Path, rgb: np.ndarray) -> None:
     if path.suffix == ".exr":
         import OpenEXR
@@ -217,6 +240,19 @@ def test_tiny_negatives_are_counted_and_clamped(tmp_path: Path) -> None:
     assert rejection(tmp_path / "p.pfm", exposure=Exposure(10.0)).code == "NS0736"
 
 
+@pytest.mark.parametrize("outside", [np.inf, np.nan])
+def test_what_is_cut_off_says_nothing_of_negatives(tmp_path: Path, outside: float) -> None:
+    picture = np.ones((2 * ROWS, COLS, 3), np.float32)
+    picture[0, 0], picture[ROWS, 3] = outside, -1e-5
+    write_float(tmp_path / "p.exr", picture)
+    light = load(tmp_path / "p.exr", exposure=Exposure(10.0), crop=(ROWS // 2, 0))
+    assert light.total_e()[ROWS // 2, 3] == 0
+    picture[ROWS, 3] = -1000.0
+    write_float(tmp_path / "p.exr", picture)
+    found = rejection(tmp_path / "p.exr", exposure=Exposure(10.0), crop=(ROWS // 2, 0))
+    assert found.code == "NS0736"
+
+
 @pytest.mark.parametrize(
     ("value", "word"), [(np.nan, "NaN"), (np.inf, "large"), (-1.0, "negative")]
 )
@@ -301,6 +337,12 @@ def test_options_that_do_not_fit_the_kind(tmp_path: Path) -> None:
     assert rejection(tmp_path / "p.pfm", exposure=Exposure(1.0), fps=5.0).code == "NS0739"
     assert rejection(tmp_path / "a.npz", fps=5.0).code == "NS0739"
     assert rejection(tmp_path / "a.npz", transfer="srgb").code == "NS0739"
+    assert rejection(tmp_path / "a.npz", first=1).code == "NS0739"
+    assert rejection(tmp_path / "p.pfm", exposure=Exposure(1.0), first=1).code == "NS0739"
+    np.savez(tmp_path / "clip.npz", light=np.ones((3, ROWS, COLS)))
+    for spec in (tmp_path / "clip.npz", "builtin:motion"):
+        assert "--still" in rejection(spec, exposure=Exposure(1.0), single=True).message
+    assert load("builtin:hdr", exposure=Exposure(1.0), single=True).kind == "still"
     (tmp_path / "a.xyz").write_text("")
     assert rejection(tmp_path / "a.xyz").code == "NS0731"
     (tmp_path / "empty").mkdir()

@@ -12,6 +12,7 @@ import pytest
 from conftest import RunNscc
 from numpy.typing import NDArray
 from PIL import Image
+from scipy.io import savemat
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.scenes import Exposure, Laid, laid_scene, load_scene
@@ -101,9 +102,29 @@ def test_a_clip_may_begin_later_or_be_a_still(tmp_path: Path) -> None:
     assert means[1] / means[0] == pytest.approx(
         srgb_to_linear(np.array(200 / 255)) / srgb_to_linear(np.array(90 / 255))
     )
-    assert laid(tmp_path / "clip.gif", single=True)[0].light.kind == "still"
-    with pytest.raises(Rejected, match="NS0735"):
+    with pytest.raises(Rejected, match=r"NS0735.* has 1 frame from frame 3 on, 2 are needed"):
         laid(tmp_path / "clip.gif", first=3)
+
+
+@pytest.mark.parametrize("name", ["clip.gif", "folder", "clip.mat"])
+def test_any_frame_of_a_clip_may_be_a_still(name: str, tmp_path: Path) -> None:
+    """Of a half that is brighter from frame to frame, beside one that is 200."""
+    frames = [np.full((24, 32), level, np.uint8) for level in (10, 50, 90)]
+    for frame in frames:
+        frame[:, 16:] = 200
+    images = [Image.fromarray(frame) for frame in frames]
+    images[0].save(tmp_path / "clip.gif", save_all=True, append_images=images[1:])
+    (tmp_path / "folder").mkdir()
+    for number, image in enumerate(images):
+        image.save(tmp_path / "folder" / f"{number}.png")
+    savemat(tmp_path / "clip.mat", {"orig": np.stack(frames, axis=-1)})
+    for first, level in enumerate((10, 50, 90)):
+        found, _ = laid(tmp_path / name, single=True, first=first, transfer="linear")
+        assert found.light.kind == "still"
+        total = found.light.total_e()
+        assert total[0, 0] / total[0, -1] == pytest.approx(level / 200)
+    with pytest.raises(Rejected, match=r"NS0735.* has 3 frames, and no frame 3"):
+        laid(tmp_path / name, single=True, first=3)
 
 
 PROGRAM = """nsl 1
@@ -132,7 +153,9 @@ def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNs
         "fit": "tiles", "picture": [270, 300], "arrays": [2, 2],
     }  # fmt: skip
     line = line.replace("a.npz", "c.npz").replace("--keep truth", "--color")
-    assert run_nscc(line.split(), tmp_path).status == 0
+    outcome = run_nscc(line.split(), tmp_path)
+    assert outcome.status == 0
+    assert "3 frames, of red, green and blue light; that of red is described" in outcome.err
     with np.load(tmp_path / "c.npz") as file:
         colours = file["exposure_e"][:, 0]
     grey = np.tensordot([0.2126, 0.7152, 0.0722], colours, 1)

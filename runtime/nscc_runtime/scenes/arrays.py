@@ -46,6 +46,62 @@ def check_type(name: Path, key: str, dtype: np.dtype[Any]) -> None:
     )
 
 
+def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
+    """NS0733 to NS0735 for a `light` array that is not of a program of so many slots and (rows,
+    cols)."""
+    _refuse_other_axes(name, shape, slots, need)
+    if len(shape) not in (2, 3):
+        raise rejected(
+            "NS0733",
+            f"'light' in '{name}' has {len(shape)} dimension{'s' * (len(shape) != 1)}: "
+            f"{size(shape)}",
+            notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+            helps=("give the array two or three dimensions",),
+        )
+    if tuple(shape[-2:]) != need:
+        raise rejected(
+            "NS0734",
+            f"'light' in '{name}' is {size(shape[-2:])}, the array is {size(need)}",
+            notes=("sizes are rows x columns; light in electrons is neither cropped nor scaled",),
+            helps=("cut the array to that size, or use a target of the scene's size",),
+            data={"scene": list(shape[-2:]), "array": list(need)},
+        )
+    if len(shape) == 3 and shape[0] != slots:
+        raise rejected(
+            "NS0735",
+            f"'light' in '{name}' has {shape[0]} frame{'' if shape[0] == 1 else 's'}, "
+            f"the program has {slots} slots",
+            notes=("a light array holds the electrons of each slot: one frame a slot",),
+            helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
+            data={"frames": shape[0], "needed": slots},
+        )
+
+
+def _refuse_other_axes(
+    name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]
+) -> None:
+    """NS0733 for light whose axes are those of other tools: time or colour last."""
+    count = shape[-1] if len(shape) in (3, 4) else 0
+    if shape[-3:-1] != need or tuple(shape[-2:]) == need:
+        return
+    found = f"'light' in '{name}' is {size(shape)}"
+    grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
+    ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
+    if count in (3, 4):
+        message = f"{found}: a colour picture, it seems, and light is one number a pixel"
+        helps = (grey, ahead) if len(shape) == 3 and count == slots else (grey,)
+    elif len(shape) == 3:
+        message, helps = f"{found}: (rows, cols, slots), it seems", (ahead,)
+    else:
+        return
+    raise rejected(
+        "NS0733",
+        message,
+        notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+        helps=helps,
+    )
+
+
 def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
     """The array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows, cols).
 

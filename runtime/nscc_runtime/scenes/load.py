@@ -21,7 +21,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
 from nscc_runtime.scenes.colour import Transfer, grey
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import clamped, refuse_no_light, size
+from nscc_runtime.scenes.errors import clamped, refuse_no_light
 from nscc_runtime.scenes.exposure import Exposure
 from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, placed
 
@@ -56,6 +56,10 @@ class _Request:
     factor: float | None = None
     warn: Callable[[Diagnostic], None] = lambda _: None
     progress: Progress = unseen
+
+    def check_light(self, shape: tuple[int, ...]) -> None:
+        """NS0733 to NS0735 for `light` arrays of a shape that is not this program's."""
+        arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
         """NS0737 where nothing says how many electrons the scene amounts to."""
@@ -140,8 +144,11 @@ def laid_scene(
     if spec.startswith("builtin:"):
         from nscc_runtime.scenes.builtin import load_builtin
 
-        _refuse(request, "a builtin scene is made for the array", "transfer", "fps", "crop")
+        why = "a builtin scene is made for the array and the program's slots"
+        _refuse(request, why, "transfer", "fps", "crop", "first")
         made = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
+        if made.kind != "still":
+            _refuse(request, why, "single")
         return Laid(made, request.on_array)
     return _load_path(request, _existing(spec))
 
@@ -157,7 +164,7 @@ def light_of_array(
     request = _Request(name, tuple(slot_us), Window(rows, cols))
     values = np.asarray(values)
     arrays.check_type(Path(name), "light", values.dtype)
-    _check_light(request, values.shape)
+    request.check_light(values.shape)
     refuse_no_light(values, name)
     return _electrons(request, np.ascontiguousarray(values, np.float32))
 
@@ -195,11 +202,9 @@ def _load_path(request: _Request, path: Path) -> Laid:
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
+        _refuse(request, "a still is one frame", "first")
         transfer = request.transfer or picture_files.default_transfer(path)
         return _still(request, partial(picture_files.read_picture, path), transfer)
-    if suffix in clips.CLIPS and request.single:
-        clip = clips.read_clip(path)
-        return _still(request, lambda: next(clip), request.transfer or "srgb")
     if suffix in clips.CLIPS:
         return _clip(request, clips.read_clip(path), request.transfer or "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
@@ -214,26 +219,29 @@ def _load_path(request: _Request, path: Path) -> Laid:
 def _refuse(request: _Request, why: str, *names: str) -> None:
     """Raise NS0739 if one of these options is given."""
     for name in names:
-        if getattr(request, name) is not None:
+        if getattr(request, name) != getattr(_Request, name):
+            option = "--still" if name == "single" else f"--{name}"
             raise rejected(
                 "NS0739",
-                f"--{name} means nothing for the scene '{request.name}'",
+                f"{option} means nothing for the scene '{request.name}'",
                 notes=(why,),
-                helps=(f"leave --{name} out",),
+                helps=(f"leave {option} out",),
             )
 
 
 def _array(request: _Request, path: Path) -> Laid:
     """Light in electrons, or a .mat clip."""
-    check = partial(_check_light, request)
     if path.suffix.lower() == ".mat":
-        key, found = arrays.read_mat(path, check)
+        key, found = arrays.read_mat(path, request.check_light)
         if key == arrays.MAT_CLIP_KEY:
             frames = (found[:, :, k] for k in range(found.shape[2]))
             return _clip(request, frames, request.transfer or "linear")
     else:
-        found = arrays.read_light(path, check, request.progress)
-    _refuse(request, "`light` arrays hold electrons, slot by slot, for every pixel", "fps", "crop")
+        found = arrays.read_light(path, request.check_light, request.progress)
+    why = "`light` arrays hold electrons, slot by slot, for every pixel"
+    _refuse(request, why, "fps", "crop", "first")
+    if found.ndim == 3:
+        _refuse(request, why, "single")
     if request.transfer == "srgb":
         _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
     return Laid(_electrons(request, found), request.on_array)
@@ -263,60 +271,6 @@ def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
     return Light.of_still(found, seconds)
 
 
-def _check_light(request: _Request, shape: tuple[int, ...]) -> None:
-    """The shape that a `light` array must have for this program."""
-    need = (request.window.rows, request.window.cols)
-    _refuse_other_axes(request, shape, need)
-    if len(shape) not in (2, 3):
-        raise rejected(
-            "NS0733",
-            f"'light' in '{request.name}' has {len(shape)} dimension{'s' * (len(shape) != 1)}: "
-            f"{size(shape)}",
-            notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
-            helps=("give the array two or three dimensions",),
-        )
-    if tuple(shape[-2:]) != need:
-        raise rejected(
-            "NS0734",
-            f"'light' in '{request.name}' is {size(shape[-2:])}, the array is {size(need)}",
-            notes=("sizes are rows x columns; light in electrons is neither cropped nor scaled",),
-            helps=("cut the array to that size, or use a target of the scene's size",),
-            data={"scene": list(shape[-2:]), "array": list(need)},
-        )
-    if len(shape) == 3 and shape[0] != request.slots:
-        raise rejected(
-            "NS0735",
-            f"'light' in '{request.name}' has {shape[0]} frame{'' if shape[0] == 1 else 's'}, "
-            f"the program has {request.slots} slots",
-            notes=("a light array holds the electrons of each slot: one frame a slot",),
-            helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
-            data={"frames": shape[0], "needed": request.slots},
-        )
-
-
-def _refuse_other_axes(request: _Request, shape: tuple[int, ...], need: tuple[int, int]) -> None:
-    """NS0733 for light whose axes are those of other tools: time or colour last."""
-    count = shape[-1] if len(shape) in (3, 4) else 0
-    if shape[-3:-1] != need or tuple(shape[-2:]) == need:
-        return
-    found = f"'light' in '{request.name}' is {size(shape)}"
-    grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
-    ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
-    if count in (3, 4):
-        message = f"{found}: a colour picture, it seems, and light is one number a pixel"
-        helps = (grey, ahead) if len(shape) == 3 and count == request.slots else (grey,)
-    elif len(shape) == 3:
-        message, helps = f"{found}: (rows, cols, slots), it seems", (ahead,)
-    else:
-        return
-    raise rejected(
-        "NS0733",
-        message,
-        notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
-        helps=helps,
-    )
-
-
 def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transfer) -> Laid:
     _refuse(request, "a still has no frame rate", "fps")
     request.check_exposure()
@@ -329,7 +283,9 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Laid:
-    """The first frames of a clip: one a slot, or as `--fps` lays them under the slots."""
+    """Frames of a clip: one a slot, or as `--fps` lays them under the slots; or one, as a still."""
+    if request.single:
+        return _still(request, partial(_only_frame, request, stored), transfer)
     request.check_exposure()
     fps = None if request.fps is None else timing.check_fps(request.fps)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
@@ -347,7 +303,7 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
         if have == need:
             break
     if have < need:
-        raise timing.too_short(request.name, have, need, request.slots, request.fps)
+        raise timing.too_short(request.name, have, need, request.slots, request.fps, request.first)
     if fps is None:
         factor = request.scale(frames.sum(axis=0, dtype=np.float64), where)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
@@ -358,6 +314,15 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     if request.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate)
     return Laid(clip, where, colour)
+
+
+def _only_frame(request: _Request, stored: Iterator[NDArray[Any]]) -> NDArray[Any]:
+    """The frame of a clip that is taken as a still; NS0735 beyond its end."""
+    have = 0
+    for have, picture in enumerate(stored, 1):
+        if have > request.first:
+            return picture
+    raise timing.no_such_frame(request.name, have, request.first)
 
 
 def _say_changes(request: _Request, stored: NDArray[Any], where: Layout) -> bool:
@@ -375,7 +340,8 @@ def _light(
     """A stored picture as light on the arrays, and how it lies; NS0736 for what is not light."""
     where = layout(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
     with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
-        peak = float(stored.max()) if stored.dtype.kind == "f" else 0.0
+        floats = stored.dtype.kind == "f"
+        peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
         part = request.window.of(stored, request.name) if where.fit == "crop" else stored
         strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
         values = np.concatenate([grey(strip, transfer, request.channel) for strip in strips])

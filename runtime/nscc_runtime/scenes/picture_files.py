@@ -56,10 +56,15 @@ def _read_opencv(path: Path) -> NDArray[Any]:
     data = np.fromfile(path, np.uint8)
     if data.size == 0:
         raise ValueError("the file is empty")
-    found = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | cv2.IMREAD_COLOR)
-    if found is None:
+    # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
+    for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
+        found = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
+        if found is not None:
+            break
+    else:
         raise ValueError("")
-    return np.asarray(found)[..., ::-1]
+    picture = np.asarray(found)
+    return picture if picture.ndim == 2 else picture[..., 2::-1]
 
 
 def _read_pillow(path: Path) -> NDArray[Any]:

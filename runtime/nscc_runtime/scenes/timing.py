@@ -125,8 +125,10 @@ def check_fps(fps: float) -> Fraction:
     )
 
 
-def too_short(name: Path_or_name, have: int, need: int, slots: int, fps: float | None) -> Rejected:
-    """The clip has fewer frames than the slots take (NS0735)."""
+def too_short(
+    name: Path_or_name, have: int, need: int, slots: int, fps: float | None, first: int = 0
+) -> Rejected:
+    """The clip has fewer frames than the slots take (NS0735): `have` from frame `first` on."""
     if fps is None:
         why = f"{slots} slots take one frame each"
         ways = "a program with fewer slots, or give the clip's frame rate: --fps F"
@@ -135,8 +137,20 @@ def too_short(name: Path_or_name, have: int, need: int, slots: int, fps: float |
         ways = "a lower --fps, or a program with a shorter frame"
     return rejected(
         "NS0735",
-        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, {need} are needed",
+        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}"
+        f"{f' from frame {first} on' if first else ''}, {need} are needed",
         notes=(why,),
         helps=(f"use a longer clip, {ways}",),
         data={"frames": have, "needed": need},
+    )
+
+
+def no_such_frame(name: Path_or_name, have: int, first: int) -> Rejected:
+    """The clip ends before the frame that is taken as a still (NS0735)."""
+    return rejected(
+        "NS0735",
+        f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, and no frame {first}",
+        notes=("frames are counted from 0",),
+        helps=("give a smaller --first" if have else "use a clip that has frames",),
+        data={"frames": have, "needed": first + 1},
     )
