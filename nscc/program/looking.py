@@ -218,12 +218,11 @@ class _Maker:
             if number is None:
                 return None
             value = Fraction(number)
-        step = level_steps(float(value), unit, target)
-        most_e = target.in_high * target.electrons_per_step
-        least, most = (100 * e / target.full_well_e for e in (target.electrons_per_step, most_e))
-        if not 1 <= step <= target.in_high or level_e(float(value), unit, target) >= min(
-            target.full_well_e, target.register_max_e
-        ):
+        most_e, full_e = target.in_high * target.electrons_per_step, _full_e(target)
+        least, most = (
+            100 * e / target.full_well_e for e in (target.electrons_per_step, min(most_e, full_e))
+        )
+        if not can_tell(float(value), unit, target):
             self.problems.error(
                 "NS0321",
                 f"no pixel can tell whether it holds {level_e(float(value), unit, target):g} e",
@@ -234,10 +233,12 @@ class _Maker:
                     f"IN goes up to {target.in_high} steps of {target.electrons_per_step:.4g} e: "
                     f"{most_e:.6g} e",
                 ),
-                helps=(f"give a level from {least:.3g}% to {most:.3g}%",),
+                helps=(
+                    f"give a level from {least:.3g}% to {'below ' * (full_e <= most_e)}{most:.3g}%",
+                ),
             )  # fmt: skip
             return None
-        return step
+        return level_steps(float(value), unit, target)
 
     def state(self, name: str, state: State) -> machine.State | None:
         """One state."""
@@ -308,3 +309,15 @@ def level_e(value: float, unit: str, target: Target) -> float:
 def level_steps(value: float, unit: str, target: Target) -> int:
     """A level in steps of IN, rounded."""
     return round(level_e(value, unit, target) / target.electrons_per_step)
+
+
+def can_tell(value: float, unit: str, target: Target) -> bool:
+    """Whether pixels can hold less than a level and more: IN reaches it, and neither PIX nor a
+    register is full below it."""
+    reached = 1 <= level_steps(value, unit, target) <= target.in_high
+    return reached and level_e(value, unit, target) < _full_e(target)
+
+
+def _full_e(target: Target) -> float:
+    """Electrons at which a pixel is full, where it is read or where that is held."""
+    return min(target.full_well_e, target.register_max_e)

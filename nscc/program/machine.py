@@ -6,6 +6,7 @@ look, and where each outcome of that look leads.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -15,7 +16,7 @@ from numpy.typing import NDArray
 from nscc.program.arithmetic import Fault, Value, array, scalar
 from nscc.program.evaluate import bit_count, evaluate, fault_at
 from nscc.program.expressions import Checked
-from nscc.program.looking import Looking, Sense, level_steps
+from nscc.program.looking import Looking, Sense, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
 from nscc.program.table import CodeArray, Finding, NoValue, Rules, TooMuch, code_text
@@ -25,6 +26,8 @@ from nscc.words.machine import Comparison, Machine, State
 
 MOST_TRANSITIONS = 10**7
 """Most codes x states x outcomes that are played through, and replayed by the proof."""
+MOST_CELLS = 1 << 29
+"""Most nodes x slots, of all stages and rules together: a byte each."""
 MOST_HISTORIES = 1 << 16
 """Most different times that a pixel may have been open in one node, while they are counted."""
 
@@ -66,6 +69,7 @@ class _Builder:
         self.held = [sense for sense in looking.senses if sense.name in in_rules]
         self.width = 1 + len(looking.states)
         self.transitions = 0
+        self.cells = 0
 
     def _stale(self, sense: Sense) -> bool:
         return set(self.looks) != set(sense.at)
@@ -90,14 +94,10 @@ class _Builder:
 
     def _start(self) -> Nodes:
         """Every code, with every value that kept states may have."""
-        values = [
-            np.arange(state.low, state.high + 1) if state.kept else np.array([state.start])
-            for state in self.looking.states
-        ]
-        size = len(self.codes)
-        for each in values:
-            size *= len(each)
+        kept = [(s.low, s.high) if s.kept else (s.start, s.start) for s in self.looking.states]
+        size = len(self.codes) * math.prod(high - low + 1 for low, high in kept)
         self._limit(size)
+        values = [np.arange(low, high + 1) for low, high in kept]
         grids = np.meshgrid(np.arange(len(self.codes)), *values, indexing="ij")
         columns = [grid.reshape(-1) for grid in grids]
         columns += [np.zeros(size, np.int64)] * len(self.held)
@@ -137,9 +137,15 @@ class _Builder:
         """Where shutters are open (nodes, buckets, N) and PIX is reset (nodes, N)."""
         slots = self.rules.slots
         self._limit(len(nodes))
-        if len(nodes) * (end - begin) * len(self.rules.rules) > 1 << 28:
-            cells = len(nodes) * (end - begin)
-            raise TooMuch(f"{cells} nodes and slots are too many", cells, 1 << 28)
+        # Every stage keeps what its nodes open and reset in all slots of the frame.
+        self.cells += len(nodes) * (len(self.rules.rules) + 1) * slots
+        if self.cells > MOST_CELLS:
+            message = (
+                f"{counted(len(self.codes), 'code')} with their states and answers, at "
+                f"{counted(len(self.looks), 'look')}, open and reset in {self.cells} slots and "
+                f"more, and the limit is {MOST_CELLS}"
+            )
+            raise TooMuch(message, self.cells, MOST_CELLS)
         bindings = self._bindings(nodes, looks)
         bindings["n"] = array(np.arange(begin, end, dtype=np.int64).reshape(1, -1))
         shape = (len(nodes), end - begin)
@@ -210,10 +216,15 @@ class _Builder:
         return asked, of_sense
 
     def _field_step(self, sense: Sense, value: int) -> int:
-        step = level_steps(value, "lsb", self.target)
-        if not 1 <= step <= self.target.in_high:
-            text = f"a level has 1 to {self.target.in_high} steps"
-            message = f"the level {value} of `{sense.field}` is {step} steps of IN"
+        target = self.target
+        step = level_steps(value, "lsb", target)
+        if not can_tell(value, "lsb", target):
+            text = (
+                f"a level has 1 to {target.in_high} steps, and is below {target.full_well_e:g} e, "
+                f"a full well, and {target.register_max_e:g} e, a full register"
+            )
+            held_e = level_e(value, "lsb", target)
+            message = f"the level {value} of `{sense.field}` is {step} steps of IN, {held_e:g} e"
             fault = Fault("NS0321", message, sense.span, text)
             raise NoValue([Finding(fault, f"for {sense.field} = {value}", 1)])
         return step

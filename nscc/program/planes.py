@@ -209,7 +209,8 @@ class _Maker:
                 self.problems.adopt(wrong, statement.path.span)
                 continue
             (plane, beyond), *more = found
-            if more:
+            # Only bits that the file gives one by one reach into the other parts.
+            if any(part.any() for part, _ in more):
                 planes.update(zip(names, (each for each, _ in found), strict=True))
             else:
                 self._keep(planes, field, plane, statement, beyond)

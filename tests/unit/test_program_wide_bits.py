@@ -53,6 +53,23 @@ def test_numbers_give_the_lowest_bits() -> None:
     assert np.flatnonzero(found[:, 0, 1]).tolist() == [0, 2, 3]
 
 
+@pytest.mark.parametrize("count", [63, 100])
+@pytest.mark.parametrize("value", [2**62, 2**62 + 5, 2**63 - 1, -1, np.uint64(2**63 + 1)], ids=str)
+def test_numbers_of_a_file_are_the_lowest_bits_or_refused(
+    count: int, value: int, tmp_path: Path
+) -> None:
+    """A number holds 62 bits: one of more, or below 0, is no pixel's."""
+    numbers = np.full((ROWS, COLS), 2**62 - 1, np.asarray(value).dtype)
+    np.savez(tmp_path / "bits.npz", bits=numbers)
+    found = nscc.compile(text(count), target=STREAM, folder=tmp_path).shutters(pixels=True)
+    assert found[0].sum(axis=0).tolist() == [[62] * COLS] * ROWS
+    numbers[3, 4] = value
+    np.savez(tmp_path / "bits.npz", bits=numbers)
+    with pytest.raises(Rejected, match=r"NS0311.* x = 4, y = 3") as caught:
+        nscc.compile(text(count), target=STREAM, folder=tmp_path)
+    assert caught.value.diagnostics[0].data["pixels"] == 1
+
+
 @pytest.mark.parametrize(
     ("program", "code"),
     [

@@ -1,0 +1,61 @@
+"""Programs that look and are too large, or look for what no pixel holds: refused soon, with why."""
+
+from __future__ import annotations
+
+import resource
+from dataclasses import replace
+
+import pytest
+
+import nscc
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.target.load import builtin_target
+
+SMALL_WELL = replace(
+    builtin_target("scamp5"), name="mine", rows=8, cols=8, full_well_e=10000.0, readout="full"
+)
+
+
+def rejection(text: str, target: nscc.Target | str = "scamp5") -> str:
+    with pytest.raises(Rejected) as caught:
+        nscc.compile(text, target=target)
+    (found,) = caught.value.diagnostics
+    assert caught.value.status == 1
+    return f"{found.code} {found.message} {found.helps}"
+
+
+def test_a_state_of_any_range_is_counted_before_it_is_made() -> None:
+    said = rejection(
+        "nsl 2\nframe 8 slots of 1ms\nsense b when light > 45% at n == 2\n"
+        f"state c : 0..{10**15} = 1 kept\nnext c = 10 when b\nopen when c == 1\nread c\n"
+    )
+    assert said.startswith("NS0450")
+    assert f" {10**15 + 1} " in said
+
+
+@pytest.mark.parametrize("slots", [1024, 4096])
+def test_a_look_at_every_boundary_of_a_long_frame_is_counted(slots: int) -> None:
+    """Nodes x slots of a thousand stages: gigabytes, if they were kept."""
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    said = rejection(
+        f"nsl 2\nframe {slots} slots of 100us\nsense b when light > 45% at n >= 1\n"
+        f"state c : 0..{slots} = 0\nnext c = n when b and c == 0\nopen when c == 0\nread c\n"
+    )
+    assert said.startswith("NS0450")
+    assert resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before < 2 << 20  # KiB
+
+
+@pytest.mark.parametrize(("code", "fits"), [(4, True), (60, True), (127, True), (128, False)])
+def test_levels_of_a_field_are_below_a_full_well_as_others_are(code: int, fits: bool) -> None:
+    """10,000 e are 127.5 codes: 8 bits reach over two wells."""
+    looks = "nsl 2\nframe 4 slots of 1ms\n{}sense b when light > {} at n == 2\n"
+    looks += "state c : bit = 0\nnext c = b\nopen when n < 3\nread c\n{}"
+    plain = looks.format("", f"{code}lsb", "")
+    field = looks.format("code f : 1..200\n", "f", f"pixels f = {code}\n")
+    for text in (plain, field):
+        if fits:
+            nscc.compile(text, target=SMALL_WELL)
+        else:
+            assert "NS0321" in rejection(text, SMALL_WELL)
+    if not fits:
+        assert "below 100%" in rejection(plain, SMALL_WELL)
