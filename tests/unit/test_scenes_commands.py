@@ -167,3 +167,17 @@ def test_view_draws_both_kinds(capsys: pytest.CaptureFixture[str]) -> None:
         assert main(["view", program, "-o", program + ".png"]) == 0
         assert Path(program + ".png").read_bytes().startswith(b"\x89PNG")
     assert capsys.readouterr().out == ""
+
+
+def test_shutters_that_light_decides_are_refused_before_it_falls(
+    root: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    from nscc_runtime import pieces
+
+    monkeypatch.setattr(pieces, "simulate_scene", None)  # nothing is exposed
+    looking = str(root / "examples" / "float_pixel.nsl")
+    line = ("--scene", "builtin:dark", "--keep", "shutter,light", "-o", "f.npz")
+    status, err = run(looking, *line, capsys=capsys)
+    assert status == 1
+    assert "NS0444" in err
+    assert not Path("f.npz").exists()

@@ -187,6 +187,7 @@ def test_the_command(quick: None, tmp_path: Path) -> None:
         (["--data", "none"], "NS0811"),
         (["--size", "8"], "NS0783"),
         (["--csv", "a", "--png", "a"], "NS0745"),
+        (["--png", "a.jpg"], "NS0786"),
     ],
     ids=lambda value: " ".join(value) if isinstance(value, list) else value,
 )

@@ -312,6 +312,7 @@ def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
         (["--budget", "x"], "NS0746"),
         (["--frames", "1"], "NS0783"),
         (["--csv", "a", "--png", "a"], "NS0745"),
+        (["--png", "a.jpg"], "NS0786"),
         (["--csv", "out_budget.png"], "NS0745"),
         (["--repeats", "0"], "NS0783"),
         (["--scene", "builtin:none"], "NS0731"),
