@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +16,12 @@ from PIL import Image
 from scipy.io import savemat
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.scenes import Exposure, Laid, laid_scene, load_scene
+from nscc.target.load import builtin_target
+from nscc_runtime.scenes import Exposure, Laid, Scene, laid_scene, load_scene
 from nscc_runtime.scenes.colour import srgb_to_linear
 
 RNG = np.random.default_rng(11)
-SIZE = {"slot_us": (1000.0, 1000.0), "rows": 24, "cols": 32}
+SIZE: dict[str, Any] = {"slot_us": (1000.0, 1000.0), "rows": 24, "cols": 32}
 
 
 @pytest.fixture
@@ -163,6 +165,17 @@ def test_runs_of_pieces_and_colours(photo: Path, tmp_path: Path, run_nscc: RunNs
     assert not np.allclose(colours[0], colours[1])
     for wrong in ("--repeat 2", "--plan new.json --effects auto"):
         assert "NS0739" in run_nscc([*line.split(), *wrong.split()], tmp_path).codes
+
+
+def test_what_has_no_colours_is_exposed_once(tmp_path: Path) -> None:
+    Image.fromarray(RNG.integers(0, 256, (24, 32), np.uint8)).save(tmp_path / "grey.png")
+    target = replace(builtin_target("scamp5"), rows=24, cols=32)
+    for name in (str(tmp_path / "grey.png"), "builtin:hdr"):
+        said: list[Diagnostic] = []
+        scene = Scene(name, exposure="5000", color=True)
+        assert len(scene.laid(SIZE["slot_us"], target, said.append)) == 1
+        assert [each.code for each in said] == ["NS0773"]
+        assert "no colours" in said[0].message
 
 
 def test_16_bits_alpha_and_grey(tmp_path: Path) -> None:

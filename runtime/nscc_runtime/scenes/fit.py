@@ -155,5 +155,10 @@ def changes(where: Layout, colour: bool, name: str) -> list[Diagnostic]:
     return found
 
 
+def no_colours(name: str) -> Diagnostic:
+    """The note (NS0773) on a scene that is to be exposed in colours and has none."""
+    return _note(f"'{name}' has no colours: it is exposed once", "leave --color out")
+
+
 def _note(text: str, help_text: str) -> Diagnostic:
     return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

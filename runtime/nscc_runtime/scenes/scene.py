@@ -13,7 +13,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import parse_exposure
-from nscc_runtime.scenes.fit import Fit
+from nscc_runtime.scenes.fit import Fit, no_colours
 from nscc_runtime.scenes.load import FramesAre, Laid, laid_scene
 
 
@@ -79,6 +79,8 @@ class Scene:
         said: list[Diagnostic] = []
         grey = load(said.append)
         in_colours = self.color and grey.colour
+        if self.color and not grey.colour:
+            said.append(no_colours(self.name))
         for each in said:
             if not (in_colours and each.data.get("grey")):
                 warn(each)
