@@ -86,10 +86,10 @@ class Completion:
         span = self.declared.rules[0].rule.span
         try:
             machine, behaviour = build_machine(self.rules, looking, codes, self.target)
-            machine, missing = with_open_times(machine, self.frame.slot_us)
+            machine, untold = with_open_times(machine, self.frame.slot_us)
         except (NoValue, TooMuch) as problem:
             raise self._refused(problem, span, self.mode) from problem
-        judge_looking(self.declared, machine, missing, self.target, self.problems)
+        judge_looking(self.declared, machine, untold, self.target, self.problems)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
         table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))

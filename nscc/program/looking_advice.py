@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.program.names import Declarations
+from nscc.program.open_time import Untold
 from nscc.program.problems import Problems
 from nscc.syntax import tree
 from nscc.target.target import Target
@@ -15,7 +16,7 @@ from nscc.words.machine import Machine
 def judge_looking(
     declared: Declarations,
     machine: Machine,
-    missing: tuple[str, ...] | None,
+    untold: Untold | None,
     target: Target,
     problems: Problems,
 ) -> None:
@@ -23,18 +24,18 @@ def judge_looking(
     target does not have (NS0415), rules that never open (NS0350), and names that nothing reads
     (NS0355).
 
-    `missing` as of `nscc.program.open_time.with_open_times`.
+    `untold` as of `nscc.program.open_time.with_open_times`.
     """
-    if missing is not None:
-        rule = declared.rules[0]
-        names = ", ".join(missing)
-        helps = (f"`read {names}` tells it",) if missing else (
+    if untold is not None:
+        rule = declared.rules[untold.bucket]
+        names = ", ".join(untold.states)
+        helps = (f"`read {names}` tells it",) if names else (
             "remember in a state when the shutter closed, `state closed_at : 0..3 = 0`: read that",
         )  # fmt: skip
         problems.error(
             "NS0324", "the readout does not tell how long a pixel was open", rule.span,
             "pixels of one code are open for different times", helps=helps,
-            data={"missing": list(missing)},
+            data={"missing": list(untold.states)},
         )  # fmt: skip
     if declared.reset is not None and target.reset_honours_flag != "yes":
         _judge_resets(declared.reset, machine, target, problems)
