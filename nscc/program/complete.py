@@ -14,6 +14,7 @@ from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
 from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
+from nscc.program.looking_size import Part, largest_part, most_looks
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
@@ -83,12 +84,20 @@ class Completion:
         if self.mode == "open":
             codes, at_pixel = self._legal(in_use, at_pixel)
             legal = len(codes)
-        span = self.declared.rules[0].rule.span
         try:
             machine, behaviour = build_machine(self.rules, looking, codes, self.target)
+        except NoValue as problem:
+            raise self._refused(problem, self.declared.rules[0].rule.span) from problem
+        except TooMuch as problem:
+            names = [field.name for field in self.rules.fields]
+            part = largest_part(self.declared, looking, names, codes)
+            if names:
+                part.helps.extend([*self._fewer_codes(self.mode), "narrow the fields' ranges"])
+            raise self._too_much_looked(problem, part) from problem
+        try:
             machine, untold = with_open_times(machine, self.frame.slot_us)
-        except (NoValue, TooMuch) as problem:
-            raise self._refused(problem, span, self.mode) from problem
+        except TooMuch as problem:
+            raise self._too_much_looked(problem, most_looks(self.declared, looking)) from problem
         judge_looking(self.declared, machine, untold, self.target, self.problems)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
@@ -241,11 +250,7 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
-        helps = ["narrow the fields' ranges, or use fewer slots"]
-        if mode == "open" and self.declared.has_pixels:
-            helps.insert(0, "`--codes fixed` compiles only for the codes that the pixels use")
-        elif mode == "open":
-            helps.insert(0, "give the pixels: then only the codes in use are compiled")
+        helps = [*self._fewer_codes(mode), "narrow the fields' ranges, or use fewer slots"]
         self.problems.error(
             "NS0450",
             f"too many codes and slots: {problem.message}",
@@ -253,13 +258,28 @@ class Completion:
             "asks for this many",
             related=(Label(self.frame.count_span, "the slots"),),
             helps=tuple(helps),
-            data={
-                "resource": "proof",
-                "required": problem.required,
-                "available": problem.available,
-                "proved": True,
-            },
+            data=_proved(problem),
         )
+
+    def _too_much_looked(self, problem: TooMuch, part: Part) -> Rejected:
+        """NS0450 at what makes the machine large."""
+        self.problems.error(
+            "NS0450",
+            f"too many codes, states and answers: {problem.message}",
+            part.place or self._limit_span(),
+            part.text,
+            helps=tuple(part.helps),
+            data=_proved(problem),
+        )
+        return Rejected(self.problems.sorted())
+
+    def _fewer_codes(self, mode: Codes) -> list[str]:
+        """What compiles for fewer of the codes that there are."""
+        if mode != "open" or not self.rules.fields:
+            return []
+        if self.declared.has_pixels:
+            return ["`--codes fixed` compiles only for the codes that the pixels use"]
+        return ["give the pixels: then only the codes in use are compiled"]
 
     def _limit_span(self) -> Span:
         """The place to change where there are too many codes: the widest field's, or the frame."""
@@ -276,6 +296,15 @@ class Completion:
 
 def _bucket(rule: Rule) -> BucketRule:
     return BucketRule(rule.name.text if isinstance(rule, tree.Bucket) else "frame", rule.span)
+
+
+def _proved(problem: TooMuch) -> dict[str, object]:
+    return {
+        "resource": "proof",
+        "required": problem.required,
+        "available": problem.available,
+        "proved": True,
+    }
 
 
 def _names_read(declared: Declarations) -> set[str]:

@@ -198,6 +198,43 @@ def test_what_cannot_be_proved_is_refused_with_the_numbers(
     assert found.helps
 
 
+LOOKING = "nsl 2 frame 8 slots of 1ms "
+LOOK = "sense b when light > 40% at n in [1, 2, 4] "
+MANY_SENSES = " ".join(f"sense b{k} when light > {k + 5}% at n == 4" for k in range(40))
+LENGTHS = ", ".join(f"{2**k}ms" for k in range(18))
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "helps"),
+    [
+        (LOOKING + MANY_SENSES + " open when n < 4", "b0", ["use fewer senses at one boundary"]),
+        (
+            # A state that reaches few of its values is not what there is too much of.
+            LOOKING + MANY_SENSES + " state a : 0..10000000000 = 0 next a = looks open when a < 1",
+            "b0", ["use fewer senses at one boundary", "give the states smaller ranges"],
+        ),
+        (
+            LOOKING + LOOK + "state a : bit = false state c : 0..99999999 = 0 kept open when a",
+            "c", ["give the states smaller ranges", "look at fewer boundaries: there are 3"],
+        ),
+        (
+            LOOKING + "code level : 20..200 sense b when light > level at n == 2 open when b",
+            "b", ["use fewer values of `level`", "give the pixels", "narrow the fields' ranges"],
+        ),
+        (
+            f"nsl 2 frame slots [{LENGTHS}] sense b when light > 40% at n > 0 open when b",
+            "n > 0", ["look at fewer boundaries"],
+        ),
+    ],
+)  # fmt: skip
+def test_what_is_too_much_of_a_program_that_looks(text: str, place: str, helps: list[str]) -> None:
+    (found,) = errors(text)
+    assert (found.code, placed(found)) == ("NS0450", place)
+    assert len(found.helps) == len(helps)
+    for given, wanted in zip(found.helps, helps, strict=True):
+        assert given.startswith(wanted)
+
+
 def test_too_many_operations_are_refused() -> None:
     rules = [f"n == {k} * stop" for k in range(3000)]
     while len(rules) > 1:
