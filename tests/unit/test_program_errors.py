@@ -82,6 +82,7 @@ ONE_ERROR = [
     (STOP + "open when 1 << n - 1 > stop", "NS0304", "n - 1"),
     (STOP + "let a = (1 << 61) - 1 + (1 << 61) open when n - 1 < a + n", "NS0305", "a + n"),
     (STOP + "open when 1000000000000 * n < 5000000 * stop * 1000000000000", "NS0305", None),
+    (FRAME + f"let a = {2**62 - 1} open when a + n > 3", "NS0305", "a + n"),
     (FRAME + "let a = 3 << 61 open when n < a", "NS0305", "3 << 61"),
     (FRAME + "code a : 3..1 open when n < a pixels a = 2", "NS0306", "3..1"),
     (FRAME + "code a : bit[0] open when a[n]", "NS0307", "0"),
