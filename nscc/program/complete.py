@@ -10,10 +10,9 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
-from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
-from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
+from nscc.program.looking_advice import judge_looked_names, judge_looking, shutters_in_the_dark
 from nscc.program.looking_size import Part, largest_part, most_looks
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
@@ -89,16 +88,20 @@ class Completion:
         except NoValue as problem:
             raise self._refused(problem, self.declared.rules[0].rule.span) from problem
         except TooMuch as problem:
-            names = [field.name for field in self.rules.fields]
-            part = largest_part(self.declared, looking, names, codes)
-            if names:
+            fields = [field.name for field in self.rules.fields]
+            part = largest_part(self.declared, looking, fields, codes)
+            if fields:
                 part.helps.extend([*self._fewer_codes(self.mode), "narrow the fields' ranges"])
             raise self._too_much_looked(problem, part) from problem
         try:
             machine, untold = with_open_times(machine, self.frame.slot_us)
         except TooMuch as problem:
             raise self._too_much_looked(problem, most_looks(self.declared, looking)) from problem
-        judge_looking(self.declared, machine, untold, self.target, self.problems)
+        problems, rules = self.problems, self.rules
+        judge_looking(self.declared, machine, untold, self.target, problems)
+        judge_looked_names(self.declared, looking, rules.rules, machine, problems)
+        asked = [*rules.rules, *looking.expressions]
+        judge_names(self.declared, rules.fields, asked, rules.books, problems)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
         table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))
@@ -235,9 +238,7 @@ class Completion:
         problems, declared, fields = self.problems, self.declared, self.rules.fields
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
         judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
-        judge_names(
-            declared, fields, self.rules.rules, _names_read(declared), self.rules.books, problems
-        )
+        judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
         judge_bumps(found, declared.rules[0], survey, problems)
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
@@ -305,27 +306,6 @@ def _proved(problem: TooMuch) -> dict[str, object]:
         "available": problem.available,
         "proved": True,
     }
-
-
-def _names_read(declared: Declarations) -> set[str]:
-    """Every name that an expression anywhere in the file reads."""
-    exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
-    exprs += [r.condition for r in declared.requires]
-    exprs += [r.rule for r in declared.rules]
-    if isinstance(declared.frame, tree.EqualSlots):
-        exprs.append(declared.frame.count)
-    for code in declared.codes.values():
-        if isinstance(code, tree.CodeRange):
-            exprs += [code.low, code.high]
-        elif isinstance(code, tree.CodeBits):
-            exprs.append(code.count)
-    for pixels in declared.pixels.values():
-        if isinstance(pixels, tree.PixelsExpr):
-            exprs.append(pixels.value)
-        elif isinstance(pixels, tree.PixelsTile):
-            values = (value for row in pixels.rows for value in row.values)
-            exprs += [value for value in values if not isinstance(value, tree.Int)]
-    return {name.text for expr in exprs for name in names_in(expr)}
 
 
 def _named_at(target: tree.TargetByName | tree.TargetFromFile | None) -> Span | None:

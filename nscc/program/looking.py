@@ -62,6 +62,14 @@ class Looking:
         """The boundaries with at least one sense."""
         return tuple(sorted({n for sense in self.senses for n in sense.at}))
 
+    @property
+    def expressions(self) -> list[Checked]:
+        """What `next` and `reset when` ask."""
+        found = [] if self.reset is None else [self.reset]
+        for each in self.nexts.values():
+            found += [each.value] if each.condition is None else [each.value, each.condition]
+        return found
+
 
 def make_looking(
     declared: Declarations,
