@@ -79,7 +79,7 @@ def make_looking(
 ) -> Looking | None:
     """The statements of version 2; None where there are none, or after reporting what is wrong.
 
-    Reports names that are no state (NS0214), levels that cannot be told from the well or that IN
+    Reports names that are no state (NS0209, NS0214), levels that cannot be told from the well or that IN
     cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their range
     (NS0311) and signals that cannot be compared (NS0323).
     """
@@ -302,8 +302,22 @@ class _Maker:
         """Whether this is a state; says so if it is not."""
         if name.text in self.declared.states:
             return True
-        if name.text not in self.declared.refused:
+        if name.text in self.declared.refused:
+            return False
+        what = dict(self.declared.declared()).get(name.text)
+        if what is None:
             self.problems.unknown("a state", name.text, name.span, self.declared.states)
+            return False
+        helps = (
+            "only states step, and come with the frame: declare `state NAME : LO..HI = START`",
+        )
+        if name.text in self.declared.senses:
+            helps = (
+                "remember its answer in a state: `state seen : bit = false`, "
+                f"`next seen = {name.text}`, `read seen`",
+            )
+        message = f"`{name.text}` is {what}, not a state"
+        self.problems.error("NS0209", message, name.span, what, helps=helps)
         return False
 
 
