@@ -79,9 +79,9 @@ def make_looking(
 ) -> Looking | None:
     """The statements of version 2; None where there are none, or after reporting what is wrong.
 
-    Reports names that are no state (NS0209, NS0214), levels that cannot be told from the well or that IN
-    cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their range
-    (NS0311) and signals that cannot be compared (NS0323).
+    Reports names that are no state (NS0209, NS0214), levels that cannot be told from the well or
+    that IN cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their
+    range (NS0311) and signals that cannot be compared (NS0323).
     """
     if not declared.looking:
         return None
