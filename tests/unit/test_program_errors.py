@@ -10,8 +10,10 @@ import pytest
 from program_oracle import program_of
 
 import nscc.diagnostics
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.many import MOST_ERRORS
 from nscc.program.analyse import analyse
+from nscc.program.problems import Problems
 from nscc.source import Source, Span
 from nscc.syntax import tree as t
 
@@ -197,6 +199,25 @@ def test_what_cannot_be_proved_is_refused_with_the_numbers(
     assert str(required) in found.message
     assert str(found.data["available"]) in found.message
     assert found.helps
+
+
+@pytest.mark.parametrize("more", [0, 1, 300])
+def test_many_errors_are_counted_and_warnings_all_shown(more: int) -> None:
+    lets = " ".join(f"let spare{k} = missing{k}" for k in range(MOST_ERRORS + more))
+    twice = "let a = 1 " + " ".join("let a = 1" for _ in range(MOST_ERRORS + more))
+    for text in (FRAME + lets + " open when n < 2", FRAME + twice + " open when n < 2"):
+        found = errors(text)
+        assert len(found) == MOST_ERRORS + (more > 0)
+        places = [d.label.span.start for d in found if d.label is not None]
+        assert places == sorted(places)
+        assert [str(more) in d.message for d in found if d.code == "NS0190"] == [True] * (more > 0)
+    problems = Problems(Source("test.nsl", "text"))
+    for _ in range(2 * MOST_ERRORS + more):
+        problems.error("NS0214", "unknown", Span(0, 1))
+        problems.warning("NS0352", "not read", Span(0, 1))
+    severities = [d.severity for d in problems.sorted()]
+    assert severities.count(Severity.WARNING) == 2 * MOST_ERRORS + more
+    assert severities.count(Severity.ERROR) == MOST_ERRORS + 1
 
 
 LOOKING = "nsl 2 frame 8 slots of 1ms "
