@@ -47,7 +47,10 @@ def reads(*paths: Path) -> None:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file whole or not at all; raises Rejected (NS0784, status 2) where it cannot be."""
+    """Write a file whole or not at all; one that is replaced keeps its rights.
+
+    Raises Rejected (NS0784, status 2) where it cannot be written.
+    """
     write_together({path: data})
 
 
@@ -135,7 +138,8 @@ def _refuse_input(path: Path, data: Product) -> None:
 
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
-    """Write to a temporary neighbour of `path`; a pipe or device is written directly."""
+    """Write to a temporary neighbour of `path`, with the rights of a file that is there already;
+    a pipe or device is written directly."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
     # Asked of the name itself: what a descriptor's link points to need not have a path.
@@ -149,9 +153,14 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     temporary = final.with_name(f".{final.name[:200]}.{os.getpid()}.part")
     # Left by a process that was killed while it wrote; in containers numbers soon come again.
     temporary.unlink(missing_ok=True)
+    kept = final.stat().st_mode & 0o777 if final.exists() else None
+    asked = 0o666 if kept is None else kept
     try:
-        with open(temporary, "xb") as file:
+        # Not even for a moment may others read what they could not read before.
+        with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, asked)) as file:
             _fill(file, data)
+        if kept not in (None, temporary.stat().st_mode & 0o777):
+            temporary.chmod(asked)  # the umask took rights away
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise

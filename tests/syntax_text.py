@@ -232,7 +232,7 @@ def _branch(inner: st.SearchStrategy[Any]) -> st.SearchStrategy[Any]:
 
 
 _leaves = st.one_of(
-    st.integers(0, 10**18).map(lambda value: t.Int(NOWHERE, value)),
+    st.integers(0, 2**62 - 1).map(lambda value: t.Int(NOWHERE, value)),
     st.booleans().map(lambda value: t.Bool(NOWHERE, value)),
     _names,
 )

@@ -23,15 +23,16 @@ from nscc_cli.support import CommonCommand, done, say
 @click.command("build", cls=CommonCommand)
 @click.argument("file", type=PATH)
 @click.option("-o", "out", type=OUT, metavar="OUT.icw",
-              help="The container to write (default: beside FILE).")  # fmt: skip
+              help="The container to write (default: beside FILE, without --emit).")  # fmt: skip
 @click.option("--emit", "kinds", type=PRODUCTS, default="", metavar="KINDS",
-              help=f"Also write any of "
-              f"{', '.join(SUFFIXES)}, separated by commas; KIND=- prints it.")  # fmt: skip
+              help=f"Write any of {', '.join(SUFFIXES)}, separated by commas, beside OUT or "
+              "FILE; KIND=- prints it. The container is among them where icw or -o asks "
+              "for it.")  # fmt: skip
 @click.option("--print-after", "after", type=PASS, metavar="PASS",
               help="Show what a pass of the compiler made.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
-    """Compile FILE, prove the words, and write them."""
+    """Compile FILE, prove the words, and write them, or what --emit names."""
     wanted = _kinds(kinds)
     compiled = compile_program(
         file,

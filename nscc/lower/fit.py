@@ -71,7 +71,7 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
             "this program cannot be lowered as asked: " + "; ".join(reasons),
             source=program.source,
             label=Label(program.buckets[0].span),
-            helps=("leave --lowering at auto, or choose edges or accumulate",),
+            helps=("leave --lowering at auto: it takes only lowerings that serve the program",),
             data={"lowerings": list(misfits)},
         )
     least: Misfit = min(short, key=lambda m: m.required)

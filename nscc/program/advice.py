@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from nscc.program.classes import Recognised
 from nscc.program.evaluate import Books
-from nscc.program.expressions import Checked
+from nscc.program.expressions import Checked, names_in
 from nscc.program.names import Declarations, Rule
 from nscc.program.problems import Problems, counted
 from nscc.program.program import Field
-from nscc.syntax.tree import Bucket
+from nscc.syntax import tree
 from nscc.words.container import DecodeTable
 
 
@@ -29,14 +29,14 @@ def judge_rules(
     """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
-        who = f"the bucket `{rule.name.text}`" if isinstance(rule, Bucket) else "the shutter"
+        who = f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
         if not shutters.any():
             when = f"false in every slot, {basis}" if has_fields else "false in every slot"
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, when)
         elif has_fields and survey.shutters[:, k, :].all():
             message = f"{who} is always open, whatever the code"
             camera = ("`open when true` without fields is the ordinary camera",)
-            helps = () if isinstance(rule, Bucket) else camera
+            helps = () if isinstance(rule, tree.Bucket) else camera
             problems.warning("NS0351", message, rule.rule.span, "true in every slot", helps=helps)
 
 
@@ -44,15 +44,16 @@ def judge_names(
     declared: Declarations,
     fields: Sequence[Field],
     rules: Sequence[Checked],
-    read: set[str],
     books: Books,
     problems: Problems,
 ) -> None:
     """Warns of fields that no rule reads (NS0352); notes lets and books that nothing does (NS0355).
 
-    `read` are the names that expressions anywhere in the file read.
+    `rules` are all expressions that shutters depend on; a sense's level may be a field, too.
     """
+    read = _names_read(declared)
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
+    in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
     for field in fields:
         if not field.first_bit and field.name not in in_rules:
             place = declared.codes[field.name].name.span
@@ -81,3 +82,43 @@ def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Pro
             notes=(found.reason,),
             helps=("end the range of starts at N - len: `code start : 0..N - len`",),
         )
+
+
+def _names_read(declared: Declarations) -> set[str]:
+    """Every name that an expression anywhere in the file reads."""
+    exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
+    exprs += [r.condition for r in declared.requires]
+    exprs += [r.rule for r in declared.rules]
+    if isinstance(declared.frame, tree.EqualSlots):
+        exprs.append(declared.frame.count)
+    for code in declared.codes.values():
+        if isinstance(code, tree.CodeRange):
+            exprs += [code.low, code.high]
+        elif isinstance(code, tree.CodeBits):
+            exprs.append(code.count)
+    for pixels in declared.pixels.values():
+        if isinstance(pixels, tree.PixelsExpr):
+            exprs.append(pixels.value)
+        elif isinstance(pixels, tree.PixelsTile):
+            values = (value for row in pixels.rows for value in row.values)
+            exprs += [value for value in values if not isinstance(value, tree.Int)]
+    exprs += _looked_at(declared)
+    return {name.text for expr in exprs for name in names_in(expr)}
+
+
+def _looked_at(declared: Declarations) -> Iterator[tree.Expr]:
+    """The expressions in statements of version 2."""
+    for sense in declared.senses.values():
+        yield sense.at
+        levels = sense.level.items if isinstance(sense.level, tree.Levels) else (sense.level,)
+        yield from (each for each in levels if not isinstance(each, tree.Amount | tree.Levels))
+    for state in declared.states.values():
+        yield state.start
+        if isinstance(state, tree.StateRange):
+            yield from (state.low, state.high)
+    for each in declared.nexts.values():
+        yield each.value
+        if each.condition is not None:
+            yield each.condition
+    if declared.reset is not None:
+        yield declared.reset.condition

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
-from nscc.program.expressions import names_in
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
-from nscc.program.looking_advice import judge_looking, shutters_in_the_dark
+from nscc.program.looking_advice import judge_looked_names, judge_looking, shutters_in_the_dark
+from nscc.program.looking_size import Part, largest_part, most_looks
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
@@ -83,13 +83,25 @@ class Completion:
         if self.mode == "open":
             codes, at_pixel = self._legal(in_use, at_pixel)
             legal = len(codes)
-        span = self.declared.rules[0].rule.span
         try:
             machine, behaviour = build_machine(self.rules, looking, codes, self.target)
-            machine, missing = with_open_times(machine, self.frame.slot_us)
-        except (NoValue, TooMuch) as problem:
-            raise self._refused(problem, span, self.mode) from problem
-        judge_looking(self.declared, machine, missing, self.target, self.problems)
+        except NoValue as problem:
+            raise self._refused(problem, self.declared.rules[0].rule.span) from problem
+        except TooMuch as problem:
+            fields = [field.name for field in self.rules.fields]
+            part = largest_part(self.declared, looking, fields, codes)
+            if fields:
+                part.helps.extend([*self._fewer_codes(self.mode), "narrow the fields' ranges"])
+            raise self._too_much_looked(problem, part) from problem
+        try:
+            machine, untold = with_open_times(machine, self.frame.slot_us)
+        except TooMuch as problem:
+            raise self._too_much_looked(problem, most_looks(self.declared, looking)) from problem
+        problems, rules = self.problems, self.rules
+        judge_looking(self.declared, machine, untold, self.target, problems)
+        judge_looked_names(self.declared, looking, rules.rules, machine, problems)
+        asked = [*rules.rules, *looking.expressions]
+        judge_names(self.declared, rules.fields, asked, rules.books, problems)
         self.problems.stop_on_errors()
         names = tuple(field.name for field in self.rules.fields)
         table = DecodeTable(names, codes, behaviour, shutters_in_the_dark(machine))
@@ -226,9 +238,7 @@ class Completion:
         problems, declared, fields = self.problems, self.declared, self.rules.fields
         basis = "for every code in use" if self.mode == "fixed" else "for every code"
         judge_rules(declared.rules, bool(fields), table, survey, basis, problems)
-        judge_names(
-            declared, fields, self.rules.rules, _names_read(declared), self.rules.books, problems
-        )
+        judge_names(declared, fields, self.rules.rules, self.rules.books, problems)
         judge_bumps(found, declared.rules[0], survey, problems)
 
     def _refused(self, problem: NoValue | TooMuch, span: Span, mode: Codes = "fixed") -> Rejected:
@@ -241,11 +251,7 @@ class Completion:
         return Rejected(self.problems.sorted())
 
     def _too_much(self, problem: TooMuch, span: Span, mode: Codes) -> None:
-        helps = ["narrow the fields' ranges, or use fewer slots"]
-        if mode == "open" and self.declared.has_pixels:
-            helps.insert(0, "`--codes fixed` compiles only for the codes that the pixels use")
-        elif mode == "open":
-            helps.insert(0, "give the pixels: then only the codes in use are compiled")
+        helps = [*self._fewer_codes(mode), "narrow the fields' ranges, or use fewer slots"]
         self.problems.error(
             "NS0450",
             f"too many codes and slots: {problem.message}",
@@ -253,13 +259,28 @@ class Completion:
             "asks for this many",
             related=(Label(self.frame.count_span, "the slots"),),
             helps=tuple(helps),
-            data={
-                "resource": "proof",
-                "required": problem.required,
-                "available": problem.available,
-                "proved": True,
-            },
+            data=_proved(problem),
         )
+
+    def _too_much_looked(self, problem: TooMuch, part: Part) -> Rejected:
+        """NS0450 at what makes the machine large."""
+        self.problems.error(
+            "NS0450",
+            f"too many codes, states and answers: {problem.message}",
+            part.place or self._limit_span(),
+            part.text,
+            helps=tuple(part.helps),
+            data=_proved(problem),
+        )
+        return Rejected(self.problems.sorted())
+
+    def _fewer_codes(self, mode: Codes) -> list[str]:
+        """What compiles for fewer of the codes that there are."""
+        if mode != "open" or not self.rules.fields:
+            return []
+        if self.declared.has_pixels:
+            return ["`--codes fixed` compiles only for the codes that the pixels use"]
+        return ["give the pixels: then only the codes in use are compiled"]
 
     def _limit_span(self) -> Span:
         """The place to change where there are too many codes: the widest field's, or the frame."""
@@ -278,25 +299,13 @@ def _bucket(rule: Rule) -> BucketRule:
     return BucketRule(rule.name.text if isinstance(rule, tree.Bucket) else "frame", rule.span)
 
 
-def _names_read(declared: Declarations) -> set[str]:
-    """Every name that an expression anywhere in the file reads."""
-    exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
-    exprs += [r.condition for r in declared.requires]
-    exprs += [r.rule for r in declared.rules]
-    if isinstance(declared.frame, tree.EqualSlots):
-        exprs.append(declared.frame.count)
-    for code in declared.codes.values():
-        if isinstance(code, tree.CodeRange):
-            exprs += [code.low, code.high]
-        elif isinstance(code, tree.CodeBits):
-            exprs.append(code.count)
-    for pixels in declared.pixels.values():
-        if isinstance(pixels, tree.PixelsExpr):
-            exprs.append(pixels.value)
-        elif isinstance(pixels, tree.PixelsTile):
-            values = (value for row in pixels.rows for value in row.values)
-            exprs += [value for value in values if not isinstance(value, tree.Int)]
-    return {name.text for expr in exprs for name in names_in(expr)}
+def _proved(problem: TooMuch) -> dict[str, object]:
+    return {
+        "resource": "proof",
+        "required": problem.required,
+        "available": problem.available,
+        "proved": True,
+    }
 
 
 def _named_at(target: tree.TargetByName | tree.TargetFromFile | None) -> Span | None:

@@ -16,8 +16,7 @@ from nscc.syntax import tree
 
 Type = Literal["integer", "boolean"]
 
-LIMIT = 2**62 - 1
-"""Largest magnitude of any value: the sum of two such values still fits 64 bits."""
+LIMIT = tree.MOST_INTEGER
 
 MinMax = ("min", "max")
 

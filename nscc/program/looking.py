@@ -62,6 +62,14 @@ class Looking:
         """The boundaries with at least one sense."""
         return tuple(sorted({n for sense in self.senses for n in sense.at}))
 
+    @property
+    def expressions(self) -> list[Checked]:
+        """What `next` and `reset when` ask."""
+        found = [] if self.reset is None else [self.reset]
+        for each in self.nexts.values():
+            found += [each.value] if each.condition is None else [each.value, each.condition]
+        return found
+
 
 def make_looking(
     declared: Declarations,
@@ -71,9 +79,9 @@ def make_looking(
 ) -> Looking | None:
     """The statements of version 2; None where there are none, or after reporting what is wrong.
 
-    Reports names that are no state (NS0214), levels that cannot be told from the well or that IN
-    cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their range
-    (NS0311) and signals that cannot be compared (NS0323).
+    Reports names that are no state (NS0209, NS0214), levels that cannot be told from the well or
+    that IN cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their
+    range (NS0311) and signals that cannot be compared (NS0323).
     """
     if not declared.looking:
         return None
@@ -295,8 +303,22 @@ class _Maker:
         """Whether this is a state; says so if it is not."""
         if name.text in self.declared.states:
             return True
-        if name.text not in self.declared.refused:
+        if name.text in self.declared.refused:
+            return False
+        what = dict(self.declared.declared()).get(name.text)
+        if what is None:
             self.problems.unknown("a state", name.text, name.span, self.declared.states)
+            return False
+        helps = (
+            "only states step, and come with the frame: declare `state NAME : LO..HI = START`",
+        )
+        if name.text in self.declared.senses:
+            helps = (
+                "remember its answer in a state: `state seen : bit = false`, "
+                f"`next seen = {name.text}`, `read seen`",
+            )
+        message = f"`{name.text}` is {what}, not a state"
+        self.problems.error("NS0209", message, name.span, what, helps=helps)
         return False
 
 

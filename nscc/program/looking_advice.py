@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.program.names import Declarations
+from nscc.program.expressions import Checked
+from nscc.program.looking import Looking, Next
+from nscc.program.names import LOOKS, Declarations
+from nscc.program.open_time import Untold
 from nscc.program.problems import Problems
 from nscc.syntax import tree
 from nscc.target.target import Target
@@ -15,26 +21,25 @@ from nscc.words.machine import Machine
 def judge_looking(
     declared: Declarations,
     machine: Machine,
-    missing: tuple[str, ...] | None,
+    untold: Untold | None,
     target: Target,
     problems: Problems,
 ) -> None:
     """Reports a readout that does not tell how long pixels were open (NS0324), a reset that the
-    target does not have (NS0415), rules that never open (NS0350), and names that nothing reads
-    (NS0355).
+    target does not have (NS0415), and rules that never open (NS0350).
 
-    `missing` as of `nscc.program.open_time.with_open_times`.
+    `untold` as of `nscc.program.open_time.with_open_times`.
     """
-    if missing is not None:
-        rule = declared.rules[0]
-        names = ", ".join(missing)
-        helps = (f"`read {names}` tells it",) if missing else (
+    if untold is not None:
+        rule = declared.rules[untold.bucket]
+        names = ", ".join(untold.states)
+        helps = (f"`read {names}` tells it",) if names else (
             "remember in a state when the shutter closed, `state closed_at : 0..3 = 0`: read that",
         )  # fmt: skip
         problems.error(
             "NS0324", "the readout does not tell how long a pixel was open", rule.span,
             "pixels of one code are open for different times", helps=helps,
-            data={"missing": list(missing)},
+            data={"missing": list(untold.states)},
         )  # fmt: skip
     if declared.reset is not None and target.reset_honours_flag != "yes":
         _judge_resets(declared.reset, machine, target, problems)
@@ -44,10 +49,47 @@ def judge_looking(
                 f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
             )
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, "false in every slot")
-    for name, state in declared.states.items():
+
+
+def judge_looked_names(
+    declared: Declarations,
+    looking: Looking,
+    rules: Sequence[Checked],
+    machine: Machine,
+    problems: Problems,
+) -> None:
+    """Notes senses and states that nothing reads, and states that keep their start (NS0355).
+
+    A sense that nothing reads is in use where it alone makes a look, if a `next` steps there or
+    `looks` is read. `rules` say when shutters are open.
+    """
+    read = frozenset[str]().union(*(each.variables for each in [*rules, *looking.expressions]))
+    steps = bool(looking.nexts) or LOOKS in read
+    used = {n for sense in looking.senses if sense.name in read for n in sense.at}
+    for sense in looking.senses:
+        if sense.name in read:
+            continue
+        if steps and not used.issuperset(sense.at):
+            used.update(sense.at)
+            continue
+        place = declared.senses[sense.name].name.span
+        problems.note("NS0355", f"nothing reads the sense `{sense.name}`", place, "not used")
+    for k, state in enumerate(machine.states):
+        if state.sense:
+            continue
+        name, place = state.name, declared.states[state.name].name.span
+        without_its_own = [*rules, *replace(looking, nexts=_others(looking, name)).expressions]
         if name not in declared.nexts:
-            text = "no `next` changes it"
-            problems.note("NS0355", f"`{name}` keeps its start", state.name.span, text)
+            problems.note("NS0355", f"`{name}` keeps its start", place, "no `next` changes it")
+        elif not state.kept and (machine.values[:, k] == state.start).all():
+            text = "its `next` never changes it"
+            problems.note("NS0355", f"`{name}` keeps its start", place, text)
+        elif not state.read and not any(name in each.variables for each in without_its_own):
+            problems.note("NS0355", f"nothing reads the state `{name}`", place, "not used")
+
+
+def _others(looking: Looking, name: str) -> dict[str, Next]:
+    return {other: each for other, each in looking.nexts.items() if other != name}
 
 
 def _judge_resets(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from itertools import combinations
 
 import numpy as np
@@ -17,19 +17,29 @@ Times = tuple[tuple[int, float], ...]
 """By bucket: open slots, and the microseconds that they last."""
 
 
-def with_open_times(
-    machine: Machine, slot_us: Sequence[float]
-) -> tuple[Machine, tuple[str, ...] | None]:
-    """The machine with `open_us` and `open_slots`; or the fewest states to `read` beside those that
-    are, that would tell how long a pixel was open: () if no state does.
+@dataclass(frozen=True)
+class Untold:
+    """A readout that does not tell how long pixels were open.
+
+    `bucket` is the first whose time differs between pixels of one code and readout. `states` are
+    the fewest to `read` beside those that are, that would tell it: () if no state does.
+    """
+
+    bucket: int
+    states: tuple[str, ...]
+
+
+def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine, Untold | None]:
+    """The machine with `open_us` and `open_slots`; or what the readout does not tell.
 
     Raises TooMuch where there are too many different times to count.
     """
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
-    if not _told(machine, last, times, read):
-        return machine, _missing(machine, last, times, read)
+    bucket = _differing(machine, last, times, read)
+    if bucket is not None:
+        return machine, Untold(bucket, _missing(machine, last, times, read))
     open_slots, open_us = machine.open_slots.copy(), machine.open_us.copy()
     for node in last:
         for bucket, (slots, us) in enumerate(next(iter(times[node]))):
@@ -61,14 +71,23 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
     return found
 
 
-def _told(machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]) -> bool:
-    """Whether code and these states tell the time."""
+def _differing(
+    machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
+) -> int | None:
+    """The first bucket whose time code and these states do not tell; None if they tell all."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()
         key = (int(machine.behaviour[node]), *values)
         by_readout.setdefault(key, set()).update(times[node])
-    return all(len(each) == 1 for each in by_readout.values())
+    differing = [
+        bucket
+        for each in by_readout.values()
+        if len(each) > 1
+        for bucket, of_bucket in enumerate(zip(*each, strict=True))
+        if len(set(of_bucket)) > 1
+    ]
+    return min(differing, default=None)
 
 
 def _missing(
@@ -76,7 +95,7 @@ def _missing(
 ) -> tuple[str, ...]:
     others = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
     for more in _choices(others):
-        if _told(machine, last, times, [*read, *more]):
+        if _differing(machine, last, times, [*read, *more]) is None:
             return tuple(machine.states[k].name for k in more)
     return ()
 

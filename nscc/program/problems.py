@@ -8,6 +8,7 @@ from functools import partialmethod
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected, Severity
+from nscc.diagnostics.many import MOST_ERRORS, more_errors
 from nscc.diagnostics.suggest import closest
 from nscc.source import Source, Span
 
@@ -66,11 +67,22 @@ class Problems:
         return any(d.severity is Severity.ERROR for d in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:
-        """Everything found, by place in the text; equal places keep the order found."""
-        return tuple(sorted(self._found, key=_place))
+        """What was found, by place in the text; equal places keep the order found.
+
+        Of errors the first MOST_ERRORS, and NS0190 with the number of the rest at the end.
+        """
+        errors = 0
+        shown: list[Diagnostic] = []
+        for diagnostic in sorted(self._found, key=_place):
+            errors += diagnostic.severity is Severity.ERROR
+            if diagnostic.severity is not Severity.ERROR or errors <= MOST_ERRORS:
+                shown.append(diagnostic)
+        if errors > MOST_ERRORS:
+            shown.append(more_errors(errors - MOST_ERRORS, self.source))
+        return tuple(shown)
 
     def stop_on_errors(self) -> None:
-        """Raises Rejected with everything found if any of it is an error."""
+        """Raises Rejected with what was found if any of it is an error."""
         if self.has_errors():
             raise Rejected(self.sorted())
 

@@ -20,7 +20,6 @@ MOST_DEPTH = 200
 """Levels of nodes and brackets in a statement. Later passes recurse over the tree: with Python's
 usual limit of a thousand calls each may take four a level."""
 
-MOST_INTEGER = 10**18
 _MOST_DECIMALS = 18
 _UNIT_US = {"ns": Fraction(1, 1000), "us": Fraction(1), "ms": Fraction(1000), "s": Fraction(10**6)}
 
@@ -38,7 +37,7 @@ class Builder(Transformer_NonRecursive[Token, _Part]):
     """Makes the nodes of one statement from lark's tree of it, from the leaves up.
 
     Raises Rejected for what parses and yet no program may say, without its source: NS0110 for more
-    than MOST_DEPTH levels, NS0111 for a number beyond 10^18, NS0112 for a time of zero.
+    than MOST_DEPTH levels, NS0111 for a number beyond 2^62 - 1, NS0112 for a time of zero.
     """
 
     def __init__(self) -> None:
@@ -161,13 +160,13 @@ _OF_NODES: dict[str, Callable[..., Any]] = {
 
 def _whole_number(text: str, span: Span) -> int:
     digits = text.lstrip("0")
-    value = int(digits or "0") if len(digits) <= 19 else MOST_INTEGER + 1
-    if value > MOST_INTEGER:
+    value = int(digits or "0") if len(digits) <= 19 else tree.MOST_INTEGER + 1
+    if value > tree.MOST_INTEGER:
         help_text = (
             "numbers count slots, codes and pixels: none of them comes near that; codes of so many "
             "bits come from a file"
         )
-        raise _refused("NS0111", "this number is larger than 10^18", span, help_text)
+        raise _refused("NS0111", "this number is larger than 2^62 - 1", span, help_text)
     return value
 
 

@@ -27,7 +27,8 @@ class Tokens:
     @property
     def version(self) -> int:
         """The version that the text begins with; 1 where it does not say one."""
-        return 2 if self.kinds[:2] == ["nsl", "INTEGER"] and self.text(1) == "2" else 1
+        said = self.kinds[:2] == ["nsl", "INTEGER"]
+        return 2 if said and self.text(1).lstrip("0") == "2" else 1
 
     def text(self, index: int) -> str:
         """The text of a token, as it stands in the source."""

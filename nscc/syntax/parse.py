@@ -10,6 +10,7 @@ from functools import partial
 from itertools import pairwise
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected
+from nscc.diagnostics.many import MOST_ERRORS, more_errors
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.build import Builder
@@ -21,7 +22,6 @@ from nscc.syntax.words import statement_words
 
 __all__ = ["MOST_BYTES", "MOST_ERRORS", "parse", "read_source"]
 
-MOST_ERRORS = 20
 VERSIONS = (1, 2)
 
 _OTHER_LANGUAGE = re.compile(
@@ -82,9 +82,7 @@ class _Errors:
     def in_order(self) -> tuple[Diagnostic, ...]:
         found = sorted(self._first, key=lambda d: d.label.span.start if d.label else 0)
         if self._more:
-            errors = "error" if self._more == 1 else "errors"
-            message = f"and {self._more} more {errors} in the text"
-            found.append(Diagnostic("NS0190", message, source=self._source))
+            found.append(more_errors(self._more, self._source))
         return tuple(found)
 
 

@@ -31,7 +31,8 @@ def read_source(path: Path) -> Source:
 def source_of(path: Path, data: bytes) -> Source:
     """The text that a program's file holds, without a byte order mark.
 
-    Raises Rejected (status 1): NS0103 where it is over 256 KiB, NS0102 where it is not UTF-8 text.
+    Raises Rejected (status 1): NS0103 where it is over 256 KiB, NS0102 where it is not UTF-8 text;
+    with the file's name and no text.
     """
     name = path.as_posix()
     if len(data) > MOST_BYTES:
@@ -54,14 +55,15 @@ def too_large(name: str) -> Diagnostic:
     """NS0103: a program's text is over the limit."""
     return Diagnostic(
         "NS0103",
-        f"'{name}' is larger than {MOST_BYTES // 1024} KiB, the most that a program may have",
+        f"this program is larger than {MOST_BYTES // 1024} KiB, the most that a program may have",
         helps=('data belongs in a file of its own: `pixels from "codes.npz"`',),
+        source=Source(name, ""),
     )
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
-    name, ending = path.as_posix(), path.suffix.lower()
-    message = f"'{name}' is not a text in UTF-8: {reason}"
+    ending = path.suffix.lower()
+    message = f"this file is not a text in UTF-8: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)
     if ending == ".icw":
         helps = (
@@ -71,4 +73,4 @@ def _not_text(path: Path, reason: str) -> Rejected:
     elif ending != ".nsl":
         helps = ("name a shutter program, a text file that ends in .nsl; `nscc run PROGRAM.nsl "
                  "--scene SCENE` takes pictures and clips",)  # fmt: skip
-    return rejected("NS0102", message, helps=helps, status=1)
+    return rejected("NS0102", message, helps=helps, status=1, source=Source(path.as_posix(), ""))

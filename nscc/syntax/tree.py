@@ -52,7 +52,13 @@ class Node(Record):
 # --- expressions --------------------------------------------------------------------------------
 
 
+MOST_INTEGER = 2**62 - 1
+"""Largest magnitude of a literal, and of any value: the sum of two of them still fits 64 bits."""
+
+
 class Int(Node):
+    """A whole number, 0 to MOST_INTEGER."""
+
     value: int
 
 

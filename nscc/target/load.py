@@ -73,8 +73,8 @@ def load_target(
     """The target that a `target` statement or `--target` names; files are relative to `base`.
 
     `source` and `span` are where the name stands, for messages. Raises Rejected: NS0230 for a name
-    that is not known, NS0231 (status 2) for a file that cannot be read, NS0232 to NS0236 for what
-    is wrong in it, all at once.
+    that is not known (status 1 in a `source`, which it rejects, else 2), NS0231 (status 2) for a
+    file that cannot be read, NS0232 to NS0236 for what is wrong in it, all at once.
     """
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         return parse_target(read_target(name_or_path, base, source, span), name_or_path)
@@ -86,7 +86,7 @@ def load_target(
     raise rejected(
         "NS0230",
         f"nscc knows no target {name_or_path[:60]!a}",
-        status=1,
+        status=1 if source else 2,
         source=source,
         label=Label(span, "no such target") if source and span else None,
         notes=(f"the targets are {', '.join(names)}",),

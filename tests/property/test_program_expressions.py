@@ -16,7 +16,7 @@ from nscc.syntax import tree as t
 from nscc.target.load import load_target
 
 NUMBERS = st.one_of(
-    st.integers(0, 9), st.sampled_from([61, 62, 2**31, 2**32 + 1, 2**53 + 1, 10**18])
+    st.integers(0, 9), st.sampled_from([61, 62, 2**31, 2**32 + 1, 2**53 + 1, 10**18, 2**62 - 1])
 ).map(str)
 
 

@@ -89,6 +89,29 @@ def test_json_is_one_object_a_line_even_for_wrong_usage(folder: Path, arguments:
             "data", "fixes", "rendered"} <= set(found[0])  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("options", "written"),
+    [
+        ([], {"ok.icw"}),
+        (["-o", "a.icw"], {"a.icw"}),
+        (["--emit", "asm"], {"ok.asm"}),
+        (["--emit", "asm,icw"], {"ok.asm", "ok.icw"}),
+        (["--emit", "asm", "-o", "a.icw"], {"a.asm", "a.icw"}),
+        (["--emit", "asm=-"], set()),
+    ],
+)
+def test_build_writes_what_its_help_says(
+    folder: Path, options: list[str], written: set[str]
+) -> None:
+    """A container goes with other products only where `-o` or `icw` asks for it."""
+    before = {path.name for path in folder.iterdir()}
+    assert invoke(["build", "ok.nsl", *options], folder).status == 0
+    assert {path.name for path in folder.iterdir()} - before == written
+    told = " ".join(invoke(["build", "--help"], folder).out.split())
+    assert "The container is among them where icw or -o asks for it." in told
+    assert "Also write" not in told
+
+
 def test_denied_warnings_are_errors_and_nothing_is_written(folder: Path) -> None:
     (folder / "warns.nsl").write_text(WARNS)
     plain = invoke(["build", "warns.nsl", "-o", "a.icw"], folder)

@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import BinaryIO
 
 import numpy as np
 import pytest
@@ -34,6 +35,42 @@ def test_new_files_have_the_usual_rights(tmp_path: Path) -> None:
     write_whole(tmp_path / "product", b"")
     (tmp_path / "usual").write_bytes(b"")
     assert (tmp_path / "product").stat().st_mode == (tmp_path / "usual").stat().st_mode
+
+
+@pytest.mark.parametrize("mode", [0o600, 0o755, 0o666, 0o444])
+def test_a_file_that_is_replaced_keeps_its_rights(tmp_path: Path, mode: int) -> None:
+    (tmp_path / "real").write_bytes(b"old")
+    (tmp_path / "real").chmod(mode)
+    (tmp_path / "link").symlink_to(tmp_path / "real")
+    write_whole(tmp_path / "link", b"new")
+    assert (tmp_path / "real").read_bytes() == b"new"
+    assert (tmp_path / "real").stat().st_mode & 0o777 == mode
+
+
+def test_what_others_may_not_read_they_cannot_while_it_is_written(tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    path.write_bytes(b"old")
+    path.chmod(0o600)
+
+    def look(file: BinaryIO) -> None:
+        assert os.fstat(file.fileno()).st_mode & 0o077 == 0
+        file.write(b"new")
+
+    write_whole(path, look)
+    assert path.read_bytes() == b"new"
+
+
+def test_mending_a_program_keeps_its_rights(tmp_path: Path, run_nscc: RunNscc) -> None:
+    path = tmp_path / "a.nsl"
+    for text, line in (
+        ("nsl 1\nframe 4 slots of 1ms\nopen   when n < 2\n", ["fmt", "a.nsl"]),
+        ("frame 4 slots of 1ms\nopen when n < 2\n", ["check", "--fix", "a.nsl"]),
+    ):
+        path.write_text(text)
+        path.chmod(0o600)
+        assert run_nscc(line, tmp_path).status == 0
+        assert path.read_text() != text
+        assert path.stat().st_mode & 0o777 == 0o600
 
 
 def test_follows_a_link_and_leaves_a_device_alone(tmp_path: Path) -> None:

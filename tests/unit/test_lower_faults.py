@@ -21,9 +21,9 @@ E16 = "frame 16 slots of 1ms\ncode bits : bit[16]\nopen when bits[n]"
 STOPS = "code stop : 1..N\nopen when n < stop"
 
 
-def compiled(text, codes="open", target=None, **options):
+def compiled(text, codes="open", target=None, version=1, **options):
     """The compiled program of a text without its first line."""
-    source = Source("test.nsl", f"nsl 1\n{text}\n")
+    source = Source("test.nsl", f"nsl {version}\n{text}\n")
     return compile_source(source, Path(), Options(codes=codes, target=target, **options))
 
 
@@ -172,6 +172,18 @@ def test_a_lowering_that_does_not_serve():
     assert found.code == "NS0414"
     assert "latch serves only" in found.message
     assert compiled(text).proof.holds
+
+
+def test_a_lowering_that_was_refused_is_not_advised():
+    text = (
+        "frame 8 slots of 1ms\nsense b when light > 45% at n in [2, 4]\n"
+        "state c : 0..2 = 0\nnext c = looks when b and c == 0\nopen when c == 0 and n > 1\nread c"
+    )
+    found = fault(text, lowering="accumulate", version=2)
+    assert found.code == "NS0414"
+    assert "leave --lowering at auto" in found.helps[0]
+    assert "accumulate" not in " ".join(found.helps)
+    assert compiled(text, version=2).proof.holds
 
 
 def test_gates_that_were_not_found():

@@ -10,8 +10,10 @@ import pytest
 from program_oracle import program_of
 
 import nscc.diagnostics
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.diagnostics.many import MOST_ERRORS
 from nscc.program.analyse import analyse
+from nscc.program.problems import Problems
 from nscc.source import Source, Span
 from nscc.syntax import tree as t
 
@@ -82,6 +84,7 @@ ONE_ERROR = [
     (STOP + "open when 1 << n - 1 > stop", "NS0304", "n - 1"),
     (STOP + "let a = (1 << 61) - 1 + (1 << 61) open when n - 1 < a + n", "NS0305", "a + n"),
     (STOP + "open when 1000000000000 * n < 5000000 * stop * 1000000000000", "NS0305", None),
+    (FRAME + f"let a = {2**62 - 1} open when a + n > 3", "NS0305", "a + n"),
     (FRAME + "let a = 3 << 61 open when n < a", "NS0305", "3 << 61"),
     (FRAME + "code a : 3..1 open when n < a pixels a = 2", "NS0306", "3..1"),
     (FRAME + "code a : bit[0] open when a[n]", "NS0307", "0"),
@@ -196,6 +199,62 @@ def test_what_cannot_be_proved_is_refused_with_the_numbers(
     assert str(required) in found.message
     assert str(found.data["available"]) in found.message
     assert found.helps
+
+
+@pytest.mark.parametrize("more", [0, 1, 300])
+def test_many_errors_are_counted_and_warnings_all_shown(more: int) -> None:
+    lets = " ".join(f"let spare{k} = missing{k}" for k in range(MOST_ERRORS + more))
+    twice = "let a = 1 " + " ".join("let a = 1" for _ in range(MOST_ERRORS + more))
+    for text in (FRAME + lets + " open when n < 2", FRAME + twice + " open when n < 2"):
+        found = errors(text)
+        assert len(found) == MOST_ERRORS + (more > 0)
+        places = [d.label.span.start for d in found if d.label is not None]
+        assert places == sorted(places)
+        assert [str(more) in d.message for d in found if d.code == "NS0190"] == [True] * (more > 0)
+    problems = Problems(Source("test.nsl", "text"))
+    for _ in range(2 * MOST_ERRORS + more):
+        problems.error("NS0214", "unknown", Span(0, 1))
+        problems.warning("NS0352", "not read", Span(0, 1))
+    severities = [d.severity for d in problems.sorted()]
+    assert severities.count(Severity.WARNING) == 2 * MOST_ERRORS + more
+    assert severities.count(Severity.ERROR) == MOST_ERRORS + 1
+
+
+LOOKING = "nsl 2 frame 8 slots of 1ms "
+LOOK = "sense b when light > 40% at n in [1, 2, 4] "
+MANY_SENSES = " ".join(f"sense b{k} when light > {k + 5}% at n == 4" for k in range(40))
+LENGTHS = ", ".join(f"{2**k}ms" for k in range(18))
+
+
+@pytest.mark.parametrize(
+    ("text", "place", "helps"),
+    [
+        (LOOKING + MANY_SENSES + " open when n < 4", "b0", ["use fewer senses at one boundary"]),
+        (
+            # A state that reaches few of its values is not what there is too much of.
+            LOOKING + MANY_SENSES + " state a : 0..10000000000 = 0 next a = looks open when a < 1",
+            "b0", ["use fewer senses at one boundary", "give the states smaller ranges"],
+        ),
+        (
+            LOOKING + LOOK + "state a : bit = false state c : 0..99999999 = 0 kept open when a",
+            "c", ["give the states smaller ranges", "look at fewer boundaries: there are 3"],
+        ),
+        (
+            LOOKING + "code level : 20..200 sense b when light > level at n == 2 open when b",
+            "b", ["use fewer values of `level`", "give the pixels", "narrow the fields' ranges"],
+        ),
+        (
+            f"nsl 2 frame slots [{LENGTHS}] sense b when light > 40% at n > 0 open when b",
+            "n > 0", ["look at fewer boundaries"],
+        ),
+    ],
+)  # fmt: skip
+def test_what_is_too_much_of_a_program_that_looks(text: str, place: str, helps: list[str]) -> None:
+    (found,) = errors(text)
+    assert (found.code, placed(found)) == ("NS0450", place)
+    assert len(found.helps) == len(helps)
+    for given, wanted in zip(found.helps, helps, strict=True):
+        assert given.startswith(wanted)
 
 
 def test_too_many_operations_are_refused() -> None:

@@ -180,6 +180,8 @@ def test_many_errors_are_counted(count: int) -> None:
         ("nsl 1 open when true nsl 1", ["NS0104"]),
         ("nsl 2 open when true", []),
         ("nsl 3 open when true", ["NS0106"]),
+        ("nsl 02 sense b when light > 45% at n == 2 open when b", []),
+        ("nsl 01 let sense = 1 open when n < sense", []),
         ("nsl 1 sense", ["NS0109"]),
         ("nsl 1 let sense = 1 code read : 0..1", []),
         ("nsl 0", ["NS0106"]),

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.render import render
+from nscc.diagnostics.reports import workflow_commands
 from nscc.syntax.parse import MOST_BYTES, parse, read_source
 
 
@@ -56,6 +59,18 @@ def test_what_cannot_be_read(tmp_path: Path) -> None:
     loop = tmp_path / "loop.nsl"
     loop.symlink_to(loop)
     assert refusal(loop) == ("NS0101", 2)
+
+
+@pytest.mark.parametrize("data", [b"nsl 1\xff", b"#" * (MOST_BYTES + 1)])
+def test_what_is_no_text_has_its_files_name(tmp_path: Path, data: bytes) -> None:
+    path = tmp_path / "a.nsl"
+    path.write_bytes(data)
+    with pytest.raises(Rejected) as caught:
+        read_source(path)
+    found = caught.value.diagnostics
+    assert json.loads(render(found, "json"))["filename"] == path.as_posix()
+    assert f"file={path.as_posix()}" in workflow_commands(found)
+    assert render(found, "short").startswith(f"{path.as_posix()}: error")
 
 
 @pytest.mark.parametrize("size", [100, MOST_BYTES + 1])

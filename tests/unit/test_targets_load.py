@@ -92,7 +92,7 @@ def test_an_unknown_name_gets_a_suggestion(tmp_path: Path) -> None:
     with pytest.raises(Rejected) as caught:
         load_target("scamp-5", tmp_path)
     found = caught.value.diagnostics[0]
-    assert (found.code, caught.value.status) == ("NS0230", 1)
+    assert (found.code, caught.value.status) == ("NS0230", 2)
     assert found.helps[0] == "did you mean `scamp5`?"
     with pytest.raises(Rejected) as caught:
         load_target("none.toml", tmp_path)

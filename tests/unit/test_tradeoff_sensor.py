@@ -138,7 +138,7 @@ def test_wrong_usage(tmp_path: Path, arguments: list[str], code: str) -> None:
 
 def test_a_chip_that_nobody_knows(tmp_path: Path) -> None:
     done = invoke(["tradeoff", "sensor", "--target", "nochip"], tmp_path)
-    assert (done.status, done.codes) == (1, ["NS0230"])
+    assert (done.status, done.codes) == (2, ["NS0230"])
 
 
 def test_a_chip_of_ones_own(tmp_path: Path) -> None:

@@ -88,7 +88,7 @@ def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
         (["shutter.slot_us=0.3"], 1, "NS0601"),
         (["shutter.require=stop < 0"], 1, "NS0317"),
         (["shutter.require=stop <"], 1, "NS0107"),
-        (["shutter.target=scamp6"], 1, "NS0230"),
+        (["shutter.target=scamp6"], 2, "NS0230"),
         (["shutter.class=e", "shutter.slots=8", "shutter.require=true"], 2, "NS0815"),
         (["shutter.class=c", "shutter.slots=4", "shutter.length=5"], 2, "NS0815"),
         (["shutter.tile=[100, 50]"], 2, "NS0815"),

@@ -1,0 +1,14 @@
+"""How many errors of one text are shown: mistakes are mended a few at a time, and checked again."""
+
+from __future__ import annotations
+
+from nscc.diagnostics.message import Diagnostic
+from nscc.source import Source
+
+MOST_ERRORS = 20
+
+
+def more_errors(count: int, source: Source) -> Diagnostic:
+    """NS0190: the number of errors that are not shown."""
+    errors = "error" if count == 1 else "errors"
+    return Diagnostic("NS0190", f"and {count} more {errors} in the text", source=source)
