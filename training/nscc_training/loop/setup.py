@@ -30,10 +30,10 @@ from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
 from nscc_training.problems import said
-from nscc_training.programs import MOST_LISTED, Chip, codes_in
+from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.run_files import WEIGHTS, run_path
-from nscc_training.sensor_model import SensorModel
+from nscc_training.sensor_model import SensorModel, shared_out
 from nscc_training.settings import Settings, ShutterSettings
 
 _STARTS = (*STARTS, "learned")
@@ -192,12 +192,30 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         try:
             path = run_path(Path(chosen.init))
             path = path / programs.CODES_FILE if path.is_dir() else path
-            of_program = path.suffix.lower() == ".nsl"
-            encoder.load_codes(codes_in(path, spec, chip) if of_program else load_codes(path))
+            if path.suffix.lower() == ".nsl":
+                _begin_as(encoder, path, chip)
+            else:
+                encoder.load_codes(load_codes(path))
         except ValueError as error:
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
             raise _wrong("shutter.init", reason) from error
     return encoder
+
+
+def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
+    """Give an encoder the shutters of a program; ValueError, or Rejected as the compiler, where
+    they cannot be its own."""
+    found = begun_with(path, encoder.spec, chip)
+    encoder.load_codes(found.codes)
+    if found.opened is None:
+        return
+    hard = encoder.hard()
+    mine = shared_out(hard, 2) if len(found.opened) > 1 else hard[None]
+    if not np.array_equal(mine.cpu().numpy() > 0, found.opened):
+        bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
+        raise ValueError(
+            f"the program opens other shutters for them than class {encoder.spec.kind}{bump} does"
+        )
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
