@@ -21,7 +21,7 @@ from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import Schedule
-from nscc_training.design.text import looking_text
+from nscc_training.design.text import frame_text, looking_text
 
 if TYPE_CHECKING:
     from nscc_training.encoders import Encoder, ShutterSpec
@@ -93,8 +93,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
     # the compiler then, not part of the text.
     if chip.file is None:
         lines.append(f"target {chip.target}")
-    slot_us = f"{chip.slot_us:.6f}".rstrip("0").rstrip(".")
-    lines += [f"frame {spec.slots} slots of {slot_us}us", ""]
+    lines += [frame_text(spec.slots, chip.slot_us), ""]
     if spec.kind == "c":
         lines.append(f"let len = {spec.length}")
     elif spec.kind == "codebook":
