@@ -108,9 +108,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
-    if chosen.most_words and chosen.relaxation != "search":
-        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
-                     "`search`, or weigh them by `words_weight`")  # fmt: skip
+    _check_learning(chosen)
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
@@ -228,6 +226,17 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
     except Exception as error:  # safetensors raises its own type and several others
         reason = f"the weights of '{run[:200]}' do not fit: {said(error, 150)}"
         raise _wrong("decoder.init", reason) from error
+
+
+def _check_learning(chosen: ShutterSettings) -> None:
+    """Rejected (NS0815) for what no codes can learn by, or not at all."""
+    if chosen.most_words and chosen.relaxation != "search":
+        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
+                     "`search`, or weigh them by `words_weight`")  # fmt: skip
+    if chosen.learn and chosen.warm_up + chosen.settle >= 1:
+        reason = ("with `shutter.settle` it takes all steps, and leaves codes none to learn in: "
+                  "take less, or set `shutter.learn` to false")  # fmt: skip
+        raise _wrong("shutter.warm_up", reason)
 
 
 def _check_effects(settings: Settings, encoder: Encoder) -> None:
