@@ -64,10 +64,16 @@ def sensor_of(target: Target, options: Mapping[str, Any]) -> Sensor:
     return load_sensor(target, options["sensor"], options["sensor_set"])
 
 
-def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | None:
-    """How the frames of run `like` are made; what `options` leave open is set as it is there."""
+def run_capture_of(
+    like: Path | None, options: dict[str, Any], program: Path | None = None
+) -> RunCapture | None:
+    """How the frames of run `like` are made; what `options` leave open is set as it is there.
+
+    The chip not, where `program` is words: they are for one already.
+    """
     if like is None:
         return None
+    from nscc.containers import is_compiled
     from nscc_training.run_files import run_capture
 
     found = run_capture(like)
@@ -77,7 +83,8 @@ def run_capture_of(like: Path | None, options: dict[str, Any]) -> RunCapture | N
         "sensor": found.sensor,
     }
     options |= {name: value for name, value in theirs.items() if options[name] is None}
-    if options["target"] is None and found.target is not None:
+    words = program is not None and is_compiled(program)
+    if options["target"] is None and found.target is not None and not words:
         options["target"] = str(found.target)
     return found
 

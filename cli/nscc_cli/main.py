@@ -8,13 +8,18 @@ from __future__ import annotations
 
 import gc
 import os
+import signal
 import sys
-from collections.abc import Sequence
+import threading
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from nscc import __version__
 
 if TYPE_CHECKING:
+    from types import FrameType
+
     from nscc.diagnostics.diagnostic import Diagnostic
     from nscc_cli.support import Session
 
@@ -34,7 +39,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         print(f"nscc {__version__}")
         return DONE
     try:
-        return _run(arguments)
+        with _interrupts() as interrupts:
+            return _run(arguments, interrupts)
     except KeyboardInterrupt as stop:
         sys.stderr.write(f"\ninterrupted{': ' * bool(stop.args)}{stop}\n")
         return INTERRUPTED
@@ -45,7 +51,33 @@ def main(argv: Sequence[str] | None = None) -> int:
         return DONE
 
 
-def _run(arguments: list[str]) -> int:
+@contextmanager
+def _interrupts() -> Iterator[list[int]]:
+    """The interrupts that have come meanwhile; each raises KeyboardInterrupt, as ever.
+
+    C code may discard that: torch does while it imports numpy, and fails later, without it. A
+    handler that somebody else has set stays, and threads that are not the main one have none.
+    """
+    came: list[int] = []
+
+    def remember(number: int, frame: FrameType | None) -> None:
+        came.append(number)
+        signal.default_int_handler(number, frame)
+
+    in_main = threading.current_thread() is threading.main_thread()
+    ours = in_main and signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    if ours:
+        signal.signal(signal.SIGINT, remember)
+    try:
+        yield came
+    finally:
+        if ours:
+            signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
+    """Run the command and show what it says; KeyboardInterrupt where one of `interrupts` came and
+    the command ended in another exception."""
     import click
 
     from nscc.diagnostics.diagnostic import Rejected
@@ -57,6 +89,10 @@ def _run(arguments: list[str]) -> int:
     try:
         try:
             status = _invoke(arguments, session)
+        except Exception as error:
+            if interrupts:
+                raise KeyboardInterrupt from error
+            raise
         finally:
             sys.stdout.flush()
     except Rejected as rejected:

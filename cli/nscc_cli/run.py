@@ -84,7 +84,7 @@ def command(program: Path | None, like: Path | None, **options: Any) -> None:
     With --on PORT a chip exposes it, or `nscc device serve`, its stand-in.
     """
     keep = parse_keep(options["keep"])
-    of_run = run_capture_of(like, options)
+    of_run = run_capture_of(like, options, program)
     if program is None and of_run is not None:
         program = of_run.program
     if program is None:

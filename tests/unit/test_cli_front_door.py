@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import signal
 import subprocess
 import sys
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 import pytest
@@ -156,6 +159,45 @@ def test_exceptions(
     assert outcome.status == status
     assert outcome.codes == ([code] if code else [])
     assert "Traceback" not in outcome.err
+
+
+@pytest.mark.parametrize("caught", [True, False])
+def test_an_interrupt_that_is_swallowed_is_one(
+    caught: bool, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As C code does it that is being imported: what fails then is a consequence."""
+
+    def fail(*_arguments: object) -> None:
+        with suppress(KeyboardInterrupt) if caught else nullcontext():
+            os.kill(os.getpid(), signal.SIGINT)
+        raise RecursionError
+
+    monkeypatch.setattr("nscc.compiler.compile_file", fail)
+    before = signal.getsignal(signal.SIGINT)
+    for _ in range(2):
+        outcome = invoke(["check", "ok.nsl"], folder)
+        assert (outcome.status, outcome.codes) == (130, [])
+        assert "interrupted" in outcome.err
+    assert signal.getsignal(signal.SIGINT) is before
+    monkeypatch.undo()
+    assert invoke(["check", "ok.nsl"], folder).status == 0
+
+
+def test_who_handles_interrupts_goes_on_to(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A program's own handler is left in place, and threads have none."""
+    came: list[int] = []
+    monkeypatch.setattr(
+        "nscc.compiler.compile_file", lambda *_: signal.raise_signal(signal.SIGINT) or 1 // 0
+    )
+    before = signal.signal(signal.SIGINT, lambda number, _frame: came.append(number))
+    try:
+        assert invoke(["check", "ok.nsl"], folder).status == 70
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert came == [signal.SIGINT]
+    monkeypatch.undo()
+    with ThreadPoolExecutor(1) as threads:
+        assert threads.submit(invoke, ["check", "ok.nsl"], folder).result().status == 0
 
 
 def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:

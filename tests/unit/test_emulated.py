@@ -29,8 +29,9 @@ from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
+from nscc_training.frame_reading import FrameRead  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
-from nscc_training.reconstruct import FrameRead, reconstructed  # noqa: E402
+from nscc_training.reconstruct import reconstructed  # noqa: E402
 from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402

@@ -188,6 +188,37 @@ def test_a_key_is_that_of_what_decides(tmp_path: Path, monkeypatch: pytest.Monke
     assert len({first, other_chip, other_text, key()}) == 4
 
 
+@pytest.mark.parametrize(
+    ("init", "name"),
+    [
+        ("decoder.init", "begun/decoder.safetensors"),
+        ("decoder.init", "clip/decoder.safetensors"),
+        ("shutter.init", "begun/codes.npz"),
+        ("shutter.init", "clip/codes.npz"),
+        ("shutter.init", "p.nsl/codes.npz"),
+    ],
+)
+def test_what_a_run_begins_with_is_part_of_its_key(
+    init: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A run's folder, one that comes with nscc, and the file that a program names."""
+    given, _, part = name.partition("/")
+    (tmp_path / "shipped").mkdir()
+    (tmp_path / "begun").mkdir()
+    shipped = {"clip": tmp_path / "shipped"}
+    monkeypatch.setattr("nscc_training.run_files.shipped_runs", lambda: shipped)
+    monkeypatch.chdir(tmp_path)
+    written(tmp_path, "", "c.toml")
+    written(tmp_path, 'nsl 1 frame 2 slots of 1ms pixels from "codes.npz"', "p.nsl")
+    path = written(tmp_path, f'kind = "train"\n[run]\nconfig = "c.toml"\n{init} = "{given}"\n')
+    file = {"clip": tmp_path / "shipped", "begun": tmp_path / "begun"}.get(given, tmp_path) / part
+    keys = []
+    for text in ("one", "another"):
+        file.write_text(text)
+        keys.append(key_of(read_grid(path).points[0], 1))
+    assert keys[0] != keys[1]
+
+
 def test_values_of_chip_and_sensor_are_axes(tmp_path: Path) -> None:
     written(
         tmp_path,

@@ -60,6 +60,40 @@ def test_a_run_interrupted_before_its_products_ends_as_if_it_had_not(
     assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == whole
 
 
+@pytest.mark.parametrize("begun", [None, 2], ids=["into a new folder", "over another run"])
+def test_a_run_that_goes_on_elsewhere_is_one_run_there(begun: int | None, tmp_path: Path) -> None:
+    """Of a finished run and of one that goes further: both folders hold the same, and go on."""
+    values = changed(STILL, "train", steps=4)
+    run(values, tmp_path / "whole")
+    wanted = {path.name: path.read_bytes() for path in (tmp_path / "whole").iterdir()}
+    if begun is not None:
+        other = changed(values, "train", seed=1)
+        run(other, tmp_path / "r", stop_after=begun)
+    for _ in range(2):  # nothing remains to be trained
+        run(values, tmp_path / "r", resume=str(tmp_path / "whole"))
+        assert {path.name: path.read_bytes() for path in (tmp_path / "r").iterdir()} == wanted
+    run(values, tmp_path / "r")
+    assert {path.name: path.read_bytes() for path in (tmp_path / "r").iterdir()} == wanted
+
+
+def test_a_run_interrupted_after_it_was_brought_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Before its first validation: log and checkpoint are those of the folder that it came from."""
+    run(STILL, tmp_path / "begun", stop_after=2)
+    run(STILL, tmp_path / "r", stop_after=4)
+
+    def interrupted(*_given: Any) -> float:
+        raise KeyboardInterrupt
+
+    with monkeypatch.context() as patch:
+        patch.setattr("nscc_training.loop.train._update", interrupted)
+        with pytest.raises(KeyboardInterrupt):
+            run(STILL, tmp_path / "r", resume=str(tmp_path / "begun"))
+    for name in ("metrics.csv", "checkpoint.safetensors"):
+        assert (tmp_path / "r" / name).read_bytes() == (tmp_path / "begun" / name).read_bytes()
+
+
 @pytest.mark.parametrize("text", [b"", b"\xff\xfe", b"step\nfirst,1\n", b"step\n\n"])
 def test_a_damaged_log_is_said_to_be_one(text: bytes, tmp_path: Path) -> None:
     run(STILL, tmp_path, stop_after=2)

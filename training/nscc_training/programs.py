@@ -21,7 +21,7 @@ from nscc.target.load import load_target
 from nscc.target.target import Target
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import Schedule
-from nscc_training.design.text import looking_text
+from nscc_training.design.text import frame_text, looking_text
 
 if TYPE_CHECKING:
     from nscc_training.encoders import Encoder, ShutterSpec
@@ -93,8 +93,7 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
     # the compiler then, not part of the text.
     if chip.file is None:
         lines.append(f"target {chip.target}")
-    slot_us = f"{chip.slot_us:.6f}".rstrip("0").rstrip(".")
-    lines += [f"frame {spec.slots} slots of {slot_us}us", ""]
+    lines += [frame_text(spec.slots, chip.slot_us), ""]
     if spec.kind == "c":
         lines.append(f"let len = {spec.length}")
     elif spec.kind == "codebook":
@@ -123,12 +122,25 @@ def compiled(
         return compile_source(Source("shutter.nsl", files.text), Path(folder), options)
 
 
-def codes_in(path: Path, spec: ShutterSpec, chip: Chip) -> dict[str, NDArray[np.int64]]:
+@dataclass(frozen=True, eq=False)
+class Begun:
+    """What a run begins with: `codes` by field on the tile, with a codebook's digits as `book`.
+
+    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for them; None
+    where they hang on the light.
+    """
+
+    codes: dict[str, NDArray[np.int64]]
+    opened: NDArray[np.bool_] | None
+
+
+def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     """The codes of a program's pixels on the tile's places, or of pixels that look the moments and
-    levels: what a run begins with. ValueError for a program of other slots, fields or levels, and
-    Rejected as the compiler."""
+    levels. ValueError for a program of other slots, fields, levels or buckets, or whose pixels are
+    not this tile's again and again, and Rejected as the compiler."""
     target = chip.table or load_target(chip.target, Path())
-    found = compile_file(path, Options(level=0, target=target)).container
+    made = compile_file(path, Options(level=0, target=target))
+    found = made.container
     assert found is not None
     if found.slots != spec.slots:
         raise ValueError(f"the program has {found.slots} slots, and the run {spec.slots}")
@@ -136,15 +148,49 @@ def codes_in(path: Path, spec: ShutterSpec, chip: Chip) -> dict[str, NDArray[np.
         asked = () if found.machine is None else found.machine.comparisons
         if len(asked) != spec.tile[1]:
             raise ValueError(f"it looks {len(asked)} times, and the run {spec.tile[1]}")
-        return {
-            "at": np.array([[each.boundary for each in asked]]),
-            "level": np.array([[each.level for each in asked]]),
-        }
+        moments = np.array([[each.boundary for each in asked]])
+        return Begun({"at": moments, "level": np.array([[each.level for each in asked]])}, None)
+    if found.machine is not None:
+        raise ValueError(f"its pixels look at the light, and those of class {spec.kind} do not")
     if found.pixel_codes is None:
         raise ValueError("the program has no pixels")
-    rows, cols = spec.tile
-    values = found.table.codes[found.pixel_codes[:rows, :cols]]
-    return {name: values[..., k] for k, name in enumerate(found.table.fields)}
+    table, wanted = found.table, _fields(spec)
+    if set(table.fields) != set(wanted):
+        have, want = (", ".join(names) or "none" for names in (table.fields, wanted))
+        raise ValueError(f"its code has the fields: {have}; class {spec.kind} has: {want}")
+    if len(found.buckets) > spec.buckets:
+        raise ValueError(f"the program has {len(found.buckets)} buckets, and the run one")
+    at = _tile_of(found.pixel_codes, spec.tile)
+    codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
+    if spec.kind == "codebook":
+        codes["book"] = _book_of(made, path, target)
+    return Begun(codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1))
+
+
+def _fields(spec: ShutterSpec) -> tuple[str, ...]:
+    """The fields of a class's code."""
+    return tuple(rule.split()[1] for rule in _RULES[spec.kind] if rule.startswith("code "))
+
+
+def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
+    """The places of a tile (rows, cols) that repeats over the array; ValueError for pixels that do
+    not."""
+    rows, cols = pixels.shape
+    found = pixels[: tile[0], : tile[1]]
+    repeated = np.tile(found, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
+    if not np.array_equal(repeated, pixels):
+        raise ValueError(
+            f"its pixels are not one tile of {tile[0]} x {tile[1]} again and again: give the run "
+            "the program's own tile"
+        )
+    return found
+
+
+def _book_of(made: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
+    """The shapes (K, N) of a program's codebook, those that no pixel chooses among them."""
+    source = made.program.source
+    table = analyse(source, made.tree, base=path.parent, codes="open", target=target).table
+    return np.asarray(table.shutters[table.shutter_of_code, 0], np.int64)
 
 
 def words_per_slot(found: Compiled) -> float:

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 import torch
@@ -17,25 +15,20 @@ from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.diagnostics.rejection import rejected
-from nscc.files import reads
 from nscc.pipeline import LEVELS, Options
 from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.formats import Content
-from nscc_runtime.frame_file import SCHEMA
-from nscc_runtime.looked_light import OPEN
-from nscc_runtime.pieces import COLOURS
 from nscc_runtime.sensor import sensor_sha256
+from nscc_training.dark import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.problems import why_no_arrays
+from nscc_training.frame_reading import FrameRead, no_frame, read_frame
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.sensor_model import filled, laid, shared_out
 
-Array = NDArray[Any]
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
 """Effects that training has without `[sensor] effects`."""
 _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
@@ -44,25 +37,6 @@ _BLOCK, _MARGIN = 256, 32
 that are seen too: more than decoders reach."""
 _OVEREXPOSED = 0.5
 """Above this part of saturated pixels most of a picture is guessed."""
-
-
-@dataclass(frozen=True, eq=False)
-class FrameRead:
-    """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
-    green and blue, of two buckets (colours, 2, rows, cols), whether they are saturated, meta, the
-    first bucket's shutters (N, rows, cols) if kept; of pixels that looked, for how many slots each
-    was open (colours, rows, cols)."""
-
-    @property
-    def buckets(self) -> int:
-        """How many frames an exposure gave."""
-        return 1 if self.frame.ndim == 3 else self.frame.shape[1]
-
-    frame: NDArray[np.uint8]
-    saturated: NDArray[np.bool_]
-    meta: dict[str, Any]
-    shutter: NDArray[Any] | None
-    opened: NDArray[np.int64] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,13 +76,19 @@ def reconstruct(
     that is taken.
 
     Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
-    of another program or sensor (with `force` that is a warning, unless its size differs).
+    of another program or sensor (with `force` that is a warning, unless its size differs), and for
+    a dark one that is of another program or has seen light (the same).
     """
     folder = load_run(run, trust_code=trust_code)
     read, begin = read_frame(frame), perf_counter()
-    offset = None if dark is None else read_dark(dark, folder.parts.buckets)
+    offset: NDArray[np.float64] | None = None
+    doubts: tuple[Diagnostic, ...] = ()
+    if dark is not None:
+        found = read_dark(dark, folder.parts.buckets)
+        size = (folder.parts.target.rows, folder.parts.target.cols)
+        offset, doubts = found.offset, found.checked(read.meta, size, force=force)
     light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
-    seconds = perf_counter() - begin
+    messages, seconds = (*messages, *doubts), perf_counter() - begin
     return Reconstruction(light, folder.parts.still, len(read.frame) > 1, messages, seconds)
 
 
@@ -129,18 +109,18 @@ def reconstructed(
     size = (folder.parts.target.rows, folder.parts.target.cols)
     found = read.frame.shape[-2:]
     if found != size and "laid" not in read.meta:
-        raise _no_frame(name, f"it is of {found} pixels, the run's chip has {size}")
+        raise no_frame(name, f"it is of {found} pixels, the run's chip has {size}")
     if read.buckets != folder.parts.buckets:
         have = f"it has {counted(read.buckets, 'bucket')}"
-        raise _no_frame(name, f"{have}, the run's program {folder.parts.buckets}")
+        raise no_frame(name, f"{have}, the run's program {folder.parts.buckets}")
     if offset is not None and offset.shape[-2:] != size:
-        raise _no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
+        raise no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
     if offset is not None and folder.parts.settings.sensor.effects:
-        offset = _of_pixels(offset, folder.parts.encoder.spec.tile)
+        offset = of_pixels(offset, folder.parts.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
     if folder.parts.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
-            raise _no_frame(name, "it does not say how long its pixels were open")
+            raise no_frame(name, "it does not say how long its pixels were open")
         shares = list((read.opened / folder.parts.slots).astype(np.float32))
     made = [
         decoded_frame(
@@ -149,42 +129,6 @@ def reconstructed(
         for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
     return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
-
-
-def _of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
-    """What pixels (rows, cols) read without light above the mean of their place of a tile."""
-    found = np.empty_like(offset)
-    for row, col in np.ndindex(tile):
-        place = offset[row :: tile[0], col :: tile[1]]
-        found[row :: tile[0], col :: tile[1]] = place - place.mean()
-    return found
-
-
-def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Codes ([2,] rows, cols) without what the array ([2,] rows, cols) reads in the dark; arrays
-    lie side by side."""
-    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
-    rows, cols = codes.shape[-2:]
-    return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
-
-
-def read_dark(path: Path, buckets: int) -> NDArray[np.float64]:
-    """The mean code (rows, cols), of two buckets (2, rows, cols), above the ADC's offset of a frame
-    file without light.
-
-    Rejected (NS0819) for one of another number of buckets.
-    """
-    file = _frame_arrays(path)
-    codes = file.frame.reshape(-1, *file.frame.shape[-3:])
-    if codes.shape[1] != buckets or 0 in codes.shape:
-        wanted = counted(buckets, "bucket")
-        raise _no_frame(path, f"its frames are {codes.shape[1:]}, not of {wanted}")
-    return mean_dark(codes, float(file.meta["adc_offset"]))
-
-
-def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
-    """The same of the codes (repeats, buckets, rows, cols) of such a file."""
-    return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)
 
 
 def decoded_frame(
@@ -252,55 +196,6 @@ def _shutters(
         for side, at, most in zip(shape, corner, (target.rows, target.cols), strict=True)
     )
     return array[:, rows][:, :, cols]
-
-
-def read_frame(path: Path) -> FrameRead:
-    """A frame file of one exposure, or three in colours, in one bucket or two; Rejected (NS0819)
-    for another."""
-    file = _frame_arrays(path)
-    found, saturated, kept = file.frame, file.saturated, file.shutter
-    if saturated.shape != found.shape or saturated.dtype != np.bool_:
-        raise _no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
-    in_colours = "colours" in file.meta and found.shape[:1] == (len(COLOURS),)
-    if found.ndim != 3 + in_colours or found.shape[-3] not in (1, 2) or 0 in found.shape:
-        raise _no_frame(path, f"its frame is {found.shape}, not one exposure in a bucket or two")
-    if kept is not None and kept.shape[:-1] != found.shape[-3:]:
-        raise _no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
-    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
-    opened = None if file.opened is None else by_colour(file.opened, in_colours)
-    codes, full = (by_colour(part, in_colours) for part in (found, saturated))
-    return FrameRead(codes, full, file.meta, shutter, opened)
-
-
-def by_colour(values: Array, in_colours: bool) -> Array:
-    """What frame files hold of an exposure, ([colours,] buckets, rows, cols), as `FrameRead` has
-    it: (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""
-    if values.shape[-3] == 1:
-        return values[:, 0] if in_colours else values
-    return values if in_colours else values[None]
-
-
-def _frame_arrays(path: Path) -> FrameRead:
-    """The arrays of a frame file as they are stored, shutters unpacked; Rejected (NS0819) for
-    another file."""
-    reads(path)
-    try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            found, meta = file["frame"], json.loads(str(file["meta"]))
-            named = "saturated" in file.files  # without, the codes that say so are
-            saturated = file["saturated"] if named else np.zeros(found.shape, np.bool_)
-            opened = file[OPEN] if OPEN in file.files else None
-            kept = None
-            if "shutter" in file.files:
-                count = int(file["shutter_shape"][3])
-                kept = np.unpackbits(file["shutter"], axis=-1, count=count, bitorder="little")
-    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise _no_frame(path, why_no_arrays(path, error)) from error
-    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
-        raise _no_frame(path, f"its schema is not {SCHEMA}")
-    if opened is not None and (opened.shape != found.shape or opened.dtype.kind not in "iu"):
-        raise _no_frame(path, f"`{OPEN}` is {opened.dtype} {opened.shape}, no integers of it")
-    return FrameRead(found, saturated, meta, kept, opened)
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
@@ -380,13 +275,4 @@ def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:
         notes=("a decoder knows the shutters and the sensor that it was trained with",),
         helps=("expose the scene with the run's program: `nscc run RUN/shutter.nsl --scene ..`",)
         + (() if warning else ("--force reconstructs it all the same",)),
-    )
-
-
-def _no_frame(path: Path | str, reason: str) -> Exception:
-    return rejected(
-        "NS0819",
-        f"'{path}' is no frame that can be reconstructed",
-        notes=(reason,),
-        helps=("`nscc run RUN/shutter.nsl --scene .. -o FRAME.npz` writes one",),
     )

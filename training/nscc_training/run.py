@@ -24,17 +24,11 @@ from nscc_runtime.given import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
+from nscc_training.dark import Dark, mean_dark, read_dark
 from nscc_training.encoders import Encoder
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.reconstruct import (
-    FrameRead,
-    by_colour,
-    decoded_frame,
-    mean_dark,
-    read_dark,
-    read_frame,
-    reconstructed,
-)
+from nscc_training.frame_reading import FrameRead, by_colour, read_frame
+from nscc_training.reconstruct import decoded_frame, reconstructed
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
@@ -122,8 +116,8 @@ class Run:
         `frame`: a capture, a frame file, or codes of the converter (rows, cols), of two buckets (2,
         rows, cols), of which nothing is known and which are believed. `dark` is a capture or file
         without light, of many repeats, whose mean is taken from a capture or file. Raises Rejected
-        (NS0819) for a frame of another program or sensor, which with `force` is a warning;
-        WrongArgument for what is no frame.
+        (NS0819) for a frame of another program or sensor, or a dark one of another program or with
+        light, which with `force` is a warning; WrongArgument for what is no frame.
         """
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
@@ -143,9 +137,12 @@ class Run:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
             return decoded_frame(self.folder, codes, full)
-        offset = None if dark is None else self._offset(dark)
+        found, target = None if dark is None else self._dark(dark), self.folder.parts.target
+        offset = None if found is None else found.offset
+        size = (target.rows, target.cols)
+        doubts = () if found is None else found.checked(read.meta, size, force=force)
         made, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
-        warn(messages)
+        warn((*messages, *doubts))
         return made
 
     def __repr__(self) -> str:
@@ -187,12 +184,14 @@ class Run:
             return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
-    def _offset(self, dark: Capture | str | os.PathLike[str]) -> NDArray[np.float64]:
-        """What the array ([2,] rows, cols) reads without light, codes above the ADC's offset."""
+    def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
+        """A frame without light."""
         if not isinstance(dark, Capture):
             return read_dark(Path(dark), self.folder.parts.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
-        return mean_dark(codes, self.folder.parts.model.adc_offset_lsb)
+        offset = mean_dark(codes, self.folder.parts.model.adc_offset_lsb)
+        full = float(dark.saturated.mean())
+        return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
         """Codes that were given as an array."""

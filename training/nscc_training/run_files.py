@@ -14,6 +14,7 @@ from nscc.files import reads
 from nscc.words.container import Container
 from nscc_runtime.scenes.colour import Transfer
 from nscc_training.config import load_config
+from nscc_training.design.text import SLOT_DECIMALS
 from nscc_training.programs import SENSOR_FILE, TARGET_FILE
 from nscc_training.protocols import load_protocol
 
@@ -24,6 +25,8 @@ _SHIPPED = {"hdr": "under_still", "clip": "under_clip"}
 _SEARCHED = "searched_2"
 """Of the searches for clips the one whose gain validation found largest."""
 _DARK = ("builtin:dark", "builtin:flat")
+_SLOT_ERROR_US = 10.0**-SLOT_DECIMALS
+"""A run's own program is text, and has its slots no closer than this to those of the run."""
 _ELECTRONS = (".npz", ".npy")
 """Scenes that say how many electrons they amount to."""
 
@@ -51,7 +54,8 @@ class RunCapture:
 
     def check(self, container: Container, program: Path) -> None:
         """NS0821 for a program whose slots are not those of the run."""
-        if tuple(container.slot_us) == (self.slot_us,) * self.slots:
+        away_us = (abs(each - self.slot_us) for each in container.slot_us)
+        if container.slots == self.slots and max(away_us) <= _SLOT_ERROR_US:
             return
         raise rejected(
             "NS0821",

@@ -62,6 +62,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
     # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
+    # When codes learned decides nothing any more, and older versions let them learn never.
+    shutter = replace(shutter, warm_up=0.0, settle=0.0)
     decoder = replace(settings.decoder, init="")
     train = settings.train
     if train.device == "cuda" and not torch.cuda.is_available():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -13,13 +13,15 @@ import torch
 from numpy.typing import NDArray
 
 from nscc.containers import load_container, with_pixels
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.any_code.measured import Measured
+from nscc_training.dark import read_dark, undarkened
+from nscc_training.frame_reading import are_lengths, is_plan, number_of
 from nscc_training.problems import said, why_no_arrays
-from nscc_training.reconstruct import read_dark, undarkened
 
 _TOP = 255
 """The last code, where a frame does not say what is saturated."""
@@ -79,13 +81,14 @@ class CodedFrame:
 
 
 def read_coded_frames(
-    path: Path, program: Path | None = None, dark: Path | None = None
-) -> tuple[CodedFrame, ...]:
+    path: Path, program: Path | None = None, dark: Path | None = None,
+    warn: Callable[[Diagnostic], None] = lambda _doubt: None,
+) -> tuple[CodedFrame, ...]:  # fmt: skip
     """A frame file of any program: one frame, or those of red, green and blue. Rejected: NS0819 for
     a file that is none, or holds no shutters and `program`, the container or text that it was
     exposed with, is not named; and what loading that raises. Repeats count as one frame, their
     mean. With `dark`, a frame file of the same program without light, what each pixel reads there
-    is taken off, in place of what its words add in the mean.
+    is taken off, in place of what its words add in the mean; `warn` is told doubts about it.
     """
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
@@ -95,8 +98,10 @@ def read_coded_frames(
         raise nocoded_frame(path, why_no_arrays(path, error)) from error
     if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
         raise nocoded_frame(path, f"its schema is not {SCHEMA}")
+    if not is_plan(meta.get("plan")):
+        raise nocoded_frame(path, "the `plan` of its meta does not say which effects it has")
     if program is not None:
-        arrays |= _table_of(program, meta)
+        arrays |= _table_of(path, program, meta)
         pixels, own = (arrays[name].shape[-2:] for name in ("decode_row", "frame"))
         if pixels != own:
             sizes = f"{own[0]} x {own[1]} pixels, and '{program}' has {pixels[0]} x {pixels[1]}"
@@ -104,7 +109,7 @@ def read_coded_frames(
     if "decode_row" not in arrays:
         raise nocoded_frame(path, "it does not hold its pixels' shutters",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
-    offset = None if dark is None else _dark_of(dark, arrays)
+    offset = None if dark is None else _dark_of(dark, arrays, meta, warn)
     try:
         if "colours" not in meta:
             return (coded_frame(arrays, meta, offset),)
@@ -119,16 +124,22 @@ def read_coded_frames(
         raise nocoded_frame(path, f"its arrays do not fit together: {said(error)}") from error
 
 
-def _dark_of(path: Path, arrays: Mapping[str, NDArray[Any]]) -> NDArray[np.float64]:
+def _dark_of(
+    path: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
+    warn: Callable[[Diagnostic], None],
+) -> NDArray[np.float64]:  # fmt: skip
     """What an array (B, rows, cols) reads without light, for a frame with these arrays: of as many
-    buckets and pixels, or laid of such arrays. Rejected (NS0819) for another."""
+    buckets and pixels, or laid of such arrays. Rejected (NS0819) for another, or for one of another
+    program, or with light."""
     found = read_dark(path, arrays["decode_shutter"].shape[-2])
-    own, dark = arrays["frame"].shape[-2:], found.shape[-2:]
+    own, dark = arrays["frame"].shape[-2:], found.offset.shape[-2:]
     if any(most < side or most % side for most, side in zip(own, dark, strict=True)):
         sizes = f"{dark[0]} x {dark[1]} pixels, the frame {own[0]} x {own[1]}"
         raise nocoded_frame(path, f"without light it has {sizes}",
                              "expose the dark frame with the same program")  # fmt: skip
-    return found.reshape(-1, *dark)
+    for doubt in found.checked(meta, dark):
+        warn(doubt)
+    return found.offset.reshape(-1, *dark)
 
 
 def coded_frame(
@@ -146,16 +157,23 @@ def coded_frame(
     opened = np.unpackbits(
         arrays["decode_shutter"], axis=-1, count=len(slot_us), bitorder="little"
     ).astype(bool)
+    if not are_lengths(slot_us):
+        raise ValueError("`decode_slot_us` are no lengths of slots")
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
     gain, bias_e, variance_e2 = (
         arrays[f"decode_{name}"][row].transpose(2, 0, 1)
         for name in ("gain", "bias_e", "variance_e2")
     )
-    read = codes.mean(axis=0) - meta["adc_offset"]
+    # A variance may be infinite: such a code says nothing about the light.
+    known = np.isfinite(gain) & (gain != 0) & np.isfinite(bias_e) & (variance_e2 >= 0)
+    if not known.all():
+        raise ValueError("how light follows from an exposure (`decode_gain`, `decode_bias_e`, "
+                         "`decode_variance_e2`) is not said in numbers")  # fmt: skip
+    read = codes.mean(axis=0) - number_of(meta, "adc_offset")
     if dark is not None:
         read, bias_e = undarkened(read, dark), 0
-    exposure_e = read * meta["electrons_per_lsb"]
+    exposure_e = read * number_of(meta, "electrons_per_lsb")
     value_e = (exposure_e - bias_e) / gain
     if _counts_photons(meta):
         variance_e2 = variance_e2 + np.maximum(exposure_e, 0)
@@ -177,11 +195,14 @@ def _counts_photons(meta: Mapping[str, Any]) -> bool:
     return any(row["name"] == "shot" and row["decision"] == "kept" for row in plan["effects"])
 
 
-def _table_of(program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
+def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDArray[Any]]:
     """What frame files of today hold, from the program and what older ones hold."""
     container = with_pixels(load_container(program)[0], program)
     values = meta.get("sensor", default_sensor(container.target).values)
-    found = decode_arrays(container, Sensor(values), meta.get("plan"))
+    try:
+        found = decode_arrays(container, Sensor(values), meta.get("plan"))
+    except (KeyError, TypeError, AttributeError) as error:
+        raise nocoded_frame(path, f"its meta is damaged: {said(error)}") from error
     if not found:
         raise rejected(
             "NS0819",

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Diagnostic
 from nscc_training.any_code.decode import decoded_clip, decoded_still
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
 from nscc_training.reconstruct import Reconstruction, overexposed
@@ -25,12 +26,14 @@ def reconstruct_any(
     all shutters open with the frame (class b), else a clip. Colours are decoded one by one. Raises
     Rejected as `read_coded_frames`.
     """
-    every = read_coded_frames(frame, program, dark)
+    doubts: list[Diagnostic] = []
+    every = read_coded_frames(frame, program, dark, doubts.append)
     still = (kind or ("image" if every[0].is_still else "video")) == "image"
     begin = perf_counter()
     made = [_light(coded, still) for coded in every]
     light = np.stack(made, axis=-1) if len(made) > 1 else made[0]
-    messages = tuple(overexposed(str(frame), np.stack([coded.saturated for coded in every])))
+    full = np.stack([coded.saturated for coded in every])
+    messages = (*doubts, *overexposed(str(frame), full))
     return Reconstruction(light, still, len(made) > 1, messages, perf_counter() - begin)
 
 

@@ -27,6 +27,7 @@ from nscc_runtime.scenes import Fit, Laid, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.demo.subject import Subject
+from nscc_training.design.text import frame_text
 from nscc_training.run_files import RunCapture, run_capture
 
 RUNS = {True: Path("hdr"), False: Path("clip")}
@@ -184,7 +185,7 @@ def _laid(
 
 def camera(slots: int, slot_us: float, target: str | None = None) -> Container:
     """An ordinary camera: every shutter is open in all `slots` of `slot_us`."""
-    text = f"nsl 1\nframe {slots} slots of {slot_us:g}us\nopen when true\n"
+    text = f"nsl 1\n{frame_text(slots, slot_us)}\nopen when true\n"
     made = compile_source(Source("camera.nsl", text), Path(), Options(level=1, target=target))
     assert made.container is not None  # one shutter fits wherever any does
     return made.container

@@ -12,6 +12,9 @@ from nscc.target.target import Target
 from nscc_training.design.looking import Schedule
 from nscc_training.design.tile import Tile
 
+SLOT_DECIMALS = 6
+"""Of a slot's microseconds in a program's text: far below a chip's clock, and readable."""
+
 
 def looking_text(
     schedule: Schedule, slots: int, slot_us: float, target: Target, chip: str | None, remark: str
@@ -61,7 +64,8 @@ def _formatted(lines: Sequence[str]) -> str:
 
 def frame_text(slots: int, slot_us: float) -> str:
     """The statement of a frame of equal slots."""
-    return f"frame {slots} slots of {f'{slot_us:.6f}'.rstrip('0').rstrip('.')}us"
+    told_us = f"{slot_us:.{SLOT_DECIMALS}f}".rstrip("0").rstrip(".")
+    return f"frame {slots} slots of {told_us}us"
 
 
 def _head(

@@ -30,10 +30,10 @@ from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
 from nscc_training.problems import said
-from nscc_training.programs import MOST_LISTED, Chip, codes_in
+from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.run_files import WEIGHTS, run_path
-from nscc_training.sensor_model import SensorModel
+from nscc_training.sensor_model import SensorModel, shared_out
 from nscc_training.settings import Settings, ShutterSettings
 
 _STARTS = (*STARTS, "learned")
@@ -108,9 +108,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
-    if chosen.most_words and chosen.relaxation != "search":
-        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
-                     "`search`, or weigh them by `words_weight`")  # fmt: skip
+    _check_learning(chosen)
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
@@ -192,12 +190,30 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
         try:
             path = run_path(Path(chosen.init))
             path = path / programs.CODES_FILE if path.is_dir() else path
-            of_program = path.suffix.lower() == ".nsl"
-            encoder.load_codes(codes_in(path, spec, chip) if of_program else load_codes(path))
+            if path.suffix.lower() == ".nsl":
+                _begin_as(encoder, path, chip)
+            else:
+                encoder.load_codes(load_codes(path))
         except ValueError as error:
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
             raise _wrong("shutter.init", reason) from error
     return encoder
+
+
+def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
+    """Give an encoder the shutters of a program; ValueError, or Rejected as the compiler, where
+    they cannot be its own."""
+    found = begun_with(path, encoder.spec, chip)
+    encoder.load_codes(found.codes)
+    if found.opened is None:
+        return
+    hard = encoder.hard()
+    mine = shared_out(hard, 2) if len(found.opened) > 1 else hard[None]
+    if not np.array_equal(mine.cpu().numpy() > 0, found.opened):
+        bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
+        raise ValueError(
+            f"the program opens other shutters for them than class {encoder.spec.kind}{bump} does"
+        )
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
@@ -210,6 +226,17 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
     except Exception as error:  # safetensors raises its own type and several others
         reason = f"the weights of '{run[:200]}' do not fit: {said(error, 150)}"
         raise _wrong("decoder.init", reason) from error
+
+
+def _check_learning(chosen: ShutterSettings) -> None:
+    """Rejected (NS0815) for what no codes can learn by, or not at all."""
+    if chosen.most_words and chosen.relaxation != "search":
+        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
+                     "`search`, or weigh them by `words_weight`")  # fmt: skip
+    if chosen.learn and chosen.warm_up + chosen.settle >= 1:
+        reason = ("with `shutter.settle` it takes all steps, and leaves codes none to learn in: "
+                  "take less, or set `shutter.learn` to false")  # fmt: skip
+        raise _wrong("shutter.warm_up", reason)
 
 
 def _check_effects(settings: Settings, encoder: Encoder) -> None:

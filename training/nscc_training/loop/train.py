@@ -76,14 +76,20 @@ def train(
                 notes=("processes would judge other patches, and choose other codes",),
                 helps=("start one: `nscc train` without torchrun",),
             )  # fmt: skip
-        run = _start(settings, out, resume, ranks)
+        checkpoint = _checkpoint(out, resume)
+        run = _start(settings, checkpoint, ranks)
         if ranks.first:
+            # A checkpoint and a log of another folder become this one's: else what is in it would
+            # be of two runs, or could not be gone on with.
+            own = out / CHECKPOINT
+            brought = checkpoint is not None and checkpoint.resolve() != own.resolve()
             out.mkdir(parents=True, exist_ok=True)
             write_together({
                 out / "config.resolved.toml": config_toml(settings).encode(),
                 out / "split.json": lines_of(run.scenes.split()),
                 out / "environment.json": lines_of(environment(run.parts)),
                 **{out / name: data for name, data in run.parts.files.items()},
+                **(_so_far(run, out) if brought else {}),
             })  # fmt: skip
         _steps(run, out, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
@@ -96,7 +102,7 @@ def train(
         ranks.close()
 
 
-def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
+def _start(settings: Settings, checkpoint: Path | None, ranks: Ranks) -> Run:
     """Everything at the first step, or at a checkpoint's."""
     parts = make_parts(settings)
     scenes = load_scenes(settings.data, parts.still, parts.slots, settings.train.seed)
@@ -105,7 +111,6 @@ def _start(settings: Settings, out: Path, resume: str, ranks: Ranks) -> Run:
         batch=settings.train.batch, seed=settings.train.seed,
     )  # fmt: skip
     run = Run(parts, batches, scenes, _optimiser(parts), ranks, Progress())
-    checkpoint = _checkpoint(out, resume)
     if checkpoint is not None:
         run.progress = unpack(checkpoint, parts, scenes, run.optimiser)
         run.rows = _rows(checkpoint.parent / METRICS, run.progress.step) or run.rows
@@ -172,14 +177,19 @@ def _steps(
             due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
             if due and run.ranks.first:
                 _validate(run, losses, report)
-                write_together({
-                    out / METRICS: ("\n".join(run.rows) + "\n").encode(),
-                    out / CHECKPOINT: packed(run.parts, run.scenes, run.optimiser, run.progress),
-                })  # fmt: skip
+                write_together(_so_far(run, out))
             if due:
                 losses.clear()
             if step + 1 == stop_after:
                 return
+
+
+def _so_far(run: Run, out: Path) -> dict[Path, bytes]:
+    """What a run goes on from: its log and its checkpoint, by their files in `out`."""
+    return {
+        out / METRICS: ("\n".join(run.rows) + "\n").encode(),
+        out / CHECKPOINT: packed(run.parts, run.scenes, run.optimiser, run.progress),
+    }
 
 
 def batch_of(run: Run, step: int) -> Batch:

@@ -113,15 +113,18 @@ def silent(named: Collection[str], keys: Sequence[str], what: str) -> Fault | No
 
 def program_files(values: Values) -> Sequence[Path]:
     """The files that decide a program: its text, all that it names, its chip's."""
-    found = []
+    found: list[Path] = []
     if "program" in values:
-        source = read_source(Path(values["program"]))
-        folder = Path(values["program"]).parent
-        named = re.findall(r'"([^"\n]{1,255})"', source.text)
-        found += [Path(values["program"]), *(folder / name for name in named)]
+        found += text_files(Path(values["program"]))
     if values["target"].endswith(".toml"):
         found.append(Path(values["target"]))
     return found
+
+
+def text_files(path: Path) -> list[Path]:
+    """A program's text and all files that it names; Rejected where it cannot be read."""
+    named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
+    return [path, *(path.parent / name for name in named)]
 
 
 def target_of(values: Values) -> Target | None:

@@ -12,9 +12,10 @@ from nscc.toml.schema import Key
 from nscc.toml.text import written
 from nscc_training.config import load_config
 from nscc_training.import_paths import is_import_path
+from nscc_training.run_files import run_path
 from nscc_training.settings import SCHEMA, Settings
 from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import axis
+from nscc_training.sweep.programs import axis, text_files
 
 _CONFIG = "config"
 _STAGES = ("soft", "hard", "compiled", "emulated")
@@ -47,13 +48,24 @@ def _reads(values: Values) -> Sequence[Path]:
     """The configuration, the data and what else it names. Of code of one's own the module."""
     settings = _settings(values)
     named = [
-        settings.data.train, settings.data.val, settings.shutter.target, settings.shutter.init,
-        settings.sensor.file, settings.decoder.name, *settings.loss.name.split("+"),
+        settings.data.train, settings.data.val, settings.shutter.target, settings.sensor.file,
+        settings.decoder.name, *settings.loss.name.split("+"),
     ]  # fmt: skip
     files = [
         f"{n.partition(':')[0].replace('.', '/')}.py" if is_import_path(n) else n for n in named
     ]
-    return [Path(values[_CONFIG]), *(Path(name) for name in files if name)]
+    begun = (settings.shutter.init, settings.decoder.init)
+    return [
+        Path(values[_CONFIG]),
+        *(Path(name) for name in files if name),
+        *(path for name in begun if name for path in _begun_with(run_path(Path(name)))),
+    ]
+
+
+def _begun_with(path: Path) -> Sequence[Path]:
+    """What a run begins with: a run's folder, codes, or a program and the files that it names."""
+    is_program = path.suffix.lower() == ".nsl" and path.is_file()
+    return text_files(path) if is_program else [path]
 
 
 def _train(values: Values, place: Place) -> Figures:
