@@ -17,6 +17,8 @@ def command(name: Path) -> None:
     from nscc.examples import START
     from nscc.files import write_new
 
+    if name.name in ("", "..", ".nsl"):
+        raise click.BadParameter(f"'{name}' names no file", param_hint="NAME")
     path = name if name.suffix == ".nsl" else name.with_name(name.name + ".nsl")
     write_new({path: START.encode()})
     done(f"wrote {path.as_posix()}: `nscc check {path.as_posix()}` says what it is")

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import click
-from click import Choice, IntRange, argument, option
+from click import Choice, Context, IntRange, Parameter, argument, option
 
 from nscc_cli.completion import SETTING, TARGET
 from nscc_cli.support import NumberRange, OutPath
@@ -93,7 +93,17 @@ scene_options = together(
 )  # fmt: skip
 """Of what lays a scene on the array."""
 
-tone_option = option("--tone", metavar="CURVE",
+
+def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None:
+    """A curve's name, refused here where nothing is drawn by it, too."""
+    if name is not None:
+        from nscc_runtime.pictures.tone import check_tone
+
+        check_tone(name)
+    return name
+
+
+tone_option = option("--tone", metavar="CURVE", callback=_tone,
                      help="How light becomes greys in .png, .gif and .mp4: log, reinhard, mu-law, "
                      "srgb, linear.")  # fmt: skip
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import cv2
@@ -10,7 +11,9 @@ import pytest
 from conftest import RunNscc
 from PIL import Image
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.examples import START, about, examples
+from nscc_training import views
 from nscc_training.demo.subject import liveliest
 from nscc_training.metrics import mu_psnr
 from nscc_training.run_files import run_capture, shipped_runs
@@ -131,6 +134,42 @@ def test_a_new_program_checks(tmp_path: Path, run_nscc: RunNscc) -> None:
     assert run_nscc(["new", "mine"], tmp_path).status == 0
     assert (tmp_path / "mine.nsl").read_text() == START
     assert run_nscc(["check", "mine.nsl"], tmp_path).status == 0
+
+
+@pytest.mark.parametrize("name", ["", ".", "..", "a/..", "/", ".nsl"])
+def test_a_new_program_has_a_name(name: str, tmp_path: Path, run_nscc: RunNscc) -> None:
+    assert run_nscc(["new", name], tmp_path).status == 2
+    assert not [*tmp_path.iterdir()]
+
+
+def test_light_in_a_tiff_is_viewed_as_that_of_other_formats(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(views, "png_of", lambda _sheet, content, _name: content.told.encode())
+    light = np.random.default_rng(5).uniform(0, 9000, (8, 6, 3)).astype(np.float32)
+    for ending in ("tiff", "pfm"):
+        assert cv2.imwrite(str(tmp_path / f"light.{ending}"), light)
+    told = {views.view_of(tmp_path / f"light.{ending}") for ending in ("tiff", "pfm")}
+    assert len(told) == 1
+    assert told.pop().startswith(b"log curve, white ")
+    assert cv2.imwrite(str(tmp_path / "photo.tiff"), light.astype(np.uint8))
+    assert re.fullmatch(rb"srgb curve, white [0-9.]+", views.view_of(tmp_path / "photo.tiff"))
+
+
+def test_what_cannot_be_viewed_is_told_what_it_holds(tmp_path: Path) -> None:
+    np.savez(tmp_path / "scene.npz", light=np.ones((3, 4)))
+    with pytest.raises(Rejected, match="has no image or video, but light"):
+        views.view_of(tmp_path / "scene.npz")
+
+
+@pytest.mark.parametrize("line", ["view hdr", "run a.nsl --scene builtin:dark -o a.npz"])
+def test_curves_that_there_are_not_are_refused_where_none_is_drawn(
+    line: str, tmp_path: Path, run_nscc: RunNscc
+) -> None:
+    (tmp_path / "a.nsl").write_text(START)
+    outcome = run_nscc([*line.split(), "--tone", "nope"], tmp_path)
+    assert (outcome.status, outcome.codes) == (2, ["NS0739"])
+    assert not (tmp_path / "a.npz").exists()
 
 
 def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:

@@ -78,15 +78,18 @@ def test_what_a_plan_says_of_its_worst_pixels_is_checked(
     measured_e = found.measured_p999_e, found.measured_max_e / 2
     assert min(measured_e) > plan.tolerance_e
     for most_e, holds in ((1.05 * max(measured_e), True), (0.95 * max(measured_e), False)):
-        other = replace(plan, predicted_max_e=most_e)
+        other = replace(plan, predicted_max_e=most_e, predicted_p999_e=most_e / 2)
         assert audited(mid, other).holds is holds
         within = replace(other, tolerance_e=1.01 * found.measured_max_e)
         assert found.breach(within) is None
-    said = found.breach(replace(plan, predicted_max_e=1.0))
+    wrong = replace(plan, predicted_max_e=1.0, predicted_p999_e=0.5)
+    said = found.breach(wrong)
     assert said is not None
     assert "one pixel in a thousand" in said
-    assert "said 1 e of the worst" in said
-    lone = replace(found, measured_p999_e=1.0).breach(replace(plan, predicted_max_e=1.0))
+    assert "said 0.5 e of one in a thousand and 1 e of the worst" in said
+    common = replace(wrong, predicted_p999_e=0.55 * found.measured_p999_e)
+    assert found.breach(replace(common, predicted_max_e=found.measured_max_e)) is None
+    lone = replace(found, measured_p999_e=1.0).breach(wrong)
     assert lone is not None
     assert "a pixel is" in lone
 

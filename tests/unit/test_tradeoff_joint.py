@@ -78,7 +78,15 @@ def test_parts_of_a_target_keep_its_unit(text: str, tenth: str) -> None:
 
 @pytest.mark.parametrize(
     ("time_ms", "text"),
-    [(0.0025, "2.5 us"), (31.4, "31.4 ms"), (1250.0, "1.25 s"), (1e-5, "10 ns")],
+    [
+        (0.0025, "2.5 us"),
+        (31.4, "31.4 ms"),
+        (1250.0, "1.25 s"),
+        (1e-5, "10 ns"),
+        (0.9999, "1 ms"),
+        (999.6, "1 s"),
+        (0.9994, "999 us"),
+    ],
 )
 def test_times_are_in_si_units(time_ms: float, text: str) -> None:
     assert si_seconds(time_ms) == text

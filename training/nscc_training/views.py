@@ -66,13 +66,15 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     if suffix == ".npz":
         return _of_arrays(path, tone)
     if suffix in PICTURES:
-        light = light_in(read_picture(path), default_transfer(path))
-        usual = "log" if default_transfer(path) == "linear" else "srgb"
-        return png_of(content_sheet, Content({}, light, tone=tone, usual=usual), path.name)
+        stored = read_picture(path)
+        linear = default_transfer(path) == "linear" or stored.dtype.kind == "f"
+        light = light_in(stored, "linear" if linear else "srgb")
+        content = Content({}, light, tone=tone, usual="log" if linear else "srgb", unit="")
+        return png_of(content_sheet, content, path.name)
     if suffix in CLIPS:
         frames = (frame for frame, _ in zip(read_clip(path), range(_MOST_FRAMES), strict=False))
         clip = np.stack([light_in(frame, "srgb") for frame in frames])
-        content = Content({}, clip, moving=True, tone=tone, usual="srgb")
+        content = Content({}, clip, moving=True, tone=tone, usual="srgb", unit="")
         return png_of(content_sheet, content, path.name)
     raise _nothing_to_view(path, f"nothing that is viewed ends in '{suffix}'")
 
@@ -80,8 +82,9 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
 def _of_arrays(path: Path, tone: str | None) -> bytes:
     try:
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
+            held = file.files
             arrays: dict[str, NDArray[Any]] = {
-                name: file[name] for name in file.files if name not in ("light", "shutter")
+                name: file[name] for name in held if name not in ("light", "shutter")
             }
         meta = json.loads(str(arrays["meta"])) if "meta" in arrays else {}
     except Exception as error:  # numpy and zipfile raise a dozen types for damaged files
@@ -98,8 +101,8 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
             content = Content({}, light, moving, colour, tone=tone,
                               usual="srgb" if moving else "log")  # fmt: skip
             return png_of(content_sheet, content, path.name)
-    held = ", ".join(sorted(arrays)[:8])
-    raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {held}")
+    names = ", ".join(sorted(held)[:8]) or "nothing"
+    raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {names}")
 
 
 def _check_array(

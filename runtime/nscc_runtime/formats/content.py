@@ -24,7 +24,7 @@ class Content:
     an .npz, their first into an .npy, unless `main` gives it; `whole` writes the .npz instead where
     more belongs into it. `benchmark` gives the arrays of a .mat. `codes` (shape of `light`) are
     shown as they are, unless a `tone` is asked for; light is shown by its `tone`, by default that
-    named in `usual`, with `white` electrons (default: a percentile) as white.
+    named in `usual`, with `white` (default: a percentile) as white, in the light's `unit`.
     """
 
     arrays: Arrays
@@ -38,6 +38,7 @@ class Content:
     tone: str | None = None
     usual: str = "log"
     white: float | None = None
+    unit: str = "e"
 
     @cached_property
     def shown_by(self) -> Tone | None:
@@ -59,7 +60,9 @@ class Content:
     def told(self) -> str:
         """How light became greys, for those who look at them."""
         tone = self.shown_by
-        return "codes as read out" if tone is None else f"{tone.name}, white {tone.white:.4g} e"
+        if tone is None:
+            return "codes as read out"
+        return f"{tone.name}, white {tone.white:.4g}{f' {self.unit}' if self.unit else ''}"
 
     def lacks(self, kinds: str) -> str | None:
         """Why a format of these `kinds` (picture, clip, arrays) cannot hold it; None if it can."""

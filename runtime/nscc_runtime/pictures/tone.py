@@ -41,12 +41,8 @@ class Tone:
         return np.rint(255.0 * np.clip(self.curve(relative), 0.0, 1.0)).astype(np.uint8)
 
 
-def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
-    """The curve of that name for light (.., rows, cols), or (.., rows, cols, 3) in colours.
-
-    `white` is the light that is shown as white, by default the percentile `WHITE_PERCENTILE`.
-    Raises Rejected (NS0739) for a name that is none of `TONES`.
-    """
+def check_tone(tone: str) -> None:
+    """Rejected (NS0739) for a name that is none of `TONES`."""
     if tone not in TONES:
         near = closest(tone, TONES)
         raise rejected(
@@ -55,6 +51,15 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
             notes=(f"the curves are {', '.join(TONES)}",),
             helps=(f"did you mean {near}?" if near else "name one of them",),
         )
+
+
+def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
+    """The curve of that name for light (.., rows, cols), or (.., rows, cols, 3) in colours.
+
+    `white` is the light that is shown as white, by default the percentile `WHITE_PERCENTILE`.
+    Raises Rejected as `check_tone`.
+    """
+    check_tone(tone)
     values = np.maximum(np.asarray(light, np.float64), 0.0).ravel()
     if white is None:
         white = float(np.percentile(values, WHITE_PERCENTILE)) if values.size else 0.0

@@ -169,6 +169,7 @@ def _setting(point: Point) -> str:
 
 def si_seconds(time_ms: float) -> str:
     """A time with three digits in the unit that suits it: 2.5 us, 31 ms, 1.2 s."""
+    time_ms = float(f"{time_ms:.3g}")
     steps = ((1e-3, "us", 1e3), (1.0, "ms", 1.0), (1e3, "s", 1e-3))
     unit, factor = next(
         ((unit, factor) for limit, unit, factor in reversed(steps) if time_ms >= limit),
