@@ -115,7 +115,13 @@ def test_float_tiffs_of_any_number_of_channels(tmp_path: Path, dtype: Any, chann
     alpha = np.full((ROWS, COLS, 1), 0.5, dtype)
     stored = {1: rgb[..., :1], 3: rgb[..., ::-1], 4: np.dstack([rgb[..., ::-1], alpha])}[channels]
     assert cv2.imwrite(str(tmp_path / "p.tiff"), stored)
-    light = load(tmp_path / "p.tiff", exposure=Exposure(500.0), transfer="linear")
+    said: list[Diagnostic] = []
+    load(tmp_path / "p.tiff", exposure=Exposure(500.0), warn=said.append)
+    assert "--transfer linear" in said[-1].helps[0]
+    said.clear()
+    settings: dict[str, Any] = {"transfer": "linear", "warn": said.append}
+    light = load(tmp_path / "p.tiff", exposure=Exposure(500.0), **settings)
+    assert not any("sRGB" in each.message for each in said)
     luminance = rgb[..., 0] if channels == 1 else rgb @ WEIGHTS
     np.testing.assert_allclose(light.total_e(), exposed(luminance, 500.0), rtol=1e-6)
 

@@ -160,5 +160,13 @@ def no_colours(name: str) -> Diagnostic:
     return _note(f"'{name}' has no colours: it is exposed once", "leave --color out")
 
 
+def taken_for_srgb(name: str) -> Diagnostic:
+    """The note (NS0773) on floating-point samples in a format that is made for screens."""
+    return _note(
+        f"the numbers of '{name}' are taken for sRGB, 1 for white",
+        "--transfer linear takes them for light",
+    )
+
+
 def _note(text: str, help_text: str) -> Diagnostic:
     return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

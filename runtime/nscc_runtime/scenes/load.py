@@ -23,7 +23,7 @@ from nscc_runtime.scenes.colour import Transfer, grey
 from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import clamped, refuse_no_light
 from nscc_runtime.scenes.exposure import Exposure
-from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, placed
+from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, placed, taken_for_srgb
 
 FramesAre = Literal["integrals", "samples"]
 
@@ -276,7 +276,7 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
     request.check_exposure()
     stored = read()
     frame, where = _light(request, stored, transfer, request.name)
-    colour = _say_changes(request, stored, where)
+    colour = _say_changes(request, stored, transfer, where)
     seconds = request.slot_s
     factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), where)
     return Laid(Light.of_still(frame, seconds * factor, factor), where, colour)
@@ -294,7 +294,7 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     for picture in request.progress(islice(stored, request.first, None), "reading frames", need):
         frame, where = _light(request, picture, transfer, f"{request.name}, frame {have}")
         if have == 0:
-            colour = _say_changes(request, picture, where)
+            colour = _say_changes(request, picture, transfer, where)
         if have == len(frames):
             # realloc grows a large block without a copy; the final size is exactly `need`
             frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
@@ -325,12 +325,16 @@ def _only_frame(request: _Request, stored: Iterator[NDArray[Any]]) -> NDArray[An
     raise timing.no_such_frame(request.name, have, request.first)
 
 
-def _say_changes(request: _Request, stored: NDArray[Any], where: Layout) -> bool:
-    """Whether the picture is in colour; what becomes of size and colours is said once."""
+def _say_changes(
+    request: _Request, stored: NDArray[Any], transfer: Transfer, where: Layout
+) -> bool:
+    """Whether the picture is in colour; what becomes of size, colours and light is said once."""
     colour = in_colour(stored)
     if request.channel is None:
         for found in changes(where, colour, request.name):
             request.warn(found)
+        if request.transfer is None and transfer == "srgb" and stored.dtype.kind == "f":
+            request.warn(taken_for_srgb(request.name))
     return colour
 
 
