@@ -280,8 +280,7 @@ def _planned(
             plan = _made(planning, container, light, sensor, request)
         else:
             plan = request.plan
-    asked = request.tolerance != DEFAULT or request.tolerance_max is not None
-    if plan.breach is not None and (request.effects.auto or given or asked):
+    if plan.breach is not None and (request.effects.auto or given):
         listener.warn(_over(plan, plan.breach, given))
     with timings.part("expose_s"):
         made = planning.frames(plan, request.seed, request.repeat or 1)

@@ -269,25 +269,6 @@ def test_repr_is_a_line(program: nscc.ShutterProgram) -> None:
         assert re.fullmatch(r"<nscc [^\n]{10,200}>", repr(value))
 
 
-@pytest.mark.parametrize(
-    ("options", "warned"),
-    [
-        ({"effects": "shot", "tolerance": "1e"}, True),
-        ({"effects": "shot", "tolerance_max": "1e"}, True),
-        ({"effects": "all,-shot", "tolerance": "1e"}, True),
-        ({"effects": "all", "tolerance": "50e"}, False),
-        ({"effects": "shot"}, False),
-    ],
-)
-def test_named_effects_that_miss_a_tolerance_are_warned_of(
-    options: dict[str, Any], warned: bool, program: nscc.ShutterProgram
-) -> None:
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        nscc_runtime.capture(program, LIGHT, **options)
-    assert any("NS0749" in str(each.message) for each in caught) == warned
-
-
 @pytest.mark.parametrize("threads", [0, -1, "a", 1.5])
 def test_threads_of_many_captures_are_a_whole_number(
     threads: Any, program: nscc.ShutterProgram
