@@ -30,17 +30,17 @@ class FrameRead:
     first bucket's shutters (N, rows, cols) if kept; of pixels that looked, for how many slots each
     was open (colours, rows, cols); how long slots are (N,), if it says so."""
 
-    @property
-    def buckets(self) -> int:
-        """How many frames an exposure gave."""
-        return 1 if self.frame.ndim == 3 else self.frame.shape[1]
-
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
     meta: dict[str, Any]
     shutter: NDArray[Any] | None
     opened: NDArray[np.int64] | None = None
     slot_us: NDArray[np.float64] | None = None
+
+    @property
+    def buckets(self) -> int:
+        """How many frames an exposure gave."""
+        return 1 if self.frame.ndim == 3 else self.frame.shape[1]
 
 
 def read_frame(path: Path) -> FrameRead:
