@@ -69,7 +69,8 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         stored = read_picture(path)
         linear = default_transfer(path) == "linear" or stored.dtype.kind == "f"
         light = light_in(stored, "linear" if linear else "srgb")
-        content = Content({}, light, tone=tone, usual="log" if linear else "srgb", unit="")
+        usual, unit = ("log", "e") if linear else ("srgb", "")
+        content = Content({}, light, tone=tone, usual=usual, unit=unit)
         return png_of(content_sheet, content, path.name)
     if suffix in CLIPS:
         frames = (frame for frame, _ in zip(read_clip(path), range(_MOST_FRAMES), strict=False))

@@ -64,7 +64,7 @@ def serves(sample: Sample, plan: Plan) -> bool:
     )
     if not dropped:
         return True
-    found, most = sample.without(dropped, sample.times), plan.tolerance_max_e
+    found, most = sample.tried(dropped), plan.tolerance_max_e
     return (
         found.likely_e <= MARGIN * plan.tolerance_e
         and found.other_states <= _KEPT * MOST_OTHER_STATES
@@ -128,13 +128,9 @@ class Chooser:
                 continue
             if fits(self.sample.without(forced.union(chosen, {name}))):
                 chosen.append(name)
-        while not fits(now := self._tried(forced.union(chosen))) and chosen:
+        while not fits(now := self.sample.tried(forced.union(chosen))) and chosen:
             chosen.pop()
         return self._made(forced.union(chosen), now, forced_reason)
-
-    def _tried(self, dropped: frozenset[str]) -> Difference:
-        """What a plan changes that leaves these effects out."""
-        return self.sample.without(dropped, self.sample.times)
 
     def _free(self, forced: frozenset[str]) -> list[str]:
         """What may be left out and saves something, what changes least first."""

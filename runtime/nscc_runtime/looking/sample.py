@@ -175,10 +175,17 @@ class Sample:
             rows * cols,
         )
 
+    def without(self, dropped: frozenset[str]) -> Difference:
+        """What leaving these effects out changes, in the worst of a film's frames."""
+        return self._of_times(dropped, 1)
+
+    def tried(self, dropped: frozenset[str]) -> Difference:
+        """The same of as many pixels as a plan is tried on."""
+        return self._of_times(dropped, self.times)
+
     @remembered
-    def without(self, dropped: frozenset[str], times: int = 1) -> Difference:
-        """What leaving these effects out changes, in the worst of a film's frames, each tried so
-        many times with noise of its own."""
+    def _of_times(self, dropped: frozenset[str], times: int) -> Difference:
+        """The same of frames that are exposed so many times, with noise of their own."""
         some, weight = everything().without(*dropped), np.tile(self.weight, (times, 1))
         found = []
         for number, (loaded, full) in enumerate(self._film):
