@@ -10,7 +10,7 @@ import pytest
 from nscc_runtime.planner.accounts import Account
 from nscc_runtime.planner.sample import Sample
 
-FIXED, RANDOM = ("a", "b", "c"), ("b", "c", "d")
+FIXED, RANDOM, SKEWED = ("a", "b", "c"), ("b", "c", "d"), ("c", "d")
 BUCKETS, PIXELS = 2, 40
 
 
@@ -21,7 +21,8 @@ def account() -> Account:
     sample = Sample(np.arange(PIXELS), weight, np.zeros(PIXELS, np.bool_))
     fixed = {name: rng.normal(1.0, 5.0, (BUCKETS, PIXELS)) for name in FIXED}
     random = {name: rng.exponential(3.0, (BUCKETS, PIXELS)) for name in RANDOM}
-    return Account(sample, BUCKETS, fixed, random)
+    skewed = {name: 0.5 * random[name] for name in SKEWED}
+    return Account(sample, BUCKETS, fixed, random, skewed)
 
 
 def chosen(names: tuple[str, ...]) -> list[set[str]]:
@@ -40,6 +41,8 @@ def test_some_errors_together_are_those_of_each_pixel(
         found = [each[bucket] for each in account.errors(fixed, random)]
         assert found[0] == pytest.approx(mean)
         assert found[1] == pytest.approx(variance)
+        third = sum((account.skewed[n][bucket] for n in random & {*SKEWED}), np.zeros(PIXELS))
+        assert found[2] == pytest.approx(third)
         # A name of the one kind that is not of the other changes nothing.
         square = account.square(fixed | {"d", "none"}, random | {"a"})[bucket]
         assert square == pytest.approx(np.average(mean**2 + variance, weights=weight))

@@ -14,13 +14,14 @@ from promise import full_frames, outcome, scene
 from random_sensors import promises
 from reference_programs import sensor_of
 from scipy.optimize import brentq
-from scipy.stats import norm
+from scipy.stats import norm, poisson
 
 import nscc_runtime
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.plan_file import plan_text, read_plan
+from nscc_runtime.planner.accounts import Errors
 from nscc_runtime.planner.choose import Chooser
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import chances, sample_of
@@ -43,12 +44,16 @@ def flat(total_e: float) -> Light:
     return Light.of_clip(np.full((SLOTS, SIDE, SIDE), total_e / SLOTS, np.float32))
 
 
+def normal(mean: np.ndarray, variance: np.ndarray) -> Errors:
+    return Errors(mean, variance, np.zeros(mean.shape))
+
+
 def test_worst_pixels_of_a_mixture_are_those_of_its_draws() -> None:
     """A tenth of the pixels carries the whole error; drawn with numpy."""
     rng = np.random.default_rng(0)
     mean, variance = np.zeros((1, 1000)), np.ones((1, 1000))
     mean[0, :100], variance[0, :100] = 30.0, 100.0
-    found = worst_of(mean, variance, np.ones(1000), 1000)
+    found = worst_of(normal(mean, variance), np.ones(1000), 1000)
     drawn = np.abs(mean + np.sqrt(variance) * rng.standard_normal((2000, 1000)))
     assert found.p999_e == pytest.approx(np.quantile(drawn, 0.999), rel=0.01)
     # A sample shows little of the largest: it is rather said too large.
@@ -69,8 +74,51 @@ def test_what_one_pixel_in_a_thousand_passes_is_the_root_of_its_chance(seed: int
         both = norm.sf((limit - mean[0]) / sigma) + norm.cdf((-limit - mean[0]) / sigma)
         return float(both @ weight / weight.sum()) - 1e-3
 
-    found = worst_of(mean, variance, weight, 65536)
+    found = worst_of(normal(mean, variance), weight, 65536)
     assert found.p999_e == pytest.approx(brentq(beyond, 0.0, 1e3, xtol=1e-9), rel=2e-3)
+
+
+@pytest.mark.parametrize("sign", [1.0, -1.0])
+@pytest.mark.parametrize("centred", [False, True])
+@pytest.mark.parametrize("count", [0.01, 0.1, 0.3, 1.0, 3.0, 10.0, 100.0, 1e4])
+def test_worst_pixels_of_few_electrons_have_the_tail_of_counts(
+    count: float, centred: bool, sign: float
+) -> None:
+    """Dropped counts, or their noise alone: by their distribution, to the electron."""
+    law = poisson(count)
+    errors = Errors(
+        np.full((1, 50), 0.0 if centred else sign * count), np.full((1, 50), count),
+        np.full((1, 50), sign * count),
+    )  # fmt: skip
+    found = worst_of(errors, np.full(50, 65536 / 50), 65536)
+    center = count if centred else 0.0
+    sizes = np.arange(0.0, 8.0 * math.sqrt(count) + count + 9.0, 0.5)
+    passed = law.sf(center + sizes) + law.cdf(np.ceil(center - sizes) - 1.0)
+    one, rare = (sizes[np.argmax(passed < share)] for share in (1e-3, 1 / 6553600))
+    assert abs(found.p999_e - one) <= 1.0 + 0.01 * one
+    assert rare - 1.0 <= found.max_e <= (2.0 if centred else 1.2) * rare + 2.0
+
+
+def test_counts_that_hardly_ever_happen_make_no_tail() -> None:
+    """One in a million pixels counts an electron: of a thousand errors of 1 e nobody sees that."""
+    few = np.full((1, 50), 1e-6)
+    found = worst_of(Errors(0 * few, few, few), np.ones(50), 65536)
+    assert found.p999_e < 0.01
+    assert found.max_e <= 5.0
+
+
+@pytest.mark.parametrize(("total_e", "slots"), [(0.0, 8), (2.0, 4)])
+def test_one_pixel_in_a_thousand_of_a_dark_scene_is_as_far_off_as_was_said(
+    total_e: float, slots: int
+) -> None:
+    """Dropped dark charge of less than an electron, by the reference."""
+    container = case("c accumulate", slots, "100us", SIDE, SIDE)
+    sensor = sensor_of(container)
+    light = Light.of_clip(np.full((slots, SIDE, SIDE), total_e / slots, np.float32))
+    found = outcome(container, light, sensor, "5e", full_frames(container, light, sensor, 6, 3, 5))
+    assert {each.name for each in found.plan.decisions if each.decision == "dropped"} >= {"dark"}
+    assert found.p999_e <= 1.25 * found.plan.predicted_p999_e
+    assert found.p999_e >= 0.6 * found.plan.predicted_p999_e
 
 
 def test_worst_pixels_that_were_measured_weigh_what_they_stand_for() -> None:
@@ -135,7 +183,8 @@ def test_worst_pixels_are_told_though_the_sample_lacks_them() -> None:
     for _ in range(100):
         pattern = np.exp(0.8 * rng.standard_normal(2304)) * rng.standard_normal(2304)
         drawn = rng.choice(2304, 640, replace=False)
-        said.append(worst_of(pattern[None, drawn], np.ones((1, 640)), np.ones(640), 2304).max_e)
+        errors = normal(pattern[None, drawn], np.ones((1, 640)))
+        said.append(worst_of(errors, np.ones(640), 2304).max_e)
         frames.append(np.abs(pattern).max())
     assert np.mean(np.array(said) < 0.8 * np.array(frames)) < 0.1
     assert np.median(said) < 2 * np.median(frames)

@@ -6,8 +6,9 @@ It is laid out once, so that each of many choices is a product of small matrices
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,16 +18,27 @@ from nscc_runtime.planner.sample import Sample
 Values = NDArray[np.float64]
 
 
+class Errors(NamedTuple):
+    """What is wrong with each of a sample's pixels, (buckets, pixels) each: its mean, its variance,
+    and the third moment about the mean, in electrons and their squares and cubes."""
+
+    mean: Values
+    variance: Values
+    third: Values
+
+
 @dataclass(frozen=True, eq=False)
 class Account:
     """Errors of a sample's pixels, (buckets, pixels) each, in electrons: of the `fixed` ones fields
-    that add up with their signs, of the `random` ones variances.
+    that add up with their signs, of the `random` ones variances, and of those of these that are
+    `skewed` third moments.
     """
 
     sample: Sample
     buckets: int
     fixed: Mapping[str, Values]
     random: Mapping[str, Values]
+    skewed: Mapping[str, Values] = field(default_factory=dict)
 
     def square(self, fixed: Collection[str], random: Collection[str]) -> Values:
         """The mean square (buckets,) over the array of some of them."""
@@ -43,11 +55,14 @@ class Account:
         """The mean variance (buckets,) over the array of some of them."""
         return np.asarray(_inside(self.random, random) @ self._variances)
 
-    def errors(self, fixed: Collection[str], random: Collection[str]) -> tuple[Values, Values]:
-        """The means and variances (buckets, pixels) of some of them."""
+    def errors(self, fixed: Collection[str], random: Collection[str]) -> Errors:
+        """Some of them together, pixel by pixel."""
         mean = self._fixed[[at for at, name in enumerate(self.fixed) if name in fixed]]
         variance = self._random[[at for at, name in enumerate(self.random) if name in random]]
-        return np.asarray(mean.sum(axis=0)), np.asarray(variance.sum(axis=0))
+        third = np.zeros(mean.shape[1:])
+        for name in self.skewed.keys() & {*random}:
+            third += self.skewed[name]
+        return Errors(np.asarray(mean.sum(axis=0)), np.asarray(variance.sum(axis=0)), third)
 
     def own(self, name: str) -> tuple[Values, Values]:
         """The mean square (buckets,) over the array of one effect's errors, and their mean."""

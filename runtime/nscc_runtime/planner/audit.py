@@ -30,9 +30,9 @@ NOISE_SLACK = 0.02
 _SIGMAS = 3.0
 
 WORST_SLACK = 2.0
-"""Of its worst pixels a plan tells from a sample, as if errors were normal, and those of a few
-electrons are not: the worst is at most this times as far off as it said, and so is one in a
-thousand, or not further off than it said of the worst; or they are within the tolerance."""
+"""Of its worst pixels a plan tells from a sample: the worst is at most this times as far off as it
+said, and so is one in a thousand, or not further off than it said of the worst; or they are within
+the tolerance."""
 
 _BAND = 4
 _MOST_CELLS = 1 << 23

@@ -79,6 +79,15 @@ class ByLane:
         return found.reshape(self.squared_row + 1 + len(self.moving), -1, found.shape[1])
 
     @cached_property
+    def count_e(self) -> Values:
+        """What one count makes of an exposure (buckets, lanes), by the square of that: the third
+        moment of counts by their variance."""
+        square = self.seconds[self.squared_row]
+        full = self.weights[: len(square)]
+        cube = np.array([self.slot_s @ each**3 for each in full])
+        return np.asarray(np.divide(cube, square, out=np.zeros_like(square), where=square > 0))
+
+    @cached_property
     def most(self) -> Values:
         """The largest weight (buckets, lanes) of a slot."""
         return np.ascontiguousarray(self.tables.weights(self.full).slots.max(axis=0).T)

@@ -20,6 +20,7 @@ from nscc_runtime.effects import (
     Effect,
     Field,
     Selection,
+    everything,
     registered,
 )
 from nscc_runtime.effects.parts import Counted, Exchange, Soft, Well
@@ -53,7 +54,8 @@ class Fields:
     """Predictions for a sample; arrays are (buckets, pixels of the sample).
 
     `fixed` and `variance` by effect; `noise`: by how much each makes the variance over frames
-    larger; `shifts`: the electrons by which an effect changes the counts;
+    larger; `shifts`: the electrons by which an effect changes the counts; `count_e`: what one count
+    makes of an exposure, as its third moment shows it;
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
     `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
@@ -69,6 +71,7 @@ class Fields:
     variance: dict[str, Values]
     noise: dict[str, Values]
     shifts: dict[str, Values]
+    count_e: Values
     thinning: dict[bool, Values]
     neighbours: dict[bool, Values]
     noise_cut: Values
@@ -79,6 +82,12 @@ class Fields:
     """Which pixels of the sample neighbours' light brings near saturation."""
     rarely_e: Mapping[str, float]
     """By effect, what noise alone takes of one pixel in one frame of some."""
+
+    def skewed(self, random: Mapping[str, Values]) -> dict[str, Values]:
+        """Of these variances the third moments: of counts, which are of few electrons in the
+        dark."""
+        names = everything().names(Counted) & random.keys()
+        return {name: random[name] * self.count_e for name in names}
 
     @cached_property
     def noise_left(self) -> dict[str, Values]:
@@ -167,6 +176,7 @@ class SampledFields:
             {name: each.variance for name, each in found.items() if each.variance is not None},
             {name: each.noise for name, each in found.items() if each.noise is not None},
             {name: each.shift for name, each in found.items() if each.shift is not None},
+            scene.count_e,
             thinning,
             neighbours,
             noise_cut,

@@ -177,7 +177,7 @@ class Lacking:
         fields = self.fields
         nowhere = np.zeros(fields.expected.shape, np.bool_)
         errors = guesses(fields, self.running, lacking, nowhere).errors(lacking, lacking)
-        return worst_of(*errors, fields.sample.weight, len(self.program.lanes))
+        return worst_of(errors, fields.sample.weight, len(self.program.lanes))
 
     def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         mean, error = self._measured(lacking)
@@ -296,4 +296,5 @@ def guesses(
         if name in fields.variance:
             here = fields.variance[name]
             random[name] = np.where(runs & ~cut if behind is None else runs, here, 0.0)
-    return Account(fields.sample, len(fields.expected), fixed, random)
+    skewed = fields.skewed(random)
+    return Account(fields.sample, len(fields.expected), fixed, random, skewed)

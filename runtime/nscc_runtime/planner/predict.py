@@ -206,7 +206,8 @@ class Forecast(ABC):
             found = self.sampled.reweighed
             fixed |= {name: each * where for name, each in found.fixed.items()}
             random |= {name: each * where for name, each in found.variance.items()}
-        return Account(fields.sample, len(fields.expected), fixed, random)
+        skewed = fields.skewed(random)
+        return Account(fields.sample, len(fields.expected), fixed, random, skewed)
 
     def lost(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
         """The names of all that is random and that a plan lacks."""

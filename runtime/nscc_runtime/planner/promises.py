@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
+from nscc_runtime.planner.accounts import Errors
 from nscc_runtime.planner.effect_fields import BOTH
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
@@ -108,7 +109,7 @@ class Promises(Forecast):
         may saturate are without the effects that are `lacking` there."""
         errors = self.errors(dropped, everywhere, lacking)
         weight, pixels = self.fields.sample.weight, len(self.program.lanes)
-        found = worst_of(*errors, weight, pixels)
+        found = worst_of(errors, weight, pixels)
         if not everywhere and FORMULA in self.taken(dropped):
             # A count is right or one off, beside all else: its variance tells nothing of that.
             found = replace(found, max_e=max(found.max_e, found.p999_e + 1.0))
@@ -123,22 +124,22 @@ class Promises(Forecast):
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
         """The standard error (buckets,) of predicted mean squares."""
-        mean, variance = self.errors(dropped, everywhere)
+        mean, variance, _ = self.errors(dropped, everywhere)
         return self.fields.sample.error(mean**2 + variance)
 
     @remembered
     def errors(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Means and variances (buckets, pixels of the sample) of what a plan leaves wrong."""
+    ) -> Errors:
+        """What a plan leaves wrong with each pixel of the sample."""
         state = self.state(dropped)
         lost = self.wrong(dropped, everywhere)
-        mean, variance = self.account_of(dropped, everywhere).errors(*lost)
-        variance += self.rounding_of(dropped)
+        found = self.account_of(dropped, everywhere).errors(*lost)
+        found.variance[...] += self.rounding_of(dropped)
         if lacking:
             near = guesses(self.fields, self.runs(state), lacking).errors(lacking, lacking)
-            mean, variance = mean + near[0], variance + near[1]
-        return mean, variance
+            found = Errors(*(each + more for each, more in zip(found, near, strict=True)))
+        return found
 
     def noise_ratio(
         self,

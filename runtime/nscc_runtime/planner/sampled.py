@@ -240,6 +240,11 @@ class SampledScene:
         return np.asarray(self.by_lane.seconds[0][:, self.lanes])
 
     @property
+    def count_e(self) -> Values:
+        """What one count makes of an exposure (buckets, pixels)."""
+        return self.by_lane.count_e[:, self.lanes]
+
+    @property
     def dark_e(self) -> Values:
         return self.dark_s * (self.dark + self.spilt)
 

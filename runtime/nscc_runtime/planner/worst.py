@@ -1,8 +1,9 @@
 """The worst pixels of a frame: the error that one pixel in a thousand passes, and the largest.
 
-The error of a pixel is normal, with a mean and a variance of its own; that of a frame is the
-mixture over a sample of its pixels. Where errors were measured at some pixels, once each, their
-tail is told from the largest of them.
+The error of a pixel is normal, with a mean and a variance of its own, or skewed by its third moment
+(E. A. Cornish and R. A. Fisher, Moments and cumulants in the specification of distributions, 1938);
+that of a frame is the mixture over a sample of its pixels. Where errors were measured at some
+pixels, once each, their tail is told from the largest of them.
 """
 
 from __future__ import annotations
@@ -14,6 +15,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
+
+from nscc_runtime.planner.accounts import Errors
 
 Values = NDArray[np.float64]
 
@@ -30,6 +33,8 @@ _UNSEEN = 1e-6
 """Of a share: a pixel that passes an error more rarely adds nothing to it."""
 _RARELY = 50.0
 """Times the share of the frame that passes an error: how likely a fiftieth of it is to pass it."""
+_EVEN = 0.05
+"""A skewness that changes nothing worth telling."""
 _STEPS = 40
 _PRECISE = 1e-3
 
@@ -44,36 +49,65 @@ class Worst:
 
 
 class _Sides(NamedTuple):
-    """Normal errors, of pixels of a sample above and below 0: their means, standard deviations, and
-    the part of the frame that each stands for."""
+    """Errors of pixels of a sample above and below 0: their means, standard deviations, skewness
+    (None: all are normal), and the part of the frame that each stands for."""
 
     mean: Values
     sigma: Values
+    skewness: Values | None
     part: Values
 
+    def some(self, which: NDArray[np.int64] | slice) -> _Sides:
+        """Those of some pixels."""
+        skewness = None if self.skewness is None else self.skewness[which]
+        return _Sides(self.mean[which], self.sigma[which], skewness, self.part[which])
 
-def worst_of(mean: Values, variance: Values, weight: Values, pixels: int) -> Worst:
-    """Of errors with these means and variances (buckets, pixels of a sample).
+    def up_to(self, z: float) -> Values:
+        """The error of each that is as likely to be passed as `z` standard deviations."""
+        g = self.skewness
+        if g is None:
+            return self.mean + z * self.sigma
+        # The formula turns round where the tail ends that is cut short.
+        short = z / 2.0 - g / 6.0
+        return self.mean + self.sigma * np.where(z * g < -3.0, short, z + g / 6.0 * (z * z - 1.0))
+
+    def passing(self, limit: float) -> float:
+        """The share of the frame whose error passes a limit."""
+        y, g = (limit - self.mean) / self.sigma, self.skewness
+        if g is None:
+            return float(self.part @ ndtr(-y))
+        t = y + g / 6.0
+        z = 2.0 * t / (1.0 + np.sqrt(np.maximum(1.0 + g * t / 1.5, 0.0)))
+        # Without a count errors are as the others are: so rare counts make no tail of their own.
+        return float(self.part @ np.minimum(ndtr(-z), ndtr(-y) + 1.0 / np.maximum(g * g, 1e-9)))
+
+
+def worst_of(errors: Errors, weight: Values, pixels: int) -> Worst:
+    """Of errors (buckets, pixels of a sample).
 
     `weight` (pixels of the sample,): how many of the `pixels` of a frame each stands for. Of a
     frame's largest error a sample shows little, as it lacks most of the pixels that are bright and
     have much of a fixed pattern: beyond that of 99.9 % errors are taken to become rarer at least as
     slowly as exponentially, at the pace of the errors before it.
     """
+    mean, variance, third = errors
     if not (mean.any() or variance.any()):
         return Worst(0.0, 0.0)
     part = weight / weight.sum()
     sigma = np.sqrt(np.maximum(variance, 1e-12))
+    skewness = third / sigma**3 * np.where(mean < 0.0, -1.0, 1.0)
     common, rare = 1.0 / ONE_IN, min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(mean)))
     found = [Worst(0.0, 0.0)]
-    for size, spread in zip(np.abs(mean), sigma, strict=True):
-        sides = _Sides(np.append(size, -size), np.append(spread, spread), np.append(part, part))
-        each = size, spread, part, sides
-        p999_e = _passed_by(common, *each)
-        pace_e = (p999_e - _passed_by(_COMMONER * common, *each)) / math.log(_COMMONER)
+    for size, spread, skew in zip(np.abs(mean), sigma, skewness, strict=True):
+        skewed = np.append(skew, -skew) if np.abs(skew).max() > _EVEN else None
+        sides = _Sides(
+            np.append(size, -size), np.append(spread, spread), skewed, np.append(part, part)
+        )
+        p999_e = _passed_by(common, sides)
+        pace_e = (p999_e - _passed_by(_COMMONER * common, sides)) / math.log(_COMMONER)
         max_e = p999_e + pace_e * math.log(common / rare)
-        if _passing(max_e, _may_pass(max_e, sides, rare)) > rare:
-            max_e = _passed_by(rare, *each)
+        if _may_pass(max_e, sides, rare).passing(max_e) > rare:
+            max_e = _passed_by(rare, sides)
         found.append(Worst(p999_e, max_e))
     return Worst(max(each.p999_e for each in found), max(each.max_e for each in found))
 
@@ -115,38 +149,34 @@ def largest(sizes: Values, weight: Values) -> Worst:
     return Worst(float(sizes[order[at]]), float(sizes[order[-1]]))
 
 
-def _passing(limit: float, sides: _Sides) -> float:
-    """The share of the frame whose error passes a limit."""
-    mean, sigma, part = sides
-    return float(part @ ndtr((mean - limit) / sigma))
-
-
 def _may_pass(limit: float, sides: _Sides, share: float) -> _Sides:
     """Those that pass a limit often enough to be seen in this share of a frame; all, if most do."""
-    mean, sigma, part = sides
-    may = np.flatnonzero(mean - ndtri(_UNSEEN * share) * sigma > limit)
-    if 2 * len(may) > len(mean):
-        return sides
-    return _Sides(mean[may], sigma[may], part[may])
+    may = np.flatnonzero(sides.up_to(-ndtri(_UNSEEN * share)) > limit)
+    return sides if 2 * len(may) > len(sides.mean) else sides.some(may)
 
 
-def _passed_by(share: float, size: Values, sigma: Values, part: Values, sides: _Sides) -> float:
+def _passed_by(share: float, sides: _Sides) -> float:
     """The error that this share of the frame passes."""
-    if not math.isfinite(float((size + sigma).max())):
+    if not math.isfinite(float((sides.mean + sides.sigma).max())):
         return 0.0
     # So many pixels pass it with all but what `rarely` comes that these are enough; and the errors
     # of all but half of the share stay that far below it that theirs are no more than the rest.
-    rarely = min(_RARELY * share, 0.5)
-    low = _quantile(share / rarely, size - sigma * ndtri(rarely), part)
-    high = _quantile(share / 2.0, size - sigma * ndtri(share / 4.0), part)
+    rarely, upper = min(_RARELY * share, 0.5), sides
+    if sides.skewness is None:  # the side above 0 reaches farther
+        upper = sides.some(slice(len(sides.mean) // 2))
+    low = _quantile(share / rarely, upper.up_to(-ndtri(rarely)), upper.part)
+    high = _quantile(share / 2.0, upper.up_to(-ndtri(share / 4.0)), upper.part)
 
     def beyond(middle: float) -> float:
         """By how much more pixels pass it than should, as a logarithm."""
-        return math.log(max(_passing(middle, some), 1e-300) / share)
+        return math.log(max(some.passing(middle), 1e-300) / share)
 
     # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
     some = _may_pass(low, sides, share)
     at_low, at_high = beyond(low), beyond(high)
+    if at_low < 0:  # counts are so rare that fewer pass it
+        low, some = 0.0, sides
+        at_low = beyond(low)
     for _ in range(_STEPS):
         if at_high >= 0 or high - low <= _PRECISE * high:
             break
@@ -167,5 +197,5 @@ def _quantile(share: float, sizes: Values, part: Values) -> float:
         return 0.0
     order = sizes.argsort()
     upto = part[order].cumsum()
-    last = min(int(np.searchsorted(upto, 1.0 - share)), len(order) - 1)
+    last = min(int(np.searchsorted(upto, upto[-1] - share)), len(order) - 1)
     return float(sizes[order[last]])
