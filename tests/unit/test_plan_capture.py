@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import gc
 from dataclasses import replace
+from weakref import ref
 
 import numpy as np
 import pytest
@@ -331,3 +333,26 @@ def test_what_a_plan_leaves_out_does_not_change_which_pixels_run(left: str) -> N
 
     assert places("all") == places(",".join(names))
     assert 0 < len(places("all")) < ROWS * COLS
+
+
+@pytest.mark.parametrize(
+    ("effects", "electrons", "loop"),
+    [
+        ("shot,read,full_well", 300.0, "some"), ("all", 300.0, "some"), ("all", 8000.0, "some"),
+        ("all", 300.0, "all"), ("all", 300.0, "reference"),
+    ],
+)  # fmt: skip
+def test_a_frames_light_is_let_go_of_with_it(effects: str, electrons: float, loop: str) -> None:
+    """Films would hold many scenes at a time if they waited for the collector of cycles."""
+    container = case("b edges", rows=ROWS, cols=COLS)
+    light = moving_light((8, ROWS, COLS), electrons)
+    scene = planned(container, light, sensor_of(container), plan_of(effects, loop=loop))
+    gone = ref(light)
+    gc.collect()
+    gc.disable()
+    try:
+        assert list(scene.frames(SEED, 2))
+        del light, scene
+        assert gone() is None
+    finally:
+        gc.enable()

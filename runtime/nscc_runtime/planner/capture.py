@@ -139,8 +139,9 @@ class Planned(Prepared):
         target, seeds = self.program.container.target, (seed, self.device_seed)
         return converted(exposure, target, self.program.sensor, self.kept, seeds, frame)
 
-    @cached_property
+    @property
     def _summed(self) -> Summed:
+        # Not kept: it holds this scene, and what holds each other lives until somebody collects it.
         return Summed(self)
 
     @cached_property

@@ -107,9 +107,12 @@ class Kit:
 
 @dataclass(frozen=True, eq=False)
 class Fused:
-    """A scene under a simple plan, laid out for the loop; everything but the keys of a frame."""
+    """A scene's light under a simple plan, laid out for the loop; everything but the keys of a
+    frame."""
 
-    scene: Prepared
+    program: Program
+    light: Light
+    threads: int
     kit: Kit
     buckets: tuple[Bound, ...]
 
@@ -130,11 +133,11 @@ class Fused:
             )
             for bucket, arrays in enumerate(kit.arrays)
         )  # fmt: skip
-        return cls(scene, kit, buckets)
+        return cls(program, source, scene.threads, kit, buckets)
 
     def expose(self, seed: int, frame: int, *, read_out: bool) -> Frame:
         """Frame number `frame`; without `read_out` its codes are left 0."""
-        shape = (len(self.buckets), *self.scene.light.shape)
+        shape = (len(self.buckets), *self.light.shape)
         found = Frame(
             np.zeros(shape, np.uint8), np.empty(shape), np.ones(shape, np.bool_),
             np.zeros(shape, np.uint8),
@@ -142,7 +145,7 @@ class Fused:
         for bucket in range(len(self.buckets)):
             self._fill(found, bucket, seed, frame, read_out)
         if read_out:
-            target = self.scene.program.container.target
+            target = self.program.container.target
             np.bitwise_or(found.saturated_by, last_codes(found.frame, target), found.saturated_by)
         return found
 
@@ -153,7 +156,7 @@ class Fused:
         pixels = found.exposure_e[bucket].size
         given: dict[str, Any] = {
             **kit.given,
-            "count": len(self.scene.source.frames),
+            "count": len(self.light.frames),
             "pixels": pixels,
             "read_out": read_out,
             # Without what counts, and without noise of the converter, nobody asks for these.
@@ -174,7 +177,7 @@ class Fused:
 
         drawn = bool(noise_keys or kit.counter or kit.converter)
         work = pixels * (given["count"] + _DRAWN_FRAMES * drawn)
-        in_parts(run, pixels, self.scene.threads if work >= _MUCH else 1, BLOCK)
+        in_parts(run, pixels, self.threads if work >= _MUCH else 1, BLOCK)
 
 
 def _scratch() -> dict[str, NDArray[Any]]:
