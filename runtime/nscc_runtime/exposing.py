@@ -80,7 +80,7 @@ def capture(
 
     `effects`: "none" (the default: exact sums of light), "auto", "all" or names, as `nscc run
     --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb", "1%" of the mean
-    signal, "0.1noise", the default, of the frame's own noise, or electrons), a `tolerance_max` of
+    signal, "0.15noise", the default, of the frame's own noise, or electrons), a `tolerance_max` of
     the worst pixel, a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or a
     file of one, which is written where there is none. `fidelity` "reference" executes words slot
     by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns. `threads`, by

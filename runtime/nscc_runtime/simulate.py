@@ -43,7 +43,7 @@ class Request:
     """How to expose a scene.
 
     With `planned`, effects are simulated to `tolerance` (5e, 0.1lsb, 1% of the mean signal,
-    0.1noise of the frame's own, or electrons), the worst pixel to `tolerance_max`, where there is
+    0.15noise of the frame's own, or electrons), the worst pixel to `tolerance_max`, where there is
     one, by a plan: the one given, that of a file, or one made now, whose text is given back if
     `plan` names a file that does not exist. Otherwise words are executed slot by slot, without
     effects or with all of `effects` exactly. `audit` compares a plan's frames with that reference.

@@ -20,9 +20,9 @@ from nscc_runtime.effects.sensor import Sensor
 LEAST_E = 1e-9
 """Electrons; the promise is checked with sums of float64 numbers, which tell no less apart."""
 
-DEFAULT = "0.1noise"
-"""What is allowed where nobody says: errors of a tenth of the noise, which add in quadrature, make
-its standard deviation 0.5 % larger. To tell that apart takes frames of 20,000 pixels."""
+DEFAULT = "0.15noise"
+"""What is allowed where nobody says: errors of 0.15 of the noise, which add in quadrature, make its
+standard deviation 1.1 % larger. To tell that apart takes frames of 4,000 pixels."""
 
 _TOLERANCE = re.compile(
     r"\s*((?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)\s*(e|lsb|%|noise)\s*"
