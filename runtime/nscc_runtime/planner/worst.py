@@ -167,27 +167,40 @@ def _passed_by(share: float, sides: _Sides) -> float:
     low = _quantile(share / rarely, upper.up_to(-ndtri(rarely)), upper.part)
     high = _quantile(share / 2.0, upper.up_to(-ndtri(share / 4.0)), upper.part)
 
-    def beyond(middle: float) -> float:
-        """By how much more pixels pass it than should, as a logarithm."""
-        return math.log(max(some.passing(middle), 1e-300) / share)
+    wanted = _deviations(share)
 
-    # The logarithm is nearly straight: false position, with the end that stays halved (Illinois).
+    def beyond(limit: float) -> float:
+        """By how much more pixels pass it than should, in standard deviations."""
+        return wanted - _deviations(some.passing(limit))
+
     some = _may_pass(low, sides, share)
     at_low, at_high = beyond(low), beyond(high)
     if at_low < 0:  # counts are so rare that fewer pass it
         low, some = 0.0, sides
         at_low = beyond(low)
+    # Straight for normal errors that are all alike, and nearly so else: false position, with half
+    # of what was found at the end that stays twice (Illinois).
+    stays = 0
     for _ in range(_STEPS):
         if at_high >= 0 or high - low <= _PRECISE * high:
             break
-        middle = high - at_high * (high - low) / (at_high - at_low)
+        pace = (at_low - at_high) / (high - low)
+        middle = high + at_high / pace
         found = beyond(middle)
+        if abs(found) <= pace * _PRECISE / 2.0 * high:
+            return middle
         if found > 0:
-            low, at_low, at_high = middle, found, at_high / 2
-            some = _may_pass(low, some, share)
+            low, at_low, stays = middle, found, max(stays, 0) + 1
+            at_high *= 0.5 if stays > 1 else 1.0
         else:
-            high, at_high, at_low = middle, found, at_low / 2
+            high, at_high, stays = middle, found, min(stays, 0) - 1
+            at_low *= 0.5 if stays < -1 else 1.0
     return high
+
+
+def _deviations(share: float) -> float:
+    """How many standard deviations a normal error passes so often."""
+    return -float(ndtri(min(max(share, 1e-300), 1.0 - 1e-12)))
 
 
 def _quantile(share: float, sizes: Values, part: Values) -> float:
