@@ -187,39 +187,42 @@ def add_up(
     pixels) and `neighbours` (groups, 4, buckets, pixels). `limits` and `patterns` (buckets, pixels)
     where they are asked for. Scratch: `total` for `BLOCK` pixels a bucket, `drawn` for `BLOCK`.
     """
-    pixels, cols = adding.pixels, adding.cols
-    for row in range(adding.begin, adding.end):
-        for first in range(row * cols, (row + 1) * cols, BLOCK):
-            stop = min(first + BLOCK, (row + 1) * cols)
-            if adding.exchanges:
-                _exchanged(adding, first, stop, own, neighbours, away, total)
-            else:
-                _own(adding, lanes, weights, away, first, stop, total)
+    pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
+    first = adding.begin * cols
+    while first < end:
+        # Rows one by one only where what is beside a pixel matters.
+        last = (first // cols + 1) * cols if adding.exchanges else end
+        stop = min(first + BLOCK, last)
+        if adding.exchanges:
+            _exchanged(adding, first, stop, own, neighbours, away, total)
+        else:
+            _own(adding, lanes, weights, away, first, stop, total)
+        for bucket in range(adding.buckets):
+            at, here = bucket * BLOCK, bucket * pixels + first
+            for i in range(stop - first):
+                total[at + i] += expected[here + i]
+            for i in range(stop - first):
+                marked[here + i] = 0
+            if adding.clipped:
+                for i in range(stop - first):
+                    most, value = limits[here + i], total[at + i]
+                    marked[here + i] = adding.well_bit if value > most * adding.full else 0
+                    total[at + i] = most if value > most else value
+            if adding.patterned:
+                for i in range(stop - first):
+                    total[at + i] += patterns[here + i]
+        for source in range(adding.sources):
+            drawn_normals(noise_keys[source], first, stop - first, drawn)
             for bucket in range(adding.buckets):
-                at, here = bucket * BLOCK, bucket * pixels + first
+                at = bucket * BLOCK
+                size = (source * adding.buckets + bucket) * adding.lane_count
                 for i in range(stop - first):
-                    total[at + i] += expected[here + i]
-                for i in range(stop - first):
-                    marked[here + i] = 0
-                if adding.clipped:
-                    for i in range(stop - first):
-                        most, value = limits[here + i], total[at + i]
-                        marked[here + i] = adding.well_bit if value > most * adding.full else 0
-                        total[at + i] = most if value > most else value
-                if adding.patterned:
-                    for i in range(stop - first):
-                        total[at + i] += patterns[here + i]
-            for source in range(adding.sources):
-                drawn_normals(noise_keys[source], first, stop - first, drawn)
-                for bucket in range(adding.buckets):
-                    at = bucket * BLOCK
-                    size = (source * adding.buckets + bucket) * adding.lane_count
-                    for i in range(stop - first):
-                        total[at + i] += sigma[size + lanes[first + i]] * drawn[i]
-            for bucket in range(adding.buckets):
-                at, here = bucket * BLOCK, bucket * pixels + first
-                for i in range(stop - first):
-                    exposure[here + i] = total[at + i] + 0.0
+                    total[at + i] += sigma[size + lanes[first + i]] * drawn[i]
+        for bucket in range(adding.buckets):
+            at, here = bucket * BLOCK, bucket * pixels + first
+            for i in range(stop - first):
+                exposure[here + i] = total[at + i] + 0.0
+        first = stop
 
 
 @record
