@@ -128,7 +128,7 @@ def _alike(one: Light, other: Light) -> bool:
     """Whether frames of these lights fall in the same slots."""
     if one.shape != other.shape or (one.motion is None) != (other.motion is None):
         return False
-    return one.timing.same(other.timing) and (
+    return one.timing == other.timing and (
         one.motion is None or other.motion is None or _alike(one.motion, other.motion)
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -16,30 +16,6 @@ from nscc_runtime.sizes_loop import BLOCK, Frames, sum_light
 
 _MOST_E = 1e36
 """Sums of float32 may have no end."""
-
-
-@dataclass(frozen=True, eq=False)
-class Timing:
-    """How much of which frames falls in each slot: the matrix of a `Light` of so many frames."""
-
-    frames: int
-    row_start: NDArray[np.int64]
-    frame_index: NDArray[np.int32]
-    weight: NDArray[np.float64]
-
-    def same(self, other: Timing) -> bool:
-        """Whether frames fall in the same slots."""
-        pairs = (
-            (self.row_start, other.row_start), (self.frame_index, other.frame_index),
-            (self.weight, other.weight),
-        )  # fmt: skip
-        return self.frames == other.frames and all(np.array_equal(*pair) for pair in pairs)
-
-    def copy(self) -> Timing:
-        """The same in arrays that nobody else writes to."""
-        return Timing(
-            self.frames, self.row_start.copy(), self.frame_index.copy(), self.weight.copy()
-        )
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -105,9 +81,11 @@ class Light:
         return self.frames.shape[1], self.frames.shape[2]
 
     @property
-    def timing(self) -> Timing:
-        """When its frames fall."""
-        return Timing(len(self.frames), self.row_start, self.frame_index, self.weight)
+    def timing(self) -> Hashable:
+        """When its frames fall: equal where they fall in the same slots, however arrays change
+        later."""
+        arrays = self.row_start, self.frame_index, self.weight
+        return len(self.frames), *(each.tobytes() for each in arrays)
 
     def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
         """Electrons of slot n (rows, cols): what is integrated and what `--keep light` writes.

@@ -96,10 +96,13 @@ def test_weights_are_those_of_the_light_that_is_asked_for() -> None:
     frame = rng.random((2, 3), dtype=np.float32)
     for _ in range(3):
         light = Light.of_still(frame, matrix)
-        for found in (weights.of_frames(light), weights.of_frames(Light.of_still(frame, matrix))):
-            np.testing.assert_allclose(found[:, 0], [matrix @ each for each in weights.slots])
+        for each in (light, Light.of_still(frame, matrix)):
+            found = weights.of_frames(each)
+            sums_of = np.array([matrix @ slots for slots in weights.slots])
+            np.testing.assert_allclose(found.weights[:, 0], sums_of)
+            np.testing.assert_allclose(found.most_part, sums_of.max(axis=0) / matrix.sum())
         clip = Light.of_clip(rng.random((4, 2, 3), dtype=np.float32))
-        np.testing.assert_array_equal(weights.of_frames(clip), weights.slots)
+        np.testing.assert_array_equal(weights.of_frames(clip).weights, weights.slots)
         matrix += 1.0
 
 

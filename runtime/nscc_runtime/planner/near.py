@@ -79,7 +79,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
     chip, exchange = chip_of(program, device_seed, wanted, wanted), wanted.part(Exchange)
     weights, dark_s, limit = chip.own(_of_lanes)
     shape, of_frames = light.shape, weights.of_frames(light)
-    kinds, count, lane_count = of_frames.shape
+    kinds, count, lane_count = of_frames.weights.shape
     sizes: dict[str, Any] = {
         "rows": shape[0], "cols": shape[1], "count": count, "lane_count": lane_count,
         "kinds": kinds, "frame_s": float(program.slot_s.sum()), "sigmas": _SIGMAS,
@@ -91,7 +91,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
     }  # fmt: skip
     found, places = np.empty(1, np.int64), np.empty(shape[0] * shape[1], np.int64)
     may_saturate(
-        asked=Asked(places=0, **sizes), part=_part(light, of_frames), limit=limit,
+        asked=Asked(places=0, **sizes), part=of_frames.most_part, limit=limit,
         inflow=np.empty(shape[1]), found=found, places=places, **arrays,
     )  # fmt: skip
     many = int(found[0])
@@ -101,7 +101,7 @@ def _charges(program: Program, light: Light, device_seed: int, wanted: Selection
         charges_at(
             asked=Asked(places=many, **sizes), places=places, most=most, own=own, gained=gained,
             frames=np.require(light.ended, np.float32, ["C", "A"]), dark_s=dark_s,
-            weights=of_frames, light=np.empty(TOGETHER), **arrays,
+            weights=of_frames.weights, light=np.empty(TOGETHER), **arrays,
         )  # fmt: skip
     return Charges(places, most, own, gained)
 
@@ -114,14 +114,6 @@ def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
     held = () if program.reach.held is None else program.reach.held
     weights = np.stack([program.tables.seen(), *held]).astype(np.float64)
     return Weights(weights), program.slot_s @ weights, reached(_SLACK * chip.near_e.min(axis=0))
-
-
-def _part(light: Light, of_frames: Values) -> Values:
-    """The most of a light that any kind may be in each lane."""
-    found = np.zeros(of_frames.shape)
-    weight = light.frame_weight[:, None]
-    np.divide(of_frames, weight, out=found, where=weight > 0)
-    return np.asarray(found.max(axis=(0, 1)))
 
 
 def reached(limit: Values) -> Values:
@@ -139,14 +131,18 @@ class Near:
     @property
     def places(self) -> Places:
         """Where they are, in order."""
-        return self.charges.places[self._reach(self.charges.most, self._limits)]
+        return self.charges.places[self._running]
 
     @property
     def spilt(self) -> Places:
         """Those of them that neighbours' light brings there, as suns do to what is beside them."""
         alone = self._reach(self.charges.own, self._limits)
         alone &= self.charges.gained_e <= _SPILT * self.chip.full_e
-        return self.charges.places[self._reach(self.charges.most, self._limits) & ~alone]
+        return self.charges.places[self._running & ~alone]
+
+    @cached_property
+    def _running(self) -> NDArray[np.bool_]:
+        return self._reach(self.charges.most, self._limits)
 
     @cached_property
     def _limits(self) -> Values:

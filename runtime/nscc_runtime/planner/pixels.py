@@ -187,10 +187,14 @@ class Wired:
 
     def laid_out(self, light: Light, places: NDArray[np.int64], threads: int) -> Sites:
         """The light of places."""
+        keys = _keys(registered(), 0, self.device_seed)
         return sites_of(
-            light, places, self.lanes, self.words.times, self.numbers,
-            _keys(registered(), 0, self.device_seed), switches(Laying, self.effects), threads,
-        )  # fmt: skip
+            light, places, self.lanes, self.words.times, self.numbers, keys, self._laying, threads
+        )
+
+    @cached_property
+    def _laying(self) -> dict[str, int]:
+        return switches(Laying, self.effects)
 
     @cached_property
     def loop(self) -> Bound:

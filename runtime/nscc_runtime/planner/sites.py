@@ -108,20 +108,22 @@ def sites_of(
     found = Sites(
         np.empty(lanes.shape, np.int32), np.empty((count, 2), np.int64), np.empty((count, 2)), sums
     )
-    bound = lay_out.bound(
-        numbers=numbers, keys=keys, places=places, lanes=lanes.reshape(-1), of_slot=times.of_slot,
-        frames=np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
-        row_start=np.require(light.row_start, np.int64, ["C", "A"]),
-        frame_index=np.require(light.frame_index, np.int32, ["C", "A"]),
-        weight=np.require(light.weight, np.float64, ["C", "A"]), of_lane=of_lane,
-        number=found.number.reshape(-1), rows=found.rows, scales=found.scales, sums=sums,
-    )  # fmt: skip
+    arrays: dict[str, Any] = {
+        "places": places, "lanes": lanes.reshape(-1), "of_slot": times.of_slot,
+        "frames": np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
+        "row_start": np.require(light.row_start, np.int64, ["C", "A"]),
+        "frame_index": np.require(light.frame_index, np.int32, ["C", "A"]),
+        "weight": np.require(light.weight, np.float64, ["C", "A"]), "of_lane": of_lane,
+        "number": found.number.reshape(-1), "rows": found.rows, "scales": found.scales,
+        "sums": sums,
+    }  # fmt: skip
     given: dict[str, Any] = {
         "pixels": lanes.size, "slots": light.slots, "groups": groups, "even": even, **switches
     }  # fmt: skip
 
     def fill(begin: int, end: int) -> None:
-        bound(laying=Laying(begin=begin, end=end, **given))
+        laying = Laying(begin=begin, end=end, **given)
+        lay_out(laying=laying, numbers=numbers, keys=keys, **arrays)
 
     in_parts(fill, count, threads, _FEWEST)
     return found

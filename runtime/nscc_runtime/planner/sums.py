@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Hashable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.light import Light, Timing
-from nscc_runtime.loop import Bound
+from nscc_runtime.light import Light
 from nscc_runtime.planner import sum_loop
 from nscc_runtime.planner.sum_loop import DARK, EVEN, FEW, MIXED, SceneSizes, SumSizes
 from nscc_runtime.pool import in_parts
@@ -39,16 +39,11 @@ def weighted_sums(
         raise ValueError("a lane that the tables do not have")
     out = np.empty((sums, pixels))
     table, kinds = _laid_out(tables)
-    bound = sum_loop.weighted_sums.bound(
-        frames=np.require(frames, np.float32, ["C", "A"]),
-        lanes=np.require(lanes, np.int32, ["C", "A"]),
-        table=table,
-        kinds=kinds,
-        out=out,
-    )
+    frames = np.require(frames, np.float32, ["C", "A"])
+    lanes_32 = np.require(lanes, np.int32, ["C", "A"])
 
     def run(begin: int, end: int) -> None:
-        bound(
+        sum_loop.weighted_sums(
             sizes=SumSizes(
                 pixels=pixels,
                 begin=begin,
@@ -56,7 +51,12 @@ def weighted_sums(
                 count=count,
                 lane_count=table.shape[2],
                 sums=sums,
-            )
+            ),
+            frames=frames,
+            lanes=lanes_32,
+            table=table,
+            kinds=kinds,
+            out=out,
         )
 
     in_parts(run, pixels, threads, sum_loop.BLOCK)
@@ -78,6 +78,32 @@ class Tables:
         return cls(table, kinds, _alike(table))
 
 
+@dataclass(frozen=True, eq=False)
+class OfFrames:
+    """Weights (J, T, lanes) of the frames of all lights with one timing."""
+
+    timing: Hashable
+    weights: NDArray[np.float64]
+    frame_weight: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> OfFrames:
+        """Those of slots, of the frames of a light."""
+        return cls(light.timing, _tables(light, slots), light.frame_weight)
+
+    @cached_property
+    def tables(self) -> Tables:
+        """The same for the loop."""
+        return Tables.of(self.weights)
+
+    @cached_property
+    def most_part(self) -> NDArray[np.float64]:
+        """The most (lanes,) of a frame's light that any of them is."""
+        found, whole = np.zeros(self.weights.shape), self.frame_weight[:, None]
+        np.divide(self.weights, whole, out=found, where=whole > 0)
+        return np.asarray(found.max(axis=(0, 1)))
+
+
 class Weights:
     """Weights (N, lanes) of slots, to be those of frames; at least one.
 
@@ -86,35 +112,31 @@ class Weights:
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
         self.slots = [*slots]
-        self._last: tuple[Timing, NDArray[np.float64], Tables] | None = None
+        self._last: OfFrames | None = None
 
     @property
     def lanes(self) -> int:
         """How many lanes they have."""
         return len(self.slots[0][0])
 
-    def of_frames(self, light: Light) -> NDArray[np.float64]:
-        """The weights (J, T, lanes) of a light's frames."""
-        return self._of(light)[0]
+    def of_frames(self, light: Light) -> OfFrames:
+        """Those of a light's frames."""
+        last = self._last  # threads may make it anew
+        if last is None or last.timing != light.timing:
+            last = OfFrames.of(light, self.slots)
+            if last.weights.size <= _MOST_KEPT:
+                self._last = last
+        return last
 
     def tables(self, light: Light) -> Iterator[tuple[slice, Tables]]:
         """The same as the loop takes them: so many at once as memory has room for."""
         room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
         if room >= len(self.slots):
-            yield slice(0, len(self.slots)), self._of(light)[1]
+            yield slice(0, len(self.slots)), self.of_frames(light).tables
             return
         for first in range(0, len(self.slots), room):
             part = slice(first, min(first + room, len(self.slots)))
             yield part, Tables.of(_tables(light, self.slots[part]))
-
-    def _of(self, light: Light) -> tuple[NDArray[np.float64], Tables]:
-        last = self._last  # threads may make it anew
-        if last is None or not last[0].same(light.timing):
-            weights = _tables(light, self.slots)
-            last = light.timing.copy(), weights, Tables.of(weights)
-            if weights.size <= _MOST_KEPT:
-                self._last = last
-        return last[1:]
 
 
 def scene_sums(
@@ -138,16 +160,16 @@ def scene_sums(
     out = np.empty((count, *shape))
     frames = np.require(light.ended, np.float32, ["C", "A"])
     for part, tables in weights.tables(light):
-        bound = sum_loop.scene_sums.bound(
-            frames=frames,
-            scale=np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
-            lanes=np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
-            share=scale[1],
-            table=tables.table,
-            kinds=tables.kinds,
-            alike=tables.alike,
-            out=out[part],
-        )
+        arrays: dict[str, Any] = {
+            "frames": frames,
+            "scale": np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
+            "lanes": np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
+            "share": scale[1],
+            "table": tables.table,
+            "kinds": tables.kinds,
+            "alike": tables.alike,
+            "out": out[part],
+        }
         sums, _, lane_count = tables.table.shape
         sizes = {
             "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": sums,
@@ -155,10 +177,15 @@ def scene_sums(
             "smeared": min(max(smeared - part.start, 0), sums),
         }  # fmt: skip
 
-        def run(begin: int, end: int, bound: Bound = bound, sizes: dict[str, Any] = sizes) -> None:
+        def run(
+            begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
+        ) -> None:
             lit = np.empty(sum_loop.TOGETHER * sum_loop.BLOCK, np.float32)
             gathered = np.empty(sum_loop.BLOCK)
-            bound(sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered)
+            sum_loop.scene_sums(
+                sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered,
+                **arrays,
+            )  # fmt: skip
 
         in_parts(run, shape[0], threads)
     return out.reshape(count, -1)
