@@ -188,17 +188,21 @@ def test_order_and_threads_change_no_bit_and_nothing_is_asked_for_twice() -> Non
     assert none.shape == marked.shape == (1, 0)
 
 
-@pytest.mark.parametrize("lacking", ["full_well", "full_well,register", "shot", "crosstalk"])
-def test_few_pixels_run_again_under_other_effects_as_if_for_the_first_time(lacking: str) -> None:
+@pytest.mark.parametrize("lacking", ["full_well", "register", "full_well,register"])
+def test_pixels_run_in_several_ways_as_in_each_alone(lacking: str) -> None:
     container = case("d edges", rows=6, cols=9)
-    light, program = moving_light((8, 6, 9), 500.0), Program.of(container, sensor_near(container))
+    sensor = sensor_near(container, register_knee_fraction=0.5)
+    light, program = moving_light((8, 6, 9), 500.0), Program.of(container, sensor)
     chosen, places = selected("all"), np.array([0, 10, 11, 20, 31, 40, 44, 53])
     less = chosen.without(*lacking.split(","))
     wired, other = (Wired(program.pixels, program.slot_s, each, 5) for each in (chosen, less))
     running = Running(wired, light, places, 1)
-    full, _ = running.expose(3, 0)
-    again, marked = running.by(other).expose(3, 0)
+    (full, again), (_, marked) = running.expose_in_ways(3, 0, (wired, other))
     every, as_marked = Running(other, light, np.arange(54), 1).expose(3, 0)
+    assert np.array_equal(full, running.expose(3, 0)[0])
     assert np.array_equal(again, every[:, places])
     assert np.array_equal(marked, as_marked[:, places])
     assert not np.array_equal(again, full)
+    without = Wired(program.pixels, program.slot_s, less.without("shot"), 5)
+    with pytest.raises(ValueError, match="more than what saturates"):
+        running.expose_in_ways(3, 0, (other, without))

@@ -240,10 +240,10 @@ class _Near:
         alone = kept.without(*self._every.names(Exchange))
         for some, effects in ((spilt, kept), (~spilt, alone)):
             if some.any():
-                running = self._running(effects, some)
-                for names in lacks:
-                    by_words = running.by(self._chip.wired(effects.without(*names)))
-                    found[names][:, some], _ = by_words.expose(0, 0)
+                ways = [self._chip.wired(effects.without(*names)) for names in lacks]
+                held, _ = self._running(effects, some).expose_in_ways(0, 0, ways)
+                for names, here in zip(lacks, held, strict=True):
+                    found[names][:, some] = here
         return found
 
     @cached_property

@@ -39,17 +39,25 @@ class Sizes:
     counts_dark: int
     exchanges: int
     uneven: int
-    holds: int
     reset_errors: int
     read_errors: int
     slow_words: int
     lit_level: int
     word_errors: int
-    bends: int
     leaks: int
-    well_bit: int
-    """Of `saturated_by`: where a full PIX was added, where it was subtracted, where that was the
+    ways: int
+    """In how many ways what saturates acts: pixels run in all of them, with the same draws."""
+
+
+@record
+class Saturating:
+    """Whether the well holds no more than it can, and registers bend what they hold; and what that
+    marks in `saturated_by`: where a full PIX was added, where it was subtracted, where that was the
     level of a reset, where registers lost too much; 0: is not marked."""
+
+    holds: int
+    bends: int
+    well_bit: int
     subtracted_bit: int
     level_bit: int
     registers_bit: int

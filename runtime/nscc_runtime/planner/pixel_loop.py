@@ -10,9 +10,10 @@ instead of from slot to slot: charge between two words is found by halving count
 from __future__ import annotations
 
 import math
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from nscc_runtime.effects.registry import in_loop
 from nscc_runtime.effects.spread import log_normal_in_loop
@@ -27,7 +28,7 @@ from nscc_runtime.planner.charge_loop import (
     streams_of,
 )
 from nscc_runtime.planner.error_loop import READS, RESETS, WORDS, Entries, error_of, missing_of
-from nscc_runtime.planner.layout import ACTS, SEEN, Entry, Keys, Numbers, Sizes
+from nscc_runtime.planner.layout import ACTS, SEEN, Entry, Keys, Numbers, Saturating, Sizes
 
 _ADDED, _SUBTRACTED, _LEVEL, _OLD = 1, 2, 4, 8
 """Of what a register holds: it has a full PIX in it, or that of a reset's level; or it is the part
@@ -51,9 +52,9 @@ def _held(
 
 @compiled
 def _execute(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, e: int, first: int, entry: Entry,
-    operands: Ints, weights: Floats, signs: Floats, missing: Floats, drawn: Floats, pattern: float,
-    registers: Floats, full: Ints, lost: Floats, fresh: bool,
+    sizes: Sizes, way: Saturating, numbers: Numbers, keys: Keys, place: int, e: int, first: int,
+    entry: Entry, operands: Ints, weights: Floats, signs: Floats, missing: Floats, drawn: Floats,
+    pattern: float, registers: Floats, full: Ints, lost: Floats, fresh: bool,
 ) -> None:  # fmt: skip
     """Run one word. PIX is register `registers`, its reset level the next one, then IN. `fresh`:
     PIX was reset at this boundary."""
@@ -89,7 +90,7 @@ def _execute(
             z = error_of(sizes, e, first, weights, WORDS, i + 1, missing, drawn)
             error = pattern + numbers.word_error * z
             value = numbers.gain * value + signs[register] * error
-        if sizes.bends:
+        if way.bends:
             held = _bent(value, numbers.lowest, numbers.highest, numbers.knee)
             here_e += abs(value - held)
             value = held
@@ -129,11 +130,13 @@ def _begin(
 
 
 @compiled
-def _fall(sizes: Sizes, numbers: Numbers, charge_e: float, registers: Floats, full: Ints) -> None:
+def _fall(
+    sizes: Sizes, way: Saturating, numbers: Numbers, charge_e: float, registers: Floats, full: Ints
+) -> None:  # fmt: skip
     """Charge falls on PIX."""
     pix = sizes.registers
     registers[pix] += charge_e
-    if sizes.holds and registers[pix] > numbers.well:
+    if way.holds and registers[pix] > numbers.well:
         registers[pix] = numbers.well
         full[pix] = _ADDED
 
@@ -157,14 +160,14 @@ def _of_slot(
 
 @compiled
 def _fallen(
-    sizes: Sizes, numbers: Numbers, places: Ints, at: int, stop: int, gone: float, of_slot: float,
-    sites: Ints32, rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
-    streams: Words, heap: Floats, stamps: Ints, held: float,
+    sizes: Sizes, way: Saturating, numbers: Numbers, places: Ints, at: int, stop: int, gone: float,
+    of_slot: float, sites: Ints32, rows: Ints, scales: Floats, sums: Floats, away: Floats,
+    of_group: Ints, streams: Words, heap: Floats, stamps: Ints, held: float,
 ) -> float:  # fmt: skip
     """The charge of the slots `at` .. `stop` - 1 less a part `gone` of the first, whose charge is
     `of_slot`; or so much that PIX, which holds `held`, is full with it for sure."""
     begin = at if gone == 0.0 else at + 1
-    if sizes.holds:
+    if way.holds:
         least = least_charge(sizes, numbers, places[0], begin, stop, sites, rows, scales, sums)
         if held + least > numbers.well:
             return 2.0 * numbers.well
@@ -183,10 +186,10 @@ def _fallen(
 
 @compiled
 def _run(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, leak: float, first: int, stop: int,
-    start_s: Floats, entry_of: Ints32, flags: Bytes, entries: Entries, operands: Ints,
-    weights: Floats, signs: Floats, sites: Ints32, rows: Ints, scales: Floats, sums: Floats,
-    away: Floats,
+    sizes: Sizes, way: Saturating, numbers: Numbers, keys: Keys, place: int, leak: float,
+    first: int, stop: int, start_s: Floats, entry_of: Ints32, flags: Bytes, entries: Entries,
+    operands: Ints, weights: Floats, signs: Floats, sites: Ints32, rows: Ints, scales: Floats,
+    sums: Floats, away: Floats,
     of_group: Ints, streams: Words, heap: Floats, stamps: Ints, missing: Floats, drawn: Floats,
     registers: Floats, full: Ints, lost: Floats, places: Ints,
 ) -> None:  # fmt: skip
@@ -214,10 +217,10 @@ def _run(
                         streams, heap, stamps,
                     )  # fmt: skip
                 fallen_e = _fallen(
-                    sizes, numbers, places, at, boundary, fallen, of_single, sites, rows, scales,
-                    sums, away, of_group, streams, heap, stamps, registers[pix],
+                    sizes, way, numbers, places, at, boundary, fallen, of_single, sites, rows,
+                    scales, sums, away, of_group, streams, heap, stamps, registers[pix],
                 )  # fmt: skip
-                _fall(sizes, numbers, fallen_e, registers, full)
+                _fall(sizes, way, numbers, fallen_e, registers, full)
             if sizes.leaks:
                 kept = math.exp(-leak * (start_s[boundary] - start_s[at]))
                 for register in range(sizes.registers):
@@ -234,10 +237,10 @@ def _run(
                         sizes, numbers, places, slot, sites, rows, scales, sums, away, of_group,
                         streams, heap, stamps,
                     )  # fmt: skip
-                _fall(sizes, numbers, (now - fallen) * of_single, registers, full)
+                _fall(sizes, way, numbers, (now - fallen) * of_single, registers, full)
             fallen = now
         _execute(
-            sizes, numbers, keys, place, e, first, entry, operands, weights, signs, missing,
+            sizes, way, numbers, keys, place, e, first, entry, operands, weights, signs, missing,
             drawn, pattern, registers, full, lost, fresh,
         )  # fmt: skip
         fresh = fresh or entry.resets == 1
@@ -245,31 +248,33 @@ def _run(
 
 @compiled
 def _read_out(
-    sizes: Sizes, numbers: Numbers, keys: Keys, place: int, i: int, leak: float,
+    sizes: Sizes, way: Saturating, numbers: Numbers, keys: Keys, place: int, at: int, leak: float,
     readout_register: Ints, readout_gain: Floats, readout_wait_s: Floats, registers: Floats,
     full: Ints, lost: Floats, out: Floats, marked: Bytes,
 ) -> None:  # fmt: skip
-    """The exposures of pixel chosen[i]: what its registers hold when their turn has come."""
+    """out[at + bucket * pixels] := the exposures of a pixel: what its registers hold when their
+    turn has come."""
     for bucket in range(sizes.buckets):
         register = readout_register[bucket]
         value = _held(numbers, keys, place, register, registers, full) * readout_gain[bucket]
         negative = readout_gain[bucket] < 0.0
-        bits = sizes.registers_bit if lost[register] > numbers.least_lost else 0
+        bits = way.registers_bit if lost[register] > numbers.least_lost else 0
         if full[register] & _ADDED:
-            bits |= sizes.subtracted_bit if negative else sizes.well_bit
+            bits |= way.subtracted_bit if negative else way.well_bit
         if full[register] & _SUBTRACTED:
-            bits |= sizes.well_bit if negative else sizes.subtracted_bit
+            bits |= way.well_bit if negative else way.subtracted_bit
         if full[register] & _LEVEL:
-            bits |= sizes.level_bit
-        marked[bucket * sizes.pixels + i] = np.uint8(bits)
+            bits |= way.level_bit
+        marked[at + bucket * sizes.pixels] = np.uint8(bits)
         if sizes.leaks:
             value *= math.exp(-leak * readout_wait_s[bucket])
-        out[bucket * sizes.pixels + i] = value + 0.0
+        out[at + bucket * sizes.pixels] = value + 0.0
 
 
 @loop
 def run_pixels(
     sizes: Sizes,
+    ways: Annotated[NDArray[Any], Saturating],
     numbers: Numbers,
     keys: Keys,
     chosen: Annotated[Ints, "pixels"],
@@ -305,11 +310,11 @@ def run_pixels(
     full: Written[Annotated[Ints, "registers+3"]],
     lost: Written[Annotated[Floats, "registers+3"]],
     places: Written[Ints],
-    out: Written[Annotated[Floats, "buckets pixels"]],
-    marked: Written[Annotated[Bytes, "buckets pixels"]],
+    out: Written[Annotated[Floats, "ways buckets pixels"]],
+    marked: Written[Annotated[Bytes, "ways buckets pixels"]],
 ) -> None:
-    """out[b, i] := the exposure of pixel chosen[i] in bucket b, in electrons, and marked[b, i] what
-    cut it off.
+    """out[w, b, i] := the exposure of pixel chosen[i] in bucket b, in electrons, where what
+    saturates acts as `ways` has it in row w, and marked[w, b, i] what cut it off.
 
     `lanes`: the lane of each pixel. `sites`: the number of each place in `rows` and `scales`, see
     `nscc_runtime.planner.charge_loop`. `group_ids`: what keys call the groups of slots;
@@ -344,13 +349,15 @@ def run_pixels(
         if sizes.leaks:
             z = normal(uniform(keys.leak, place))
             leak = numbers.leak * log_normal_in_loop(numbers.leak_variance, z)
-        _begin(sizes, numbers, keys, place, registers, full, lost)
-        _run(
-            sizes, numbers, keys, place, leak, first, stop, start_s, entry_of, flags, entries,
-            operands, weights, signs, sites, rows, scales, sums, away, of_group, streams, heap,
-            stamps, missing, drawn, registers, full, lost, places,
-        )  # fmt: skip
-        _read_out(
-            sizes, numbers, keys, place, i, leak, readout_register, readout_gain, readout_wait_s,
-            registers, full, lost, out, marked,
-        )  # fmt: skip
+        for row in range(sizes.ways):
+            way = ways[row]
+            _begin(sizes, numbers, keys, place, registers, full, lost)
+            _run(
+                sizes, way, numbers, keys, place, leak, first, stop, start_s, entry_of, flags,
+                entries, operands, weights, signs, sites, rows, scales, sums, away, of_group,
+                streams, heap, stamps, missing, drawn, registers, full, lost, places,
+            )  # fmt: skip
+            _read_out(
+                sizes, way, numbers, keys, place, row * sizes.buckets * sizes.pixels + i, leak,
+                readout_register, readout_gain, readout_wait_s, registers, full, lost, out, marked,
+            )  # fmt: skip

@@ -6,7 +6,8 @@ takes them. With the same effects it gives what `nscc_runtime.reference` gives, 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
 
@@ -33,7 +34,7 @@ from nscc_runtime.noise.keys import base
 from nscc_runtime.planner.charge_loop import SITES
 from nscc_runtime.planner.entries import Turns, entries_of
 from nscc_runtime.planner.error_loop import ERRORS
-from nscc_runtime.planner.layout import Keys, Numbers, Sizes
+from nscc_runtime.planner.layout import Keys, Numbers, Saturating, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
 from nscc_runtime.planner.sites import Sites, Times, is_even, needed, sites_of
@@ -222,13 +223,23 @@ class Wired:
             readout_wait_s=readout_waits_s(container),
         )
 
-    def sizes(self, pixels: int, frame: int, given: bool) -> Sizes:
+    @cached_property
+    def saturating(self) -> NDArray[Any]:
+        """What saturates: a record of `Saturating` (1,)."""
+        values = switches(Saturating, self.effects)
+        for at in ("well", "subtracted", "level", "registers"):
+            mark = self.effects.marking(at)
+            values[f"{at}_bit"] = mark.bit if mark else 0
+        kind = np.dtype(Saturating)
+        return np.array([tuple(values[name] for name in kind.names or ())], kind)
+
+    def sizes(self, pixels: int, frame: int, given: bool, ways: int) -> Sizes:
         """Of so many pixels of a frame."""
         common, cols = self._sizes, self.lanes.shape[1]
         if pixels <= cols:
             # So few seldom have neighbours in common.
             common = common | {"kept_cols": min(3, cols)}
-        return Sizes(pixels=pixels, frame=frame, given=given, **common)
+        return Sizes(pixels=pixels, frame=frame, given=given, ways=ways, **common)
 
     @cached_property
     def _sizes(self) -> dict[str, int]:
@@ -240,7 +251,6 @@ class Wired:
         whole = 1 << (container.slots - 1).bit_length()
         # Counts of a site and their stamps, of light and dark.
         each = 16 * groups * 2 * 2 * whole
-        marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
         return {
             "slots": container.slots,
             "rows": rows,
@@ -254,7 +264,6 @@ class Wired:
             "whole": whole,
             "kept_cols": cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
             **switches(Sizes, effects),
-            **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
         }
 
     def scratch(self, sizes: Sizes) -> dict[str, NDArray[Any]]:
@@ -295,15 +304,6 @@ class Running:
     chosen: NDArray[np.int64]
     threads: int
 
-    def by(self, wired: Wired) -> Running:
-        """The same pixels under other effects; their light is laid out once where these differ in
-        what saturates alone."""
-        found, other = replace(self, wired=wired), self.wired.effects.on ^ wired.effects.on
-        if other <= everything().names(Saturates):
-            alike = "_places", "_parts", *(("_kept",) if len(self._parts) == 1 else ())
-            vars(found).update((name, getattr(self, name)) for name in alike)
-        return found
-
     def expose(
         self, seed: int, frame: int, given: Given | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
@@ -312,8 +312,20 @@ class Running:
         With counts `given`, those of neighbours are these, spread over the slots as their light is;
         else they are drawn, and halved from node to node, as the reference does.
         """
+        found, marked = self.expose_in_ways(seed, frame, (self.wired,), given)
+        return found[0], marked[0]
+
+    def expose_in_ways(
+        self, seed: int, frame: int, ways: Sequence[Wired], given: Given | None = None
+    ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
+        """The same (ways, buckets, pixels) under other effects, too, which differ in what saturates
+        alone: nothing is drawn twice."""
         wired, words = self.wired, self.wired.words
-        shape = len(words.program.container.buckets), len(self.chosen)
+        for way in ways:
+            if not way.effects.on ^ wired.effects.on <= everything().names(Saturates):
+                raise ValueError("effects differ in more than what saturates")
+        saturating = np.concatenate([way.saturating for way in ways])
+        shape = len(ways), len(words.program.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)
         names = () if given is None else given.groups
         of_group = [names.index(i) if i in names else -1 for i in words.group_ids.tolist()]
@@ -327,15 +339,15 @@ class Running:
 
             def fill(begin: int, end: int, first: int = part.start, sites: Sites = sites) -> None:
                 begin, end = first + begin, first + end
-                sizes = wired.sizes(end - begin, frame, given is not None)
-                found = np.empty((shape[0], end - begin))
+                sizes = wired.sizes(end - begin, frame, given is not None, len(ways))
+                found = np.empty((*shape[:2], end - begin))
                 bits = np.empty(found.shape, np.uint8)
                 wired.loop(
-                    sizes=sizes, chosen=self._chosen[begin:end], sites=sites.number,
-                    rows=sites.rows, scales=sites.scales, sums=sites.sums, out=found, marked=bits,
-                    **common, **wired.scratch(sizes),
+                    sizes=sizes, ways=saturating, chosen=self._chosen[begin:end],
+                    sites=sites.number, rows=sites.rows, scales=sites.scales, sums=sites.sums,
+                    out=found, marked=bits, **common, **wired.scratch(sizes),
                 )  # fmt: skip
-                out[:, begin:end], marked[:, begin:end] = found, bits
+                out[..., begin:end], marked[..., begin:end] = found, bits
 
             in_parts(fill, part.stop - part.start, self.threads, _FEWEST)
         return out, marked
