@@ -44,7 +44,7 @@ BOTH = "saturation"
 """What saturation of PIX and of registers do together."""
 _SURELY = 1.5
 """Times the tolerance: noise takes less than the rest from what saturation loses."""
-TRIED = 4
+TRIED = 2.2
 """Runs of a sample through its words that show what saturation loses."""
 _CLIPPED_E = 1.0
 
