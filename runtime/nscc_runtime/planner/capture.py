@@ -8,7 +8,7 @@ may saturate run through all their words. What only the reference has, the refer
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -97,9 +97,9 @@ class Planned(Prepared):
         found = []
         lost = by_spilt(frozenset(plan.saturating_lack))
         if len(most) and len(lost) < len(plan.saturating_lack):
-            beside, lacking = self.near.spilt, tuple(sorted(lost))
+            beside = self.near.spilt
             most = np.setdiff1d(most, beside, assume_unique=True)
-            found.append((beside, replace(plan, saturating_lack=lacking).kept_in_words))
+            found.append((beside, plan.in_words(lost)))
         found.append((most, plan.kept_in_words))
         return [each for each in found if len(each[0])]
 

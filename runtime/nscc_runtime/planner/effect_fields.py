@@ -241,7 +241,7 @@ class _Near:
         for some, effects in ((spilt, kept), (~spilt, alone)):
             if some.any():
                 ways = [self._chip.wired(effects.without(*names)) for names in lacks]
-                held, _ = self._running(effects, some).expose_in_ways(0, 0, ways)
+                held = self._running(effects, some).expose_in_ways(0, 0, ways)
                 for names, here in zip(lacks, held, strict=True):
                     found[names][:, some] = here
         return found

@@ -312,19 +312,22 @@ class Running:
         With counts `given`, those of neighbours are these, spread over the slots as their light is;
         else they are drawn, and halved from node to node, as the reference does.
         """
-        found, marked = self.expose_in_ways(seed, frame, (self.wired,), given)
+        found, marked = self._exposed(seed, frame, self.wired.saturating, given)
         return found[0], marked[0]
 
-    def expose_in_ways(
-        self, seed: int, frame: int, ways: Sequence[Wired], given: Given | None = None
+    def expose_in_ways(self, seed: int, frame: int, ways: Sequence[Wired]) -> NDArray[np.float64]:
+        """Electrons (ways, buckets, pixels) under other effects, too, which differ in what
+        saturates alone: nothing is drawn twice."""
+        on, saturates = self.wired.effects.on, everything().names(Saturates)
+        if not all(way.effects.on ^ on <= saturates for way in ways):
+            raise ValueError("effects differ in more than what saturates")
+        return self._exposed(seed, frame, np.concatenate([each.saturating for each in ways]))[0]
+
+    def _exposed(
+        self, seed: int, frame: int, ways: NDArray[Any], given: Given | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-        """The same (ways, buckets, pixels) under other effects, too, which differ in what saturates
-        alone: nothing is drawn twice."""
+        """Electrons and what cut them off (ways, buckets, pixels), in ways of `Saturating`."""
         wired, words = self.wired, self.wired.words
-        for way in ways:
-            if not way.effects.on ^ wired.effects.on <= everything().names(Saturates):
-                raise ValueError("effects differ in more than what saturates")
-        saturating = np.concatenate([way.saturating for way in ways])
         shape = len(ways), len(words.program.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)
         names = () if given is None else given.groups
@@ -343,7 +346,7 @@ class Running:
                 found = np.empty((*shape[:2], end - begin))
                 bits = np.empty(found.shape, np.uint8)
                 wired.loop(
-                    sizes=sizes, ways=saturating, chosen=self._chosen[begin:end],
+                    sizes=sizes, ways=ways, chosen=self._chosen[begin:end],
                     sites=sites.number, rows=sites.rows, scales=sites.scales, sums=sites.sums,
                     out=found, marked=bits, **common, **wired.scratch(sizes),
                 )  # fmt: skip

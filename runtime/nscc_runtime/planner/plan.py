@@ -17,6 +17,7 @@ from nscc_runtime.effects.registry import always_on
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.plan_parts import LATER, Approximation, Cost, Decision
 from nscc_runtime.planner.tolerance import LEAST_E, Given, Tolerance
+from nscc_runtime.remembered import remembered
 
 Loop = Literal["none", "some", "all", "reference"]
 
@@ -223,10 +224,15 @@ class Plan:
         those that they lack by the plan, saturation itself if it is dropped, what the user forced
         off, and what the loop over words cannot have.
         """
+        return self.in_words(frozenset(self.saturating_lack))
+
+    @remembered
+    def in_words(self, lacking: frozenset[str]) -> Selection:
+        """The same for pixels that lack these effects."""
         wanted, kept = self.wanted, self.kept
         lost = {e.name for e in wanted.effects if e.parts(Saturates) and e not in kept}
         lost |= {e.name for e in wanted.effects if isinstance(e.words, CannotHave)}
-        return wanted.without(*lost, *self.saturating_lack)
+        return wanted.without(*lost, *lacking)
 
     def as_json(self) -> dict[str, Any]:
         """The plan as a frame file's `meta` has it."""
