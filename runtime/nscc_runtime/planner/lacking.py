@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Counted, Exchange, LitLevel, SlowWords, Soft
 from nscc_runtime.light import Light
-from nscc_runtime.planner.accounts import Account
+from nscc_runtime.planner.accounts import Account, Errors
 from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, Fields
 from nscc_runtime.planner.near import Charges, reached
@@ -42,6 +42,10 @@ _FRAMES = 3
 """Frames of a scene after which measuring has to have paid."""
 _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
+_NONE_OF = 3.0
+"""Of so many of any number of pixels none is drawn in one sample of twenty."""
+_EVEN = 0.25
+"""The part of the sample that is drawn evenly, see `_chances`."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -96,10 +100,7 @@ class Lacking:
         # neighbours, or the one that saves most.
         for names in (by_spilt(every) if apart else every, by_spilt(every), frozenset(found[:1])):
             saved_ns = price(frozenset()) - price(names)
-            if (
-                saved_ns * _FRAMES > self._measuring_ns(names)
-                and self._most(dropped, names) <= room
-            ):
+            if saved_ns * _FRAMES > self._measuring_ns(names) and self._fits(dropped, names, room):
                 return names
         return frozenset()
 
@@ -168,20 +169,48 @@ class Lacking:
         ]
         max_e = max(each.max_e for each in (found, *tails))
         if np.count_nonzero(sizes > _CHANGED_E) < _TOLD:
-            max_e = max(max_e, min(self._uncut(lacking).max_e, self._chip.full_e))
+            # Noise may have nothing cut off in another frame than the one that was measured.
+            uncut = worst_of(self._uncut(lacking), self.fields.sample.weight, pixels)
+            max_e = max(max_e, min(uncut.max_e, self._chip.full_e))
         return replace(found, max_e=max_e)
 
-    def _uncut(self, lacking: frozenset[str]) -> Worst:
-        """What they would lack if nothing cut it off: noise may have it so in another frame than
-        the one that was measured."""
-        fields = self.fields
-        nowhere = np.zeros(fields.expected.shape, np.bool_)
-        errors = guesses(fields, self.running, lacking, nowhere).errors(lacking, lacking)
-        return worst_of(errors, fields.sample.weight, len(self.program.lanes))
+    @remembered
+    def _uncut(self, lacking: frozenset[str]) -> Errors:
+        """What they would lack if nothing cut it off."""
+        nowhere = np.zeros(self.fields.expected.shape, np.bool_)
+        return guesses(self.fields, self.running, lacking, nowhere).errors(lacking, lacking)
 
-    def _most(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
+    def _fits(self, dropped: frozenset[str], lacking: frozenset[str], room: float) -> bool:
+        """Whether what leaving effects out adds is at most so much, for almost all samples."""
+        unseen = self._unseen(lacking)
+        if unseen.max() > room:  # told without measuring
+            return False
         mean, error = self._measured(lacking)
-        return float(np.max(mean + _SIGMAS * error + self._evened(dropped, lacking)))
+        most = mean + _SIGMAS * error + unseen + self._evened(dropped, lacking)
+        return bool(most.max() <= room)
+
+    def _unseen(self, lacking: frozenset[str]) -> Values:
+        """What it may add (buckets,) that no measured pixel is of a kind of which few lose much:
+        as `_NONE_OF` of those that were drawn evenly, each losing what a pixel would whose PIX is
+        just full."""
+        even = self._evenly
+        if not even:
+            return np.zeros(len(self.fields.expected))
+        sample, near = self.fields.sample, np.flatnonzero(self.running)
+        seen_e = reached(self.seen.at(sample.places[near]).most_e)
+        part = np.zeros(len(sample.places))
+        part[near] = np.minimum(1.0, self._chip.full_e / np.maximum(seen_e, 1e-300))
+        mean, variance, _ = self._uncut(lacking)
+        square = sample.mean((mean * part) ** 2 + variance * part)
+        return np.asarray(square * min(1.0, _NONE_OF / even))
+
+    @cached_property
+    def _evenly(self) -> float:
+        """How many of the measured pixels stand for all of these, drawn evenly; 0: all of these are
+        measured."""
+        if len(self._sample.places) >= len(self.near):
+            return 0.0
+        return _EVEN * (len(self._sample.places) - len(self._surely))
 
     @remembered
     def _measured(self, lacking: frozenset[str]) -> tuple[Values, Values]:
