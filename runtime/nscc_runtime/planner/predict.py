@@ -186,7 +186,8 @@ class Forecast(ABC):
 
     def off_for_good(self, dropped: frozenset[str], everywhere: bool) -> frozenset[str]:
         """The errors of words that not even sums take as with every effect."""
-        return off_for_good(dropped if everywhere else dropped & self.forced_off, dropped)
+        off = dropped if everywhere else dropped & self.forced_off
+        return off_for_good(off, dropped) if off else off
 
     def account_of(self, dropped: frozenset[str], everywhere: bool) -> Account:
         """The account that has all of that."""
