@@ -185,7 +185,7 @@ class Light:
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
         """Weights (N, J) of the slots as weights (T, J) of the frames."""
-        if len(self.frames) == 1 and len(self.weight) == self.slots:
+        if len(self.frames) == 1 and self.one_each:
             return (self.weight @ slots)[None]
         if self.in_order:
             return self.weight[:, None] * slots
@@ -195,6 +195,8 @@ class Light:
         """What the slots (N, J) have of values (T, J) of the frames."""
         if self.in_order:
             return self.weight[:, None] * frames
+        if self.one_each:
+            return self.weight[:, None] * frames[self.frame_index]
         return np.asarray(self._transposed.T @ frames.astype(np.float64))
 
     @cached_property
@@ -208,15 +210,23 @@ class Light:
         return np.minimum(self.frames, np.float32(1e30))
 
     @cached_property
+    def one_each(self) -> bool:
+        """Whether each slot is a multiple of one frame."""
+        return bool(np.array_equal(self.row_start, np.arange(self.slots + 1)))
+
+    @cached_property
     def in_order(self) -> bool:
         """Whether each slot n is a multiple of frame n."""
         count = len(self.frames)
         if not len(self.weight) == self.slots == count:
             return False
-        each = np.arange(count + 1)
-        return bool(
-            np.array_equal(self.frame_index, each[:-1]) and np.array_equal(self.row_start, each)
-        )
+        return self.one_each and bool(np.array_equal(self.frame_index, np.arange(count)))
+
+    @cached_property
+    def even(self) -> bool:
+        """Whether all slots have the same light of one frame."""
+        one = len(self.frames) == 1 and self.one_each
+        return one and bool(np.all(self.weight == self.weight[0]))
 
     @cached_property
     def _transposed(self) -> Any:

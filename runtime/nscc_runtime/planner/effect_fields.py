@@ -285,8 +285,8 @@ class _Near:
         # Behind registers that are out of their range nothing is seen of a well.
         linear = np.asarray((told[register] <= _CLIPPED_E**2).all(axis=0))
         rarely = {
-            well: beyond_well(self.scene, near, linear).but_for(told[well]),
-            register: beyond_registers(self.scene, near, held[(register,)]),
+            well: beyond_well(self.scene, linear).but_for(told[well]),
+            register: beyond_registers(self.scene, held[(register,)]),
         }
         variance = {**fields.variance, well: blank.copy(), register: blank.copy()}
         variance[well][:, near] = rarely[well].square_e2

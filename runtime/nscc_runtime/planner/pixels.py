@@ -37,7 +37,7 @@ from nscc_runtime.planner.error_loop import ERRORS
 from nscc_runtime.planner.layout import Keys, Numbers, Saturating, Sizes
 from nscc_runtime.planner.pixel_loop import run_pixels
 from nscc_runtime.planner.site_loop import Laying
-from nscc_runtime.planner.sites import Sites, Times, is_even, needed, sites_of
+from nscc_runtime.planner.sites import Sites, Times, needed, sites_of
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import (
     START,
@@ -378,7 +378,7 @@ class Running:
         words = self.wired.words
         slots, groups = words.program.container.slots, len(words.group_ids)
         tables = sites = len(self._places)
-        if is_even(self._source):
+        if self._source.even:
             tables = min(sites, len(words.entry_start))
         bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
         each = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))

@@ -20,7 +20,7 @@ from nscc_runtime.planner.worst import FRAMES
 Values = NDArray[np.float64]
 
 _SIGMAS = 8
-_STEPS = 40
+_PRECISE = 1e-4
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +43,13 @@ class Rarely:
         return replace(self, square_e2=self.square_e2 * part)
 
 
-def beyond_well(scene: SampledScene, near: NDArray[np.bool_], linear: NDArray[np.bool_]) -> Rarely:
-    """Of those pixels of a sample that are `near` saturation: what they lose where PIX passes the
+def beyond_well(scene: SampledScene, linear: NDArray[np.bool_]) -> Rarely:
+    """Of those pixels of a sample that are near saturation: what they lose where PIX passes the
     full well though its mean charge does not, as a normal count has it; nothing of those that are
     not `linear` (pixels near saturation,)."""
+    near = scene.sample.near
     lanes, weight = scene.lanes[near], scene.sample.weight[near]
-    mean = scene.held(near)
+    mean = scene.held_near
     short = scene.all.the(Well).full_e(scene.sensor) - mean
     sigma = np.sqrt(np.maximum(mean, 1e-300))
     z = np.where(linear & (short > 0), short / sigma, np.inf)
@@ -62,9 +63,10 @@ def beyond_well(scene: SampledScene, near: NDArray[np.bool_], linear: NDArray[np
     return Rarely(square.sum(axis=0) * gain**2, most_e * float(gain.max(initial=0.0)), weight)
 
 
-def beyond_registers(scene: SampledScene, near: NDArray[np.bool_], expected_e: Values) -> Rarely:
-    """Of those pixels of a sample that are `near` saturation: what they lose of `expected_e`
+def beyond_registers(scene: SampledScene, expected_e: Values) -> Rarely:
+    """Of those pixels of a sample that are near saturation: what they lose of `expected_e`
     (buckets, pixels) where noise takes registers beyond their linear range."""
+    near = scene.sample.near
     reach, soft = scene.program.reach, scene.all.the(Soft)
     lanes, weight = scene.lanes[near], scene.sample.weight[near]
     # What a register held at most of light, before words and leakage took their part of it, and
@@ -96,7 +98,7 @@ def _passed(z: Values, sigma: Values, weight: Values) -> float:
     low, high = 0.0, float((_SIGMAS * sigma).max(initial=0.0))
     if not len(z) or weight @ ndtr(-z) <= 1.0 / FRAMES:
         return 0.0
-    for _ in range(_STEPS):
+    while high - low > _PRECISE * max(high, 1.0):
         middle = (low + high) / 2
         more = weight @ ndtr(-z - middle / sigma) > 1.0 / FRAMES
         low, high = (middle, high) if more else (low, middle)

@@ -252,9 +252,11 @@ class SampledScene:
     def dark_2_s(self) -> Values:
         return np.asarray(self.by_lane.seconds[self.by_lane.squared_row][:, self.lanes])
 
-    def held(self, some: NDArray[np.bool_]) -> Values:
-        """The charge (kinds, pixels) that PIX of some pixels holds, nothing saturated, when it is
+    @cached_property
+    def held_near(self) -> Values:
+        """The charge (kinds, pixels near saturation) that PIX holds, nothing saturated, when it is
         read last before each reset."""
+        some = self.sample.near
         lit = self._frames.lit[:, :, some]
         count, _, pixels = lit.shape
         own, flow = (

@@ -34,12 +34,6 @@ class Sites:
     sums: NDArray[np.float64]
 
 
-def is_even(light: Light) -> bool:
-    """Whether all slots have the same light of one frame."""
-    one = len(light.frames) == 1 and len(light.weight) == light.slots
-    return one and bool(np.all(light.weight == light.weight[0]))
-
-
 def needed(chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool) -> NDArray[np.int64]:
     """Places of an array, row * cols + col, in order, each once; with those `beside` them."""
     found = np.zeros(shape, np.uint8)
@@ -92,7 +86,7 @@ def sites_of(
     """The sites at `places`, of pixels with these `lanes` (rows, cols). `switches` are those of
     `Laying` that effects have.
     """
-    count, even, groups = len(places), is_even(light), times.groups
+    count, even, groups = len(places), light.even, times.groups
     row = groups * (light.slots + 1)
     kept = times.every
     if kept is None:
