@@ -42,6 +42,8 @@ _MORE = 1.03
 _LESS, _LESS_OF_PART = 0.5, 0.95
 """Below these factors a plan is made anew: a cheaper one may do; a tolerance that is a part of the
 scene has become smaller."""
+_STEEP = (EIGHTH, LARGEST, OPEN + EIGHTH, OPEN + LARGEST)
+"""Sizes by which more saturates."""
 _SHIFTED = 0.02
 """The part of the light that may fall in other slots."""
 _WITHOUT_END = 1e30
@@ -76,18 +78,18 @@ class Statistics:
         """Whether the other scene's light is of this kind and no stronger: no more saturates unless
         pixels that may are simulated (`saturating`), and of its mean `least` is left.
         """
-        if not (self.sizes.max() < _WITHOUT_END and other.sizes.max() < _WITHOUT_END):
-            return False
-        more = np.full(len(self.sizes), _MORE)
-        if not saturating:
-            more[[EIGHTH, LARGEST, OPEN + EIGHTH, OPEN + LARGEST]] = (
-                1.0  # of what saturates a little more light may lose much more
+        mine, others = self.sizes.tolist(), other.sizes.tolist()
+        pairs = [*zip(mine, others, strict=True)]
+        return (
+            all(size < _WITHOUT_END for size in (*mine, *others))
+            and all(its >= least * own for own, its in pairs[:EIGHTH])
+            and all(
+                # Of what saturates a little more light may lose much more.
+                its <= own * (_MORE if saturating or kind not in _STEEP else 1.0)
+                for kind, (own, its) in enumerate(pairs)
             )
-        return bool(
-            _alike(self.light, other.light)
-            and (other.sizes <= more * self.sizes).all()
-            and (other.sizes[:2] >= least * self.sizes[:2]).all()
-            and np.abs(other.course - self.course).max(initial=0.0) <= _SHIFTED
+            and _alike(self.light, other.light)
+            and bool(np.abs(other.course - self.course).max(initial=0.0) <= _SHIFTED)
         )
 
     def covers(self, other: Statistics, plan: Plan) -> bool:

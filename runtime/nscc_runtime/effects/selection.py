@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
 from math import hypot
 from typing import Any, TypeVar
 
@@ -116,6 +116,11 @@ def selected(text: str) -> Selection:
     Changes alone start from `none` where the first adds, from `all` where it takes away.
     Raises Rejected (NS0756, status 2) for anything else.
     """
+    return _selected(text, registered())
+
+
+@lru_cache(64)
+def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
     parts = [part.strip() for part in text.split(",") if part.strip()]
     if not parts:
         raise _wrong("--effects names no effect", f"write one of {', '.join(RESERVED)}, or effects")

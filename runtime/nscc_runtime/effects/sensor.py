@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from itertools import islice
 
 from nscc import html
@@ -36,7 +37,12 @@ class Sensor:
         return self.values[name]
 
     def __hash__(self) -> int:
-        return hash(frozenset(self.values.items()))
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        # Of numbers alone: what is kept goes along to other processes, which hash names otherwise.
+        return hash(frozenset(self.values.values()))
 
     def changed(self, **values: float) -> Sensor:
         """This sensor with other values of some parameters; TypeError for names that are none."""

@@ -42,8 +42,11 @@ class Summed:
     def away(self, seed: int, frame: int) -> Values:
         """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
         pixels = len(self.scene.places)
-        found, keys = np.empty((len(self.scene.counted), pixels)), self._keys(seed, frame)
-        rates = self.rates  # made here: who makes them waits for the threads that run
+        found = np.empty((len(self.scene.counted), pixels))
+        if not len(found):
+            return found
+        # Made here: who makes them waits for the threads that run.
+        keys, rates = self._keys(seed, frame), self.rates
 
         def run(begin: int, end: int) -> None:
             self._count(rates, keys, begin, end, 0, found)
@@ -64,7 +67,7 @@ class Summed:
         noise = [key(seed, stream, SUM, frame, draw) for stream, draw in draws]
         noise_keys, keys = np.array(noise, np.uint64), self._keys(seed, frame)
         strip = rows if away is not None else max(1, _IN_CACHE // max(1, cols * groups))
-        rates = self.rates if away is None else []
+        rates, expected = self.rates if away is None else [], scene.expected
         # Neighbours' counts are wanted, too.
         more = 1 if sizes["exchanges"] else 0
 
@@ -82,7 +85,7 @@ class Summed:
                     adding=Adding(
                         begin=first, end=stop, room=counts.shape[1], from_=from_, **sizes
                     ),
-                    noise_keys=noise_keys, expected=scene.expected, away=counts, total=total,
+                    noise_keys=noise_keys, expected=expected, away=counts, total=total,
                     drawn=drawn, exposure=found, marked=marked,
                 )  # fmt: skip
 
