@@ -6,6 +6,7 @@ is left out does together is measured: some of these pixels run with it and with
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 
@@ -44,6 +45,8 @@ _SIGMAS = 2.0
 """Standard errors of a measurement that has to fit as well."""
 _NONE_OF = 3.0
 """Of so many of any number of pixels none is drawn in one sample of twenty."""
+_LEFT = 3.0
+"""Standard deviations of an error that is left at one of a few pixels."""
 _EVEN = 0.25
 """The part of the sample that is drawn evenly, see `_chances`."""
 
@@ -172,7 +175,14 @@ class Lacking:
             # Noise may have nothing cut off in another frame than the one that was measured.
             uncut = worst_of(self._uncut(lacking), self.fields.sample.weight, pixels)
             max_e = max(max_e, min(uncut.max_e, self._chip.full_e))
-        return replace(found, max_e=max_e)
+        return replace(found, max_e=max(max_e, self._left_e(self.forced_off | lacking)))
+
+    def _left_e(self, lost: frozenset[str]) -> float:
+        """What small errors come to, most of which cancel, at a pixel where what saturates has one
+        of them left: there may be few of a kind that has."""
+        sensor = self.program.sensor
+        left = (part.sigma_e(sensor) for each, part in self._every.errors() if each.name in lost)
+        return _LEFT * math.hypot(*left)
 
     @remembered
     def _uncut(self, lacking: frozenset[str]) -> Errors:
