@@ -8,7 +8,7 @@ that with all effects to the same tolerance, planning included in both; the chec
 plan serves the next frames, as a part of one; these as a part of the next ones with all effects,
 the check included in both; both by the cheaper of that and the reference. Beside them the floor:
 light, shot noise and the converter alone, as a part of the next frames with all effects; and what
-the plan's table says of first frames. At the end medians and the worst, beside what is asked.
+the plan's table says of first frames. At the end medians and the worst, beside the goals.
 """
 
 from __future__ import annotations
@@ -150,7 +150,7 @@ def case(name: str, scene: str, exposure: str | None, rounds: int) -> list[Row]:
     for tolerance in TOLERANCES:
         each = row(program, light, tolerance, reference_s, rounds)
         print(
-            f"  {tolerance!s:>8}: planning {each.planning:.2f} of the first frame, check "
+            f"  {_named(tolerance):>9}: planning {each.planning:.2f} of the first frame, check "
             f"{each.check:.2f} of the next; first {each.first:.2f} (said {each.said:.2f}), next "
             f"{each.next:.2f} of all (floor {each.floor:.2f}); {each.worst_first:.2f} and "
             f"{each.worst_next:.2f} of the cheaper",
@@ -160,6 +160,10 @@ def case(name: str, scene: str, exposure: str | None, rounds: int) -> list[Row]:
     return found
 
 
+def _named(tolerance: Given) -> str:
+    return tolerance if isinstance(tolerance, str) else f"{tolerance:g}e"
+
+
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
@@ -167,17 +171,20 @@ def main() -> None:
     chosen = parser.parse_args()
     warnings.simplefilter("ignore")
     found = [each for one in CASES for each in case(*one, chosen.rounds)]
-    print(f"medians over {len(CASES)} programs and scenes (asked)")
+    print(f"medians over {len(CASES)} programs and scenes")
+    columns = {
+        "planning": "planning", "of first": "first", "said": "said", "check": "check",
+        "of next": "next", "floor": "floor",
+    }  # fmt: skip
+    print(f"{'tolerance':<10}" + "".join(f"{name:>10}" for name in columns))
     for tolerance in TOLERANCES:
         some = [each for each in found if each.tolerance == tolerance]
-        asked = f" ({ASKED[tolerance]})" if tolerance in ASKED else ""
-        print(
-            f"  {tolerance!s:>8}: planning {median(e.planning for e in some):.2f} of the first "
-            f"frame (0.4), check {median(e.check for e in some):.2f} of the next (0.15); first "
-            f"{median(e.first for e in some):.2f} (said {median(e.said for e in some):.2f}), next "
-            f"{median(e.next for e in some):.2f} of all"
-            f"{asked}, floor {median(e.floor for e in some):.2f}"
-        )
+        shown = (median(getattr(each, field) for each in some) for field in columns.values())
+        print(f"{_named(tolerance):<10}" + "".join(f"{each:>10.2f}" for each in shown))
+    print(
+        "goals: planning 0.40, check 0.15, "
+        + ", ".join(f"next frames {part} at {_named(each)}" for each, part in ASKED.items())
+    )
     print(
         f"the worst of all: planning {max(e.planning for e in found):.2f} (0.4), check "
         f"{max(e.check for e in found):.2f} (0.15); of the cheaper of all and reference first "

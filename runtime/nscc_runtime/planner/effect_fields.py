@@ -23,7 +23,7 @@ from nscc_runtime.effects import (
     everything,
     registered,
 )
-from nscc_runtime.effects.parts import Counted, Exchange, Soft, Well
+from nscc_runtime.effects.parts import Counted, Exchange, Leak, Soft, Well, WordGain
 from nscc_runtime.light import Light
 from nscc_runtime.planner.chip import Chip, all_by_words, whole_chip
 from nscc_runtime.planner.pixels import Running
@@ -146,6 +146,18 @@ class SampledFields:
     @cached_property
     def _scene(self) -> SampledScene:
         return SampledScene(self.program, self.light, self.sample, self.device_seed)
+
+    @cached_property
+    def louder(self) -> Mapping[str, float]:
+        """By what factor the variance of counts is larger without an effect that weighs charge."""
+        scene, found = self._scene, {}
+        for name in scene.all.names(WordGain) | scene.all.names(Leak):
+            kept, free = (
+                float(self.sample.mean(np.abs(each)).mean())
+                for each in (scene.charge, scene.without(name))
+            )
+            found[name] = (free / kept) ** 2 if 0 < kept < np.inf else 1.0
+        return found
 
     @cached_property
     def reweighed(self) -> Reweighed:

@@ -9,7 +9,14 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.parts import Fading, LitLevel, SlowWords
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedLight,
+    Exchange,
+    Fading,
+    LitLevel,
+    SlowWords,
+)
 from nscc_runtime.planner.accounts import Errors
 from nscc_runtime.planner.effect_fields import BOTH
 from nscc_runtime.planner.lacking import guesses
@@ -151,12 +158,12 @@ class Promises(Forecast):
         """The predicted standard deviation of a plan's exposures over frames by that with every
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
-        state = self.state(dropped)
-        near_lost = dropped if everywhere else self.forced_off | lacking
+        state, far_lost = self.state(dropped), self._silent(dropped)
+        near_lost = far_lost if everywhere else self._silent(self.forced_off | lacking)
         square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
             square += noise.all
-            kept_e2 += 0.0 if name in dropped else noise.far
+            kept_e2 += 0.0 if name in far_lost else noise.far * self._louder(name, dropped)
             kept_e2 += 0.0 if name in near_lost else noise.near
         if not everywhere:
             kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
@@ -167,6 +174,19 @@ class Promises(Forecast):
         if not square + added > 0:
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
+
+    def _silent(self, lost: frozenset[str]) -> frozenset[str]:
+        """What has no part in the noise without some effects: these, and what evens out counts of
+        light where there are none."""
+        return lost | self.every.names(Exchange) if self._having[CountedLight] <= lost else lost
+
+    def _louder(self, name: str, dropped: frozenset[str]) -> float:
+        """By what factor the variance of an effect is larger in sums that lack what weighs counts;
+        what is left out by choice weighs errors all the same."""
+        if name not in self.every.names(Counted):
+            return 1.0
+        louder = self.sampled.louder
+        return math.prod(louder[each] for each in louder.keys() & dropped)
 
     def _undrawn(self, dropped: frozenset[str]) -> list[str]:
         """The short cuts of a plan whose squares are variance that is not drawn."""
@@ -216,12 +236,14 @@ class Promises(Forecast):
         """The variance over frames (buckets, pixels of the sample) with every effect, and under a
         plan."""
         found, state = self.fields, self.state(dropped)
+        far_lost, near_lost = self._silent(dropped), self._silent(self.forced_off | lacking)
         runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
         full, mine = (np.zeros(found.expected.shape) for _ in range(2))
         for name, there in found.noise_left.items():
             full += there
-            lost = np.where(runs, name in self.forced_off | lacking, name in dropped)
-            mine += np.where(lost, 0.0, found.noise[name] if state == "sums" else there)
+            lost = np.where(runs, name in near_lost, name in far_lost)
+            louder = np.where(runs, 1.0, self._louder(name, dropped))
+            mine += np.where(lost, 0.0, louder * (found.noise[name] if state == "sums" else there))
         if not everywhere:
             mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine
