@@ -172,14 +172,11 @@ def main() -> None:
     warnings.simplefilter("ignore")
     found = [each for one in CASES for each in case(*one, chosen.rounds)]
     print(f"medians over {len(CASES)} programs and scenes")
-    columns = {
-        "planning": "planning", "of first": "first", "said": "said", "check": "check",
-        "of next": "next", "floor": "floor",
-    }  # fmt: skip
+    columns = "planning", "first", "said", "check", "next", "floor"
     print(f"{'tolerance':<10}" + "".join(f"{name:>10}" for name in columns))
     for tolerance in TOLERANCES:
         some = [each for each in found if each.tolerance == tolerance]
-        shown = (median(getattr(each, field) for each in some) for field in columns.values())
+        shown = (median(getattr(each, name) for each in some) for name in columns)
         print(f"{_named(tolerance):<10}" + "".join(f"{each:>10.2f}" for each in shown))
     print(
         "goals: planning 0.40, check 0.15, "

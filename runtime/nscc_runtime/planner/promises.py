@@ -158,8 +158,8 @@ class Promises(Forecast):
         """The predicted standard deviation of a plan's exposures over frames by that with every
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
-        state, far_lost = self.state(dropped), self._silent(dropped)
-        near_lost = far_lost if everywhere else self._silent(self.forced_off | lacking)
+        state = self.state(dropped)
+        far_lost, near_lost = self._silent(dropped, everywhere, lacking)
         square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
             square += noise.all
@@ -175,10 +175,15 @@ class Promises(Forecast):
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
 
-    def _silent(self, lost: frozenset[str]) -> frozenset[str]:
-        """What has no part in the noise without some effects: these, and what evens out counts of
-        light where there are none."""
-        return lost | self.every.names(Exchange) if self._having[CountedLight] <= lost else lost
+    def _silent(
+        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
+    ) -> tuple[frozenset[str], frozenset[str]]:
+        """What has no part in a plan's noise far from saturation, and near it: what is left out
+        there, and what evens out counts of light where there are none."""
+        near = dropped if everywhere else self.forced_off | lacking
+        counts, evens = self._having[CountedLight], self.every.names(Exchange)
+        far, near = (lost | evens if counts <= lost else lost for lost in (dropped, near))
+        return far, near
 
     def _louder(self, name: str, dropped: frozenset[str]) -> float:
         """By what factor the variance of an effect is larger in sums that lack what weighs counts;
@@ -211,12 +216,16 @@ class Promises(Forecast):
         if dropped & self.saturation or self.off_for_good(dropped, everywhere):
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
-        uncut = sum(self.fields.noise.values(), np.zeros(full.shape))
-        far, far_kept, all_e2, kept, more = (
+        noise, (_, near_lost) = self.fields.noise, self._silent(dropped, everywhere, lacking)
+        uncut, left = (
+            sum((noise[name] for name in names), np.zeros(full.shape))
+            for names in (noise.keys(), noise.keys() - near_lost)
+        )
+        far, far_kept, all_e2, kept, more, more_left = (
             float(np.mean(mean(each)))
             for each in (
                 np.where(near, 0.0, full), np.where(near, 0.0, mine), full, mine,
-                np.where(near, uncut - full, 0.0),
+                np.where(near, uncut - full, 0.0), np.where(near, left - mine, 0.0),
             )
         )  # fmt: skip
         lost = (all_e2 - far) - (kept - far_kept)
@@ -224,7 +233,7 @@ class Promises(Forecast):
             return None
         if self.forced_off & self.fields.noise.keys() and (all_e2 - far + more) > _UNTOLD * all_e2:
             return None
-        cases = [(kept - (_WORSE - 1.0) * lost, all_e2), (kept + more, all_e2 + more)]
+        cases = [(kept - (_WORSE - 1.0) * lost, all_e2), (kept + more_left, all_e2 + more)]
         if far > 0:
             cases.append((far_kept, far))
         off = max(abs(math.sqrt(max(rest, 0.0) / every) - ratio) for rest, every in cases)
@@ -236,7 +245,7 @@ class Promises(Forecast):
         """The variance over frames (buckets, pixels of the sample) with every effect, and under a
         plan."""
         found, state = self.fields, self.state(dropped)
-        far_lost, near_lost = self._silent(dropped), self._silent(self.forced_off | lacking)
+        far_lost, near_lost = self._silent(dropped, everywhere, lacking)
         runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
         full, mine = (np.zeros(found.expected.shape) for _ in range(2))
         for name, there in found.noise_left.items():
