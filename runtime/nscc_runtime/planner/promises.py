@@ -18,6 +18,7 @@ from nscc_runtime.effects.parts import (
     SlowWords,
 )
 from nscc_runtime.planner.accounts import Errors
+from nscc_runtime.planner.chip import whole_chip
 from nscc_runtime.planner.effect_fields import BOTH
 from nscc_runtime.planner.lacking import guesses
 from nscc_runtime.planner.plan import Plan
@@ -35,6 +36,8 @@ from nscc_runtime.planner.tolerance import (
 from nscc_runtime.planner.worst import Worst, worst_measured, worst_of
 from nscc_runtime.remembered import remembered
 
+_RARE = 2.0
+"""Standard deviations of the counts of the few brightest pixels."""
 _WORSE = 3.0
 _MATTERS = 0.01
 """Of the tolerance: what is smaller goes with what it hangs on."""
@@ -120,6 +123,8 @@ class Promises(Forecast):
         if not everywhere and FORMULA in self.taken(dropped):
             # A count is right or one off, beside all else: its variance tells nothing of that.
             found = replace(found, max_e=max(found.max_e, found.p999_e + 1.0))
+        if not everywhere and len(self.running(self.state(dropped))):
+            found = replace(found, max_e=max(found.max_e, self._evened_e(dropped, lacking)))
         near, cut = self.fields.sample.near, self.inside(dropped) & (self.saturation | {BOTH})
         if not cut or not near.any():
             return found
@@ -128,6 +133,27 @@ class Promises(Forecast):
         tail = worst_measured(taken, weight[near] / weight.sum(), pixels)
         rarely_e = max(self.fields.rarely_e.get(name, 0.0) for name in self.saturation & dropped)
         return replace(found, max_e=max(found.max_e, tail.max_e, rarely_e))
+
+    def _evened_e(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
+        """How far the worst pixel near saturation may be off as counts are taken as even over
+        slots: its own, of which words that take time see a part, where that does not fill PIX; and
+        those of suns beside it, of which so much comes over that PIX is not full."""
+        kept = self.every.without(*self.forced_off, *lacking)
+        if kept.part(CountedLight) is None:
+            return 0.0
+        full_e = whole_chip(self.program, self.device_seed).full_e
+        slot_e = self.light.sum_e.reshape(-1)[self.running(self.state(dropped))] / self.light.slots
+        part, own_e2 = 0.0, 0.0
+        if kept.part(SlowWords) is not None:
+            entries = self.program.words(kept).entries
+            part = min(1.0, float(entries["end"][entries["reads_pix"] > 0].max(initial=0.0)))
+        if part:
+            seen_e = np.minimum(part * slot_e, full_e)
+            own_e2 = float((seen_e**2 / np.maximum(slot_e, 1.0)).max(initial=0.0))
+        exchange = kept.part(Exchange)
+        spilt = exchange is not None and len(self.spilt) > 0
+        beside_e2 = exchange.fraction(self.program.sensor) * full_e if exchange and spilt else 0.0
+        return _RARE * math.sqrt(max(own_e2, beside_e2))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
         """The standard error (buckets,) of predicted mean squares."""
