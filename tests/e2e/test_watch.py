@@ -47,10 +47,10 @@ def watching(
         out.close()
 
 
-def until(lines: Lines, piece: str) -> list[str]:
-    """The lines up to one that holds a piece of text."""
+def until(lines: Lines, *pieces: str) -> list[str]:
+    """The lines up to one that holds all these pieces of text."""
     found: list[str] = []
-    while not found or piece not in found[-1]:
+    while not found or not all(piece in found[-1] for piece in pieces):
         found.append(lines.get(timeout=WAIT_S))
     return found
 
@@ -65,7 +65,8 @@ def test_files_are_checked_again(tmp_path: Path) -> None:
         assert "deep/codes.npz changed" in until(lines, "changed")[-1]
         assert "a.nsl: fits scamp5" in until(lines, "Ctrl-C ends it")[0]
         program.write_text("nsl 1\nframe 8 slots of 1ms\nopen wehn true\n")
-        until(lines, "a.nsl changed")
+        # Beside a file that was seen half written, and so changes once more.
+        until(lines, "a.nsl", "changed")
         assert "NS0107" in "".join(until(lines, "Ctrl-C ends it"))
         (tmp_path / "new.nsl").write_text("nsl 1\nframe 8 slots of 1ms\nopen when true\n")
         (tmp_path / "new.nsl").replace(program)  # as editors do
