@@ -105,33 +105,20 @@ def sum_light(
 
 @compiled
 def _powers(lit: Floats, cols: int, at: int, found: Floats) -> None:
-    """Add `ROWS` rows: each column by itself, and each kind, so that LLVM makes vectors."""
+    """Add `ROWS` rows: each column by itself, so that LLVM makes vectors."""
     b, c, d = cols, 2 * cols, 3 * cols
     for col in range(cols):
-        total = found[at + MEAN * cols + col] + lit[col]
-        total += lit[b + col]
-        total += lit[c + col]
-        found[at + MEAN * cols + col] = total + lit[d + col]
-    for col in range(cols):
-        total = found[at + SQUARE * cols + col] + lit[col] * lit[col]
-        total += lit[b + col] * lit[b + col]
-        total += lit[c + col] * lit[c + col]
-        found[at + SQUARE * cols + col] = total + lit[d + col] * lit[d + col]
-    for col in range(cols):
-        most = found[at + LARGEST * cols + col]
-        most = lit[col] if lit[col] > most else most
-        most = lit[b + col] if lit[b + col] > most else most
-        most = lit[c + col] if lit[c + col] > most else most
-        found[at + LARGEST * cols + col] = lit[d + col] if lit[d + col] > most else most
-    for i in range(ROWS * cols):
-        square = lit[i] * lit[i]
-        square = square if square > _LEAST else _LEAST
-        lit[i] = square * square * (square * square)
-    for col in range(cols):
-        total = found[at + EIGHTH * cols + col] + lit[col]
-        total += lit[b + col]
-        total += lit[c + col]
-        found[at + EIGHTH * cols + col] = total + lit[d + col]
+        one, two, three, four = lit[col], lit[b + col], lit[c + col], lit[d + col]
+        found[at + MEAN * cols + col] += (one + two) + (three + four)
+        first, last = one if one > two else two, three if three > four else four
+        most, last = found[at + LARGEST * cols + col], first if first > last else last
+        found[at + LARGEST * cols + col] = last if last > most else most
+        one, two, three, four = one * one, two * two, three * three, four * four
+        found[at + SQUARE * cols + col] += (one + two) + (three + four)
+        one, two = one if one > _LEAST else _LEAST, two if two > _LEAST else _LEAST
+        three, four = three if three > _LEAST else _LEAST, four if four > _LEAST else _LEAST
+        one, two, three, four = one * one, two * two, three * three, four * four
+        found[at + EIGHTH * cols + col] += (one * one + two * two) + (three * three + four * four)
 
 
 @compiled
