@@ -359,12 +359,16 @@ def test_what_noise_alone_takes_over_a_full_well_is_told(name: str) -> None:
 
 
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
-@pytest.mark.parametrize("seed", [350136, 350052, 380117, 500032, 500033, 510747, 520816])
+@pytest.mark.parametrize(
+    "seed",
+    [350136, 350052, 380117, 500032, 500033, 510747, 520816, 610306, 610531, 611575],
+)  # fmt: skip
 def test_what_is_rare_is_said_though_no_frame_or_sample_of_the_plan_has_it(seed: int) -> None:
     """Of pixels that come near a well 3 % are full in six frames; of 2304 that may saturate 2 would
     not without what registers lose; of those that fill their registers 0.2 % are below that; of
     those that edges cross 1 % are not full at some read, and none of these was measured; of those
-    that are left out, errors of resets cancel but where PIX is full, or registers bend."""
+    that are left out, errors of resets cancel but where PIX is full, or registers bend; and what
+    saturation takes of the three pixels that have most of it is more in other frames."""
     assert [each.said for each in promises(seed) if each.found.broken] == []
 
 

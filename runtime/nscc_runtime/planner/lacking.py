@@ -33,8 +33,6 @@ _FEWEST, _MOST = 48, 512
 """Pixels on which it is measured, beside those for sure."""
 _CUT_E = 1.0
 """Lost to what saturates: of more than that a pixel hardly changes."""
-_CHANGED_E, _TOLD = 1e-3, 10
-"""Of so many measured pixels that change the tail of all is told."""
 _PART = 8
 """Of this many pixels near saturation one is measured."""
 _APART_NS = 1e6
@@ -171,10 +169,9 @@ class Lacking:
             for which in (slice(sure), slice(sure, None))
         ]
         max_e = max(each.max_e for each in (found, *tails))
-        if np.count_nonzero(sizes > _CHANGED_E) < _TOLD:
-            # Noise may have nothing cut off in another frame than the one that was measured.
-            uncut = worst_of(self._uncut(lacking), self.fields.sample.weight, pixels)
-            max_e = max(max_e, min(uncut.max_e, self._chip.full_e))
+        # Noise may have nothing cut off in another frame than the one that was measured.
+        uncut = worst_of(self._just_full(lacking), self.fields.sample.weight, pixels)
+        max_e = max(max_e, min(uncut.max_e, self._chip.full_e))
         return replace(found, max_e=max(max_e, self._left_e(self.forced_off | lacking)))
 
     def _left_e(self, lost: frozenset[str]) -> float:
@@ -185,10 +182,17 @@ class Lacking:
         return _LEFT * math.hypot(*left)
 
     @remembered
-    def _uncut(self, lacking: frozenset[str]) -> Errors:
-        """What they would lack if nothing cut it off."""
-        nowhere = np.zeros(self.fields.expected.shape, np.bool_)
-        return guesses(self.fields, self.running, lacking, nowhere).errors(lacking, lacking)
+    def _just_full(self, lacking: frozenset[str]) -> Errors:
+        """What they would lack if nothing cut it off, of no more light than fills PIX."""
+        fields, near = self.fields, np.flatnonzero(self.running)
+        nowhere = np.zeros(fields.expected.shape, np.bool_)
+        seen_e = reached(self.seen.at(fields.sample.places[near]).most_e)
+        part = np.zeros(len(fields.sample.places))
+        part[near] = np.minimum(1.0, self._chip.full_e / np.maximum(seen_e, 1e-300))
+        mean, variance, third = guesses(fields, self.running, lacking, nowhere).errors(
+            lacking, lacking
+        )
+        return Errors(mean * part, variance * part, third * part)
 
     def _fits(self, dropped: frozenset[str], lacking: frozenset[str], room: float) -> bool:
         """Whether what leaving effects out adds is at most so much, for almost all samples."""
@@ -206,12 +210,8 @@ class Lacking:
         even = self._evenly
         if not even:
             return np.zeros(len(self.fields.expected))
-        sample, near = self.fields.sample, np.flatnonzero(self.running)
-        seen_e = reached(self.seen.at(sample.places[near]).most_e)
-        part = np.zeros(len(sample.places))
-        part[near] = np.minimum(1.0, self._chip.full_e / np.maximum(seen_e, 1e-300))
-        mean, variance, _ = self._uncut(lacking)
-        square = sample.mean((mean * part) ** 2 + variance * part)
+        mean, variance, _ = self._just_full(lacking)
+        square = self.fields.sample.mean(mean**2 + variance)
         return np.asarray(square * min(1.0, _NONE_OF / even))
 
     @cached_property

@@ -156,9 +156,17 @@ class Promises(Forecast):
         return _RARE * math.sqrt(max(own_e2, beside_e2))
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
-        """The standard error (buckets,) of predicted mean squares."""
+        """The standard error (buckets,) of predicted mean squares: a sample is not the scene, nor
+        one frame another."""
         mean, variance, _ = self.errors(dropped, everywhere)
-        return self.fields.sample.error(mean**2 + variance)
+        found = self.fields.sample.error(mean**2 + variance)
+        cut = sorted(self.inside(dropped) & (self.saturation | {BOTH}))
+        if not cut or not self.fields.sample.near.any():
+            return found
+        # What saturation takes of a few pixels is more in one frame than in another.
+        taken = np.sum([self.fields.fixed[name] for name in cut], axis=0)
+        noise_e2 = np.maximum(np.sum([*self.fields.noise.values()], axis=0), 0.0)
+        return np.hypot(found, self.fields.sample.spread(2.0 * taken * np.sqrt(noise_e2)))
 
     @remembered
     def errors(

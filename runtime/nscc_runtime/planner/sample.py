@@ -45,6 +45,11 @@ class Sample:
         away = (values - self.mean(values)[..., None]) * self._by_chance
         return np.asarray(np.sqrt((away**2).sum(axis=-1)) / self._pixels)
 
+    def spread(self, sigma: NDArray[np.float64]) -> NDArray[np.float64]:
+        """The standard deviation over frames of the mean over the array, where the pixels have
+        these (.., pixels), each by itself."""
+        return np.asarray(np.sqrt(sigma**2 @ self.weight) / self._pixels)
+
     @cached_property
     def _pixels(self) -> float:
         """How many pixels the sample stands for."""
