@@ -43,7 +43,9 @@ class Account:
     def square(self, fixed: Collection[str], random: Collection[str]) -> Values:
         """The mean square (buckets,) over the array of some of them."""
         inside = _inside(self.fixed, fixed)
-        return np.asarray(self._products @ inside @ inside + self.variance(random))
+        # Rounding takes what cancels below 0.
+        squares = np.maximum(self._products @ inside @ inside, 0.0)
+        return np.asarray(squares + self.variance(random))
 
     def most(self, fixed: Collection[str], random: Collection[str]) -> Values:
         """The most that it can be: where all fixed errors add up."""

@@ -206,10 +206,7 @@ class Chooser(Costs):
             tuple(reasons),
             len(self.fields.sample.places) / len(self.program.lanes),
             tuple(cut for cut in cuts if cut.error_e > 0),
-            tuple(
-                self._decision(each, dropped, float(np.max(added)), forced_reason)
-                for each in registered()
-            ),
+            tuple(self._decision(each, dropped, lacking, forced_reason) for each in registered()),
             self.leak_nodes,
             self.closed,
             predicted_p999_e=worst.p999_e,
@@ -241,13 +238,17 @@ class Chooser(Costs):
             yield f"{running} pixels may saturate"
 
     def _decision(
-        self, effect: Effect, dropped: frozenset[str], added: float, forced_reason: str
+        self, effect: Effect, dropped: frozenset[str], lacking: frozenset[str], forced_reason: str
     ) -> Decision:
         forced = self.is_forced(effect)
         if effect.kind == "after":
             return after_exposure(effect, self.effects, self.program.sensor, forced_reason)
         rms, bias = self.contribution(effect)
-        then = math.sqrt(self._square(dropped | {effect.name}) + added)
+        without, added = dropped | {effect.name}, 0.0
+        if lacking:
+            near = self.lacking(self.state(dropped))
+            added = float(np.max(near.square(without, lacking)))
+        then = math.sqrt(max(self._square(without) + added, 0.0))
         cost = self.own_ns(effect.name, dropped)
         choice: Choice = "kept"
         if effect not in self.present:
