@@ -449,6 +449,7 @@ def test_what_is_left_of_the_noise_is_said_or_nothing_is(seed: int) -> None:
     assert all(each.plan.noise_ratio is None or each.plan.noise_ratio > 0.1 for each in found)
 
 
+@pytest.mark.filterwarnings("ignore:warning.NS0793")
 def test_what_else_could_be_left_out_is_reckoned_without_the_plans_own_short_cuts() -> None:
     """Without dark charge pixels near saturation have no counts of sums, whose errors lacking
     crosstalk takes away."""
