@@ -145,14 +145,19 @@ class Lacking:
         """What it adds that neighbours' counts are those of sums now, taken as even over their
         slots; where they are without it, or where sums have crosstalk, that is one of the plan's
         short cuts."""
-        beside, fields = everything().names(Exchange), self.fields
+        beside = everything().names(Exchange)
         before, now = (
             bool(beside & dropped) and not beside & (lost | self.forced_off)
             and self._alike(dropped, lost)
             for lost in (frozenset[str](), lacking)
         )  # fmt: skip
-        evened = fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
-        return evened * (int(now) - int(before))
+        return self._even_neighbours * (int(now) - int(before))
+
+    @cached_property
+    def _even_neighbours(self) -> Values:
+        """The mean square (buckets,) over the array of taking neighbours' counts as even here."""
+        fields = self.fields
+        return fields.sample.mean(fields.neighbours[False] * self.running * fields.unfilled)
 
     def worst(self, lacking: frozenset[str]) -> Worst:
         """What these pixels lack, forced or not, at the worst of them."""
