@@ -93,18 +93,26 @@ class ByLane:
         return np.ascontiguousarray(self.tables.weights(self.full).slots.max(axis=0).T)
 
     @remembered
-    def errors(self, at: str) -> Values:
-        """The variance (buckets, lanes) of small errors at `at`, for unit errors."""
-        factor, rest = self.tables.noise(at, self.full)
-        return np.asarray(((factor**2).sum(axis=2) + rest).T)
+    def errors(self, at: str) -> tuple[Values, Values, Values]:
+        """Of unit errors at `at`, (buckets, lanes) each: their variance at the mean leakage; twice
+        their product with what faster leakage changes, and the square of that."""
+        full, faster = (self.tables.numbered(at, each) for each in (self.full, self.faster))
+        mean, product, square = np.zeros((3, *self.seconds.shape[1:]))
+        for number, weight in full.items():
+            by_rate = faster[number] - weight
+            mean += (weight**2).T
+            product += (2.0 * weight * by_rate).T
+            square += (by_rate**2).T
+        return mean, product, square
 
     @remembered
-    def errors_cut(self, at: str) -> tuple[Values, Values]:
-        """The variance (buckets, lanes) of unit errors that is left out where they are drawn as at
-        the mean leakage: in any case, and by the square of how far leakage is off that."""
-        factor, rest = self.tables.noise(at, self.full)
-        other = self.tables.noise(at, self.faster)[0] - factor
-        return rest.T, (other**2).sum(axis=2).T
+    def errors_cut(self, at: str) -> tuple[Values, Values, Values]:
+        """The same of what is left out where they are drawn as at the mean leakage."""
+        mean, product, square = self.errors(at)
+        drawn = self.tables.noise(at, self.full)[0]
+        by_rate = self.tables.noise(at, self.faster)[0] - drawn
+        mean = mean - (drawn**2).sum(axis=2).T
+        return mean, product - (2.0 * drawn * by_rate).sum(axis=2).T, square
 
     @remembered
     def reweighed(self, at: str, name: str) -> tuple[Values, Values, Values, Values]:

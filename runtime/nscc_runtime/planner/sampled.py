@@ -293,13 +293,17 @@ class SampledScene:
         return np.asarray(self._beside.there.sum(axis=0) ** 2 * own + flow)
 
     def errors(self, at: str, sigma_e: float) -> Values:
-        return np.asarray(sigma_e**2 * self.by_lane.errors(at)[:, self.lanes])
+        parts = (sigma_e**2 * each[:, self.lanes] for each in self.by_lane.errors(at))
+        return self._at_own_rate(*parts)
+
+    def _at_own_rate(self, mean: Values, product: Values, square: Values) -> Values:
+        """Of a variance at the mean leakage, and of what leakage changes, that of each pixel."""
+        return np.maximum(mean + self._off * product + self._off**2 * square, 0.0)
 
     def errors_cut(self, at: str, sigma_e: float) -> Values:
         """The variance that is left out where they are drawn as at the mean leakage."""
-        always, by_rate = self.by_lane.errors_cut(at)
-        found = always[:, self.lanes] + by_rate[:, self.lanes] * self._off**2
-        return np.asarray(sigma_e**2 * found)
+        parts = (sigma_e**2 * each[:, self.lanes] for each in self.by_lane.errors_cut(at))
+        return self._at_own_rate(*parts)
 
     def pattern_without(self, name: str) -> Values:
         """By how much the words' fixed errors are larger with an effect, at the mean leakage."""
@@ -310,8 +314,7 @@ class SampledScene:
         larger with it."""
         parts = self.by_lane.reweighed(at, name)
         mean, product, square, more = (sigma_e**2 * each[:, self.lanes] for each in parts)
-        changed = np.maximum(mean + self._off * product + self._off**2 * square, 0.0)
-        return np.asarray(changed), np.asarray(more)
+        return self._at_own_rate(mean, product, square), np.asarray(more)
 
     def left_out(self) -> tuple[dict[bool, Values], dict[bool, Values]]:
         """The variance that sums leave out because counts are not spread over the slots, with
