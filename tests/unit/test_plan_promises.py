@@ -200,9 +200,30 @@ def test_the_brightest_pixels_near_saturation_stand_for_themselves() -> None:
     assert len(np.unique(found.places)) == len(found.places)
     assert found.weight.sum() == pytest.approx(64 * 64)
     assert (found.weight[np.isin(found.places, suns)] == 1.0).sum() == 5
+    seen_e = rng.random(64 * 64)
+    most = np.argsort(seen_e)[-5:]
+    found = sample_of(total_e, 1, near, spilt, seen_e)
+    assert (found.weight[np.isin(found.places, most)] == 1.0).sum() == 5
     few = sample_of(total_e, 1, near[:7])
     assert set(near[:7]) <= set(few.places)
     assert few.weight.sum() == pytest.approx(64 * 64)
+
+
+def test_where_the_worst_pixel_is_bounded_the_largest_exposures_are_in_the_sample() -> None:
+    """Lamps that flash while their pixels are open are no brighter than others over a frame."""
+    container, sensor = made("d edges", 64, 64)
+    program, rng = Program.of(container, sensor), np.random.default_rng(2)
+    frames = np.full((SLOTS, 64, 64), 60.0, np.float32)
+    lit = rng.choice(64 * 64, 300, replace=False)
+    frames[rng.integers(0, SLOTS, 300), lit // 64, lit % 64] = 300.0
+    light, kept = Light.of_clip(frames), selected("none")
+    exposed = full_frames(container, light, sensor, 1, 3, 5, "none")[0, 0].reshape(-1)
+    few = np.argsort(exposed)[-10:]
+    assert kept.effects is not None and exposed[few].min() > 1.1 * np.median(exposed)
+    bound = Chooser(program, light, 5, 1, "5e", "100e", selected("auto")).fields.sample
+    assert np.isin(few, bound.places).mean() > 0.7
+    assert bound.weight.sum() == pytest.approx(64 * 64)
+    assert (bound.weight == 1.0).sum() >= 20
 
 
 def test_a_limit_of_the_worst_pixel_keeps_what_would_break_it() -> None:
@@ -354,21 +375,24 @@ def test_what_noise_alone_takes_over_a_full_well_is_told(name: str) -> None:
     told = np.sqrt(fields.sample.mean(square))
     worst = np.quantile(lost.reshape(count, -1).max(axis=1), 0.99)
     assert worst > 50.0
-    assert told.max() == pytest.approx(np.sqrt((lost**2).mean(axis=(0, 2, 3))).max(), rel=0.35)
-    assert 0.9 < chooser.worst(chooser.saturation, False).max_e / worst < 2.0
+    # One pixel has most of it, and the plan's frame shows it at twice what it loses in others.
+    assert 0.65 < told.max() / np.sqrt((lost**2).mean(axis=(0, 2, 3))).max() < 1.6
+    assert 0.9 < chooser.worst(chooser.saturation, False).max_e / worst < 3.0
 
 
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
 @pytest.mark.parametrize(
     "seed",
-    [350136, 350052, 380117, 500032, 500033, 510747, 520816, 610306, 610531, 611575],
+    [350136, 350052, 380117, 500032, 500033, 510747, 520816, 610306, 610531, 611575, 611775, 621383],
 )  # fmt: skip
 def test_what_is_rare_is_said_though_no_frame_or_sample_of_the_plan_has_it(seed: int) -> None:
     """Of pixels that come near a well 3 % are full in six frames; of 2304 that may saturate 2 would
     not without what registers lose; of those that fill their registers 0.2 % are below that; of
     those that edges cross 1 % are not full at some read, and none of these was measured; of those
-    that are left out, errors of resets cancel but where PIX is full, or registers bend; and what
-    saturation takes of the three pixels that have most of it is more in other frames."""
+    that are left out, errors of resets cancel but where PIX is full, or registers bend; what
+    saturation takes of the three pixels that have most of it is more in other frames; of a sun a
+    level is subtracted four times that its counts nearly fill; and of a flat scene one pixel sees
+    more than the others."""
     assert [each.said for each in promises(seed) if each.found.broken] == []
 
 
@@ -411,6 +435,30 @@ def test_errors_that_cancelled_by_leakage_alone_are_in_what_forcing_it_off_does(
     assert plan.noise_ratio == pytest.approx(ratio, abs=0.02)
 
 
+@pytest.mark.parametrize("spread", [0.1, 1.0])
+def test_errors_that_cancel_but_for_leakage_are_those_of_each_pixels_own(spread: float) -> None:
+    """What is left of a reset grows with a pixel's leakage: of few pixels, most of the error."""
+    values = {"leakage_spread_fraction": spread, "leakage_tau_s": 1.0, "reset_noise_e": 400.0}
+    container, sensor = made("b edges", **values)
+    light, count = scene("dim", SLOTS, SIDE, SIDE), 60
+    full, less = (
+        full_frames(container, light, sensor, count, 3, 5, effects)[:, 0].reshape(count, -1)
+        for effects in ("all", "all,-reset")
+    )
+    program = Program.of(container, sensor)
+    fields = Chooser(program, light, 5, 1, "1e", None, selected("auto")).fields
+    places, told = fields.sample.places, fields.variance["reset"][0]
+    measured = ((full - less)[:, places] ** 2).mean(axis=0)
+    lane = program.lanes[places]
+    assert len(np.unique(lane)) > 3
+    for each in np.unique(lane):
+        mine, its = told[lane == each], measured[lane == each]
+        most = mine > np.quantile(mine, 0.9)
+        for some in (most, ~most):
+            assert mine[some].mean() == pytest.approx(its[some].mean(), rel=0.25)
+    assert math.sqrt(told.mean()) == pytest.approx(math.sqrt(measured.mean()), rel=0.05)
+
+
 @pytest.mark.parametrize("seed", [310023, 310048])
 def test_what_dead_time_and_leakage_take_of_a_few_electrons_is_foreseen(seed: int) -> None:
     """Tolerances of hundredths of an electron: dark charge leaks as well, and counts are whole."""
@@ -440,10 +488,11 @@ def test_pixels_that_are_all_in_the_sample_leave_no_doubt() -> None:
 
 
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
-@pytest.mark.parametrize("seed", [530020, 531511, 541770])
+@pytest.mark.parametrize("seed", [530020, 531511, 541770, 620297])
 def test_what_is_left_of_the_noise_is_said_or_nothing_is(seed: int) -> None:
     """Counts without the gain of words, which is below 1; crosstalk where the counts that it evens
-    out are left out; counts that pixels lack which the plan's frame has all of them full."""
+    out are left out; counts that pixels lack which the plan's frame has all of them full; errors of
+    resets that cancel, but not there."""
     found = [each.found for each in promises(seed)]
     assert [each.broken for each in found if each.broken] == []
     assert all(each.plan.noise_ratio is None or each.plan.noise_ratio > 0.1 for each in found)

@@ -12,7 +12,6 @@ import numpy as np
 from nscc_runtime.effects import CannotHave, Effect, Selection, registered
 from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.planner.effect_fields import TRIED
-from nscc_runtime.planner.lacking import Lacking
 from nscc_runtime.planner.plan_parts import Cost
 from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.prices import SHIPPED
@@ -74,14 +73,6 @@ class Costs(Promises):
         most = self.allowed_max
         # Their own part: what is forced off is beside it.
         return most is not None and self.worst(frozenset(), False).max_e > MARGIN * most.electrons
-
-    @remembered
-    def lacking(self, state: str) -> Lacking:
-        """What pixels can do without that run through their words in a state."""
-        return Lacking(
-            self.program, self.light, self.charges(state), self.spilt,
-            self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
-        )  # fmt: skip
 
     @cached_property
     def _reference_ns(self) -> float:

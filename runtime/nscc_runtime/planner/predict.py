@@ -39,7 +39,7 @@ from nscc_runtime.planner.plan_parts import Decision
 from nscc_runtime.planner.prepared import Prepared
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.reweighed import off_for_good
-from nscc_runtime.planner.sample import among, sample_of
+from nscc_runtime.planner.sample import among, brightest, sample_of
 from nscc_runtime.planner.short_cuts import (
     BESIDE_NEAR,
     FORMULA,
@@ -82,6 +82,11 @@ class Forecast(ABC):
 
     @property
     @abstractmethod
+    def bounded(self) -> bool:
+        """Whether the worst pixel has a tolerance of its own."""
+
+    @property
+    @abstractmethod
     def forced_off(self) -> frozenset[str]:
         """Effects that not even pixels running through their words have."""
 
@@ -93,11 +98,23 @@ class Forecast(ABC):
     @cached_property
     def sampled(self) -> SampledFields:
         """The fields on a sample, of which `fields` are those for the tolerance."""
-        sample = sample_of(self.total_e, len(self.light.frames), self.near, self.spilt)
+        seen_e = self._everything.near.charges.at(self.near).most_e
+        sample = sample_of(
+            self.total_e, len(self.light.frames), self.near, self.spilt, seen_e,
+            self._most_exposed if self.bounded else None,
+        )  # fmt: skip
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
             self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
         )  # fmt: skip
+
+    @property
+    def _most_exposed(self) -> NDArray[np.int64]:
+        """Of pixels that do not saturate those with the largest exposures: what few of them err, as
+        lamps that flash in open slots do, is in no other pixel."""
+        size = np.abs(self._everything.expected).max(axis=0)
+        far = np.delete(self.program.places, self.near)
+        return far[brightest(size[far])]
 
     @cached_property
     def total_e(self) -> Values:

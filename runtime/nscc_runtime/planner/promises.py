@@ -20,7 +20,7 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.planner.accounts import Errors
 from nscc_runtime.planner.chip import whole_chip
 from nscc_runtime.planner.effect_fields import BOTH
-from nscc_runtime.planner.lacking import guesses
+from nscc_runtime.planner.lacking import Lacking, guesses
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.predict import Forecast
 from nscc_runtime.planner.prepared import Prepared
@@ -70,6 +70,11 @@ class Promises(Forecast):
         """The tolerance in electrons."""
         return self.allowed.electrons
 
+    @property
+    def bounded(self) -> bool:
+        """Whether the worst pixel has a tolerance of its own."""
+        return self.tolerance_max is not None
+
     def with_what_hangs_on_it(
         self, name: str, free: frozenset[str], dropped: frozenset[str]
     ) -> frozenset[str]:
@@ -112,6 +117,14 @@ class Promises(Forecast):
         left out that squeeze the noise as well, and no prediction of it is a promise."""
         return self.tolerance_e**2 > self.fields.noise_e2
 
+    @remembered
+    def lacking(self, state: str) -> Lacking:
+        """What pixels can do without that run through their words in a state."""
+        return Lacking(
+            self.program, self.light, self.charges(state), self.spilt,
+            self.fields, self.runs(state), self.forced_off, self.device_seed, self.threads,
+        )  # fmt: skip
+
     def worst(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str] = frozenset()
     ) -> Worst:
@@ -129,31 +142,40 @@ class Promises(Forecast):
         if not cut or not near.any():
             return found
         # What saturation would take is of one frame's noise: another's takes it farther.
-        taken = np.sum([self.fields.fixed[name][:, near] for name in sorted(cut)], axis=0)
-        tail = worst_measured(taken, weight[near] / weight.sum(), pixels)
+        taken = np.sum([self.fields.fixed[name] for name in sorted(cut)], axis=0)
+        # Those that see most stand for themselves: no other pixel is beyond them.
+        alone = near & (weight <= 1.0)
+        tails = [
+            worst_measured(taken[:, which], weight[which] / weight.sum(), pixels).max_e
+            for which in (alone, near & ~alone)
+        ]
         rarely_e = max(self.fields.rarely_e.get(name, 0.0) for name in self.saturation & dropped)
-        return replace(found, max_e=max(found.max_e, tail.max_e, rarely_e))
+        return replace(found, max_e=max(found.max_e, *tails, rarely_e))
 
     def _evened_e(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """How far the worst pixel near saturation may be off as counts are taken as even over
         slots: its own, of which words that take time see a part, where that does not fill PIX; and
-        those of suns beside it, of which so much comes over that PIX is not full."""
+        those of suns beside it, of which so much comes over that PIX is not full. One read may
+        count many times, as that of a level does from which several exposures are told."""
         kept = self.every.without(*self.forced_off, *lacking)
         if kept.part(CountedLight) is None:
             return 0.0
         full_e = whole_chip(self.program, self.device_seed).full_e
-        slot_e = self.light.sum_e.reshape(-1)[self.running(self.state(dropped))] / self.light.slots
-        part, own_e2 = 0.0, 0.0
+        running = self.running(self.state(dropped))
+        slot_e = self.light.sum_e.reshape(-1)[running] / self.light.slots
+        part, own_e2 = 0.0, np.zeros(1)
         if kept.part(SlowWords) is not None:
             entries = self.program.words(kept).entries
             part = min(1.0, float(entries["end"][entries["reads_pix"] > 0].max(initial=0.0)))
         if part:
             seen_e = np.minimum(part * slot_e, full_e)
-            own_e2 = float((seen_e**2 / np.maximum(slot_e, 1.0)).max(initial=0.0))
+            own_e2 = seen_e**2 / np.maximum(slot_e, 1.0)
         exchange = kept.part(Exchange)
         spilt = exchange is not None and len(self.spilt) > 0
         beside_e2 = exchange.fraction(self.program.sensor) * full_e if exchange and spilt else 0.0
-        return _RARE * math.sqrt(max(own_e2, beside_e2))
+        read = self.program.tables.most_read(self.program.full).max(axis=1)
+        weight = read[self.program.lanes[running]]
+        return _RARE * float((weight * np.sqrt(np.maximum(own_e2, beside_e2))).max())
 
     def sampling_error(self, dropped: frozenset[str], everywhere: bool) -> NDArray[np.float64]:
         """The standard error (buckets,) of predicted mean squares: a sample is not the scene, nor
@@ -239,9 +261,10 @@ class Promises(Forecast):
         It is none where registers fade and are simulated as if they did not: other words act then.
         Saturation leaves less of the noise of pixels near it, of one effect's more than of
         another's: beside such pixels it is no promise where saturation is left out or what weighs
-        errors is off, nor where none of that noise, all of it, or losing `_WORSE` times as much of
-        it, would make another; nor, where they have any of it, with noise forced off, which may
-        cancel in all other pixels and not in them."""
+        errors is off, nor where none of that noise, all of it, losing `_WORSE` times as much of it,
+        or what leaving effects out was measured to change there, would make another; nor, where
+        they have any of it, with noise forced off, which may cancel in all other pixels and not in
+        them."""
         ratio = self.noise_ratio(dropped, everywhere, lacking)
         mean, near = self.fields.sample.mean, self.fields.sample.near
         as_if_fresh = self.program.tables.decays and self.every.names(Fading) <= dropped
@@ -268,6 +291,10 @@ class Promises(Forecast):
         if self.forced_off & self.fields.noise.keys() and (all_e2 - far + more) > _UNTOLD * all_e2:
             return None
         cases = [(kept - (_WORSE - 1.0) * lost, all_e2), (kept + more_left, all_e2 + more)]
+        if lacking:
+            # Errors that cancel elsewhere are left where PIX is full: they are noise as well.
+            measured = self.lacking(self.state(dropped)).square(dropped, lacking)
+            cases.append((kept - max(float(measured.mean()) - lost, 0.0), all_e2))
         if far > 0:
             cases.append((far_kept, far))
         off = max(abs(math.sqrt(max(rest, 0.0) / every) - ratio) for rest, every in cases)

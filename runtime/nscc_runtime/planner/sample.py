@@ -2,8 +2,8 @@
 
 Errors grow with light and with its differences between neighbours, and a few lamps may carry most
 of them: pixels are drawn in proportion to both, half of the sample, and evenly, the other half.
-Pixels that may saturate are a stratum of their own, and the brightest of them another: a few suns
-may lose what no other pixel does. What a pixel stands for makes up for how likely it was to be
+Pixels that may saturate are a stratum of their own, and those of them that see most another: a few
+suns may lose what no other pixel does. What a pixel stands for makes up for how likely it was to be
 drawn, so that means over the sample are those of the array.
 """
 
@@ -67,29 +67,35 @@ def sample_of(
     frames: int,
     near: NDArray[np.int64],
     spilt: NDArray[np.int64] | None = None,
+    seen_e: NDArray[np.float64] | None = None,
+    surely: NDArray[np.int64] | None = None,
 ) -> Sample:
     """A sample of a scene of that many frames; the same on every call.
 
     `total_e` (rows, cols): all the light of each pixel. `near`: the places of pixels that may
     saturate, in order; `spilt`, in order: those among them that neighbours' light brings there. A
     few of these may lose more than all others, so they are a stratum beside the rest of `near`, and
-    so are the brightest of `near`.
+    so are those of `near` that see most: `seen_e`, by default all their light. Of the other pixels
+    those at `surely` stand for themselves.
     """
     pixels = total_e.size
     wanted = min(max(_MOST_SAMPLES // frames, _FEWEST_PIXELS), _MOST_PIXELS, pixels)
-    chance = chances(total_e, near).reshape(-1)
-    if wanted < pixels and len(near) < pixels:
-        places, weight = weighed(chance, wanted, pixels - len(near))
+    alone = np.empty(0, np.int64) if surely is None else surely
+    never = np.append(near, alone)
+    chance = chances(total_e, never).reshape(-1)
+    if wanted < pixels and len(never) < pixels:
+        places, weight = weighed(chance, wanted, pixels - len(never))
     else:
-        places = np.delete(np.arange(pixels), near)
+        places = np.delete(np.arange(pixels), never)
         weight = np.ones(len(places))
+    places, weight = np.append(places, alone), np.append(weight, np.ones(len(alone)))
     far = len(places)
     if not len(near):
         return Sample(places, weight, np.zeros(far, np.bool_))
     strata = np.zeros(len(near), np.int8)
     if spilt is not None:
         strata[np.searchsorted(near, spilt)] = 1
-    strata[brightest(total_e.reshape(-1)[near])] = -1
+    strata[brightest(total_e.reshape(-1)[near] if seen_e is None else seen_e)] = -1
     for stratum in (near[strata == number] for number in (-1, 0, 1)):
         some = stratum
         if len(some) > _MOST_NEAR - _BRIGHTEST:

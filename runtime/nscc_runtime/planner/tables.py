@@ -8,7 +8,7 @@ gain of the words, on leakage, dead time and decay.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, reduce
 
 import numpy as np
 from numpy.typing import NDArray
@@ -162,6 +162,13 @@ class Tables:
         for weight in self.weights(full).reads.values():
             found = np.where(weight != 0.0, np.minimum(found, np.abs(weight)), found)
         return np.where(np.isinf(found), 0.0, found)
+
+    @remembered
+    def most_read(self, full: Model) -> Weights:
+        """The largest size (lanes, buckets) of the coefficients of reads."""
+        none = np.zeros((len(self.container.encoding), len(self.container.buckets)))
+        sizes = (np.abs(weight) for weight in self.weights(full).reads.values())
+        return reduce(np.maximum, sizes, none)
 
     @remembered
     def single(self, full: Model) -> Weights:
