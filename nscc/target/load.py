@@ -73,11 +73,12 @@ def load_target(
     """The target that a `target` statement or `--target` names; files are relative to `base`.
 
     `source` and `span` are where the name stands, for messages. Raises Rejected: NS0230 for a name
-    that is not known (status 1 in a `source`, which it rejects, else 2), NS0231 (status 2) for a
-    file that cannot be read, NS0232 to NS0236 for what is wrong in it, all at once.
+    that is not known, NS0232 to NS0236 for what is wrong in a file, all at once (status 1 in a
+    `source`, which they reject, else 2), NS0231 (status 2) for a file that cannot be read.
     """
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
-        return parse_target(read_target(name_or_path, base, source, span), name_or_path)
+        data = read_target(name_or_path, base, source, span)
+        return parse_target(data, name_or_path, status=1 if source else 2)
     if name_or_path in builtin_names():
         return builtin_target(name_or_path)
     if name_or_path in added_targets():
@@ -145,17 +146,17 @@ def read_target(
         raise Rejected(found, error.status) from None
 
 
-def parse_target(data: bytes, name: str) -> Target:
+def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
     """The target of a user's TOML text; `name` is the file's for messages.
 
-    Raises Rejected, NS0232 to NS0236, with everything that is wrong.
+    Raises Rejected, NS0232 to NS0236, with everything that is wrong and that exit status.
     """
     found, problems, source = file_values(
-        SCHEMA, data, name, status=1, choose=lambda values: schema_of(values.get("kind"))
+        SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
     )
     problems += _contradictions(found, source)
     if problems:
-        raise Rejected(problems)
+        raise Rejected(problems, status)
     return _target(found)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.source import Source
 from nscc.target.load import (
     builtin_names,
     builtin_target,
@@ -136,6 +137,16 @@ def test_a_wrong_table_is_explained(
 ) -> None:
     found = rejected(MINIMAL.replace(old, new, 1), tmp_path)
     assert (code, True) in [(d.code, words in d.message) for d in found]
+
+
+def test_a_wrong_table_is_wrong_usage_where_an_option_names_it(tmp_path: Path) -> None:
+    path = tmp_path / "chip.toml"
+    for text in (MINIMAL.replace("rows = 4", "rows = 0"), "no table ["):
+        path.write_text(text)
+        for source, status in ((None, 2), (Source("p.nsl", 'target "chip.toml"'), 1)):
+            with pytest.raises(Rejected) as caught:
+                load_target("chip.toml", tmp_path, source=source)
+            assert caught.value.status == status
 
 
 def test_all_that_is_wrong_is_reported_at_its_place(tmp_path: Path) -> None:

@@ -215,12 +215,15 @@ class Promises(Forecast):
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
         state = self.state(dropped)
-        far_lost, near_lost = self._silent(dropped, everywhere, lacking)
+        far, near = self._lost_near(dropped, everywhere, lacking)
         square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
             square += noise.all
-            kept_e2 += 0.0 if name in far_lost else noise.far * self._louder(name, dropped)
-            kept_e2 += 0.0 if name in near_lost else noise.near
+            # What is left of infinite noise is no number where nothing is.
+            if left := self._left(name, far):
+                kept_e2 += left * noise.far * self._louder(name, dropped)
+            if left := self._left(name, near):
+                kept_e2 += left * noise.near
         if not everywhere:
             kept_e2 -= float(self.account(state).variance(self._undrawn(dropped)).mean())
         for name in self.off_for_good(dropped, everywhere):
@@ -231,15 +234,22 @@ class Promises(Forecast):
             return None
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
 
-    def _silent(
+    def _lost_near(
         self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
     ) -> tuple[frozenset[str], frozenset[str]]:
-        """What has no part in a plan's noise far from saturation, and near it: what is left out
-        there, and what evens out counts of light where there are none."""
-        near = dropped if everywhere else self.forced_off | lacking
-        counts, evens = self._having[CountedLight], self.every.names(Exchange)
-        far, near = (lost | evens if counts <= lost else lost for lost in (dropped, near))
-        return far, near
+        """What a plan lacks far from saturation, and near it."""
+        return dropped, dropped if everywhere else self.forced_off | lacking
+
+    @remembered
+    def _left(self, name: str, lost: frozenset[str]) -> float:
+        """Which part of an effect's noise is left where some are lost: of what evens out counts the
+        part of those that there are."""
+        if name in lost or name not in self.every.names(Exchange):
+            return float(name not in lost)
+        noise, counts = self.fields.noise, self.every.names(Counted)
+        e2 = {each: float(np.mean(noise[each])) for each in counts & noise.keys()}
+        every = sum(e2.values())
+        return sum(e2[each] for each in e2.keys() - lost) / every if every > 0 else 1.0
 
     def _louder(self, name: str, dropped: frozenset[str]) -> float:
         """By what factor the variance of an effect is larger in sums that lack what weighs counts;
@@ -273,11 +283,11 @@ class Promises(Forecast):
         if dropped & self.saturation or self.off_for_good(dropped, everywhere):
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
-        noise, (_, near_lost) = self.fields.noise, self._silent(dropped, everywhere, lacking)
-        uncut, left = (
-            sum((noise[name] for name in names), np.zeros(full.shape))
-            for names in (noise.keys(), noise.keys() - near_lost)
-        )
+        noise, (_, lost_near) = self.fields.noise, self._lost_near(dropped, everywhere, lacking)
+        none = np.zeros(full.shape)
+        uncut = sum(noise.values(), none)
+        parts = {name: self._left(name, lost_near) for name in noise}
+        left = sum((part * noise[name] for name, part in parts.items() if part), none)
         far, far_kept, all_e2, kept, more, more_left = (
             float(np.mean(mean(each)))
             for each in (
@@ -306,14 +316,15 @@ class Promises(Forecast):
         """The variance over frames (buckets, pixels of the sample) with every effect, and under a
         plan."""
         found, state = self.fields, self.state(dropped)
-        far_lost, near_lost = self._silent(dropped, everywhere, lacking)
+        lost_far, lost_near = self._lost_near(dropped, everywhere, lacking)
         runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
         full, mine = (np.zeros(found.expected.shape) for _ in range(2))
         for name, there in found.noise_left.items():
             full += there
-            lost = np.where(runs, name in near_lost, name in far_lost)
-            louder = np.where(runs, 1.0, self._louder(name, dropped))
-            mine += np.where(lost, 0.0, louder * (found.noise[name] if state == "sums" else there))
+            far = self._left(name, lost_far) * self._louder(name, dropped)
+            part = np.where(runs, self._left(name, lost_near), far)
+            kept = found.noise[name] if state == "sums" else there
+            mine += np.multiply(part, kept, out=np.zeros(full.shape), where=part > 0)
         if not everywhere:
             mine -= self.account(state).errors((), self._undrawn(dropped))[1]
         return full, mine

@@ -162,5 +162,7 @@ def _malformed(shown: str, option: str) -> Rejected:
             "noise: parts of the frame's own noise",
             f"it lies between {LEAST_E:g} and {MOST_E:g} electrons",
         ),
-        helps=(f"write {option} 5e, {option} 0.1lsb, {option} 1% or leave it out",),
+        helps=(
+            f"write {option} 5e, {option} 0.1lsb, {option} 1%, {option} {DEFAULT} or leave it out",
+        ),
     )
