@@ -64,6 +64,14 @@ bucket odd open when (n + phase) % period >= period / 2
 pixels phase = (x + 2 * y) % period
 """
 
+LATE = """nsl 1
+frame {slots} slots of {slot}
+let first = N / 4
+let end = 3 * N / 4
+open when first <= n < end
+"""
+"""Class a: every shutter is shut when the frame begins, and when it ends."""
+
 CASES: Mapping[str, tuple[str, str]] = {
     "a": (WHOLE, "auto"),
     "b edges": (ANY_STOP, "edges"),
@@ -77,13 +85,15 @@ CASES: Mapping[str, tuple[str, str]] = {
     "two buckets": (TWO_BUCKETS, "auto"),
 }
 """Text and lowering of a program of every kind."""
+RARER: Mapping[str, tuple[str, str]] = {"late": (LATE, "auto")}
+"""Others, which programs at random do not draw."""
 
 
 def case(
     name: str, slots: int = 8, slot: str = "500us", rows: int = 12, cols: int = 16
 ) -> Container:
-    """The compiled program of `CASES` on a small SCAMP-5; `slots` a multiple of 4."""
-    text, lowering = CASES[name]
+    """The compiled program of `CASES` or `RARER` on a small SCAMP-5; `slots` a multiple of 4."""
+    text, lowering = {**CASES, **RARER}[name]
     made = np.random.default_rng(7).integers(0, 2, (4, slots))
     book = ["".join(map(str, row)) for row in made]
     return program(text.format(slots=slots, slot=slot, rows=book), lowering, rows, cols)

@@ -70,8 +70,8 @@ _SIMULATION = (
               help="reference: effects slot by slot, exactly (slow). planned (default): to a "
               "tolerance.")  # fmt: skip
 @click.option("--tolerance", metavar="5e|0.1lsb|1%",
-              help="RMS error that a plan may make; %: of the mean signal. Without it, 0.1 of the "
-              "frame's own noise.")  # fmt: skip
+              help="RMS error that a plan may make; %: of the mean signal. Without it, 0.15noise: "
+              "of the frame's own.")  # fmt: skip
 @click.option("--tolerance-max", metavar="T", help="The same of the worst pixel (default: any).")
 @click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
 @click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")

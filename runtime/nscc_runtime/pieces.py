@@ -102,7 +102,7 @@ def _for_all(
         return request
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planner.planning import Planning
-    from nscc_runtime.planner.tolerance import tolerance_of
+    from nscc_runtime.planner.tolerance import OPTION_MAX, tolerance_of
     from nscc_runtime.planning import planning_of
 
     class All:
@@ -123,7 +123,7 @@ def _for_all(
     return replace(
         request,
         tolerance=tolerance_of(request.tolerance, sensor, All()),
-        tolerance_max=None if most is None else tolerance_of(most, sensor, All()),
+        tolerance_max=None if most is None else tolerance_of(most, sensor, All(), OPTION_MAX),
     )
 
 

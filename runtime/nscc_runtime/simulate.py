@@ -24,7 +24,7 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
-from nscc_runtime.planner.tolerance import DEFAULT, Given
+from nscc_runtime.planner.tolerance import DEFAULT, OPTION_MAX, Given, check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
@@ -167,6 +167,10 @@ def _simulated(
 ) -> Simulated:
     if container.target.streamed and (request.plan is not None or request.audit):
         raise planless("--plan" if request.plan is not None else "--audit")
+    if container.target.streamed:
+        check_tolerance(request.tolerance, sensor)
+        if request.tolerance_max is not None:
+            check_tolerance(request.tolerance_max, sensor, OPTION_MAX)
     if container.target.streamed and not request.effects.noiseless:
         return _streamed(container, light, sensor, request, listener)
     if request.planned and not container.target.streamed:
@@ -289,7 +293,7 @@ def _planned(
     if request.audit:
         with timings.part("audit_s"):
             report = planning.audit(plan, request.seed, request.repeat or 1)
-        broken = None if report.holds else _broken(plan, report)
+        broken = None if report.holds else _broken(plan, report, given or plan is request.plan)
     origin = Provenance(
         digest, sensor, request.seed, device_seed, "planned", plan.as_json(),
         None if report is None else asdict(report),
@@ -347,7 +351,7 @@ def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
         breach,
         severity=Severity.WARNING,
         notes=(why,),
-        helps=("make a new plan for this scene" if given else "let the planner decide on them",),
+        helps=(_instead(given),),
         data={
             "predicted_e": plan.predicted_e,
             "tolerance_e": plan.tolerance_e,
@@ -356,16 +360,24 @@ def _over(plan: Plan, breach: str, given: bool) -> Diagnostic:
     )
 
 
-def _broken(plan: Plan, report: Audit) -> Rejected:
+def _instead(given: bool) -> str:
+    return "make a new plan for this scene" if given else "let the planner decide on them"
+
+
+def _broken(plan: Plan, report: Audit, given: bool) -> Rejected:
     """The promise did not hold (status 1)."""
+    if plan.breach is not None:
+        what = f"use --fidelity reference for this scene, or {_instead(given)}"
+    else:
+        what = (
+            "use --fidelity reference for this scene; a plan that foresees to hold should not come "
+            "to this: please report it"
+        )
     return rejected(
         "NS0749",
         report.breach(plan) or "the promise is broken",
         notes=(f"predicted were {plan.predicted_e:.3g} e",),
-        helps=(
-            "use --fidelity reference for this scene; a plan in which nothing was forced "
-            "should not come to this: please report it",
-        ),
+        helps=(what,),
         data={
             "measured_rms_e": report.measured_rms_e,
             "tolerance_e": plan.tolerance_e,

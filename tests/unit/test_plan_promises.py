@@ -288,7 +288,7 @@ def test_without_a_tolerance_it_is_a_part_of_the_noise_of_frames(name: str) -> N
 
 
 @pytest.mark.filterwarnings("ignore:warning.NS0749")
-@pytest.mark.parametrize("off", ["register", "full_well", "prnu", "read"])
+@pytest.mark.parametrize("off", ["register", "full_well", "prnu", "read", "register,-analog"])
 @pytest.mark.parametrize("part", [0.99, 1.0])
 def test_what_is_forced_off_at_a_full_well_stays_within_its_bound(part: float, off: str) -> None:
     """Tiles of 2 x 2 codes, whose pixels come near the well at once."""
@@ -297,6 +297,32 @@ def test_what_is_forced_off_at_a_full_well_stays_within_its_bound(part: float, o
     found = outcome(container, flat(part * FULL_E), sensor, "5e", full, effects=f"auto,-{off}")
     assert found.err <= 1.02 * found.plan.bound_e
     assert found.plan.predicted_e == pytest.approx(found.err, rel=0.25)
+
+
+@pytest.mark.filterwarnings("ignore:warning.NS0749")
+@pytest.mark.parametrize("off", ["register,-analog", "register,-full_well,-analog", "shot,-dark"])
+def test_what_is_forced_off_together_with_what_saturates_is_foreseen_together(off: str) -> None:
+    """What words do to charge is little of what registers then lose, and the other way round."""
+    container, sensor = made("a")
+    light = flat(100e3)
+    full = full_frames(container, light, sensor, 3, 3, 5)
+    found = outcome(container, light, sensor, "5e", full, effects=f"auto,-{off}")
+    assert found.err <= 1.02 * found.plan.bound_e
+    assert found.plan.predicted_e == pytest.approx(found.err, rel=0.1, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    ("effects", "tolerance"),
+    [("auto,-leakage", "5e"), ("auto,-analog", "0.3e"), ("auto", "0.1e"), ("all", "50e")],
+)
+@pytest.mark.filterwarnings("ignore:warning.NS0749")
+def test_errors_of_words_that_cancel_exactly_have_no_part(effects: str, tolerance: str) -> None:
+    """Where pixels are shut when the frame begins, that without leakage is the first level's."""
+    container, sensor = made("late")
+    light = scene("hdr", SLOTS, SIDE, SIDE)
+    full = full_frames(container, light, sensor, 4, 3, 5)
+    found = outcome(container, light, sensor, tolerance, full, effects=effects)
+    assert found.plan.predicted_e == pytest.approx(found.err, rel=0.15, abs=0.05)
 
 
 def test_pixels_that_saturate_are_sampled_of_every_code_of_a_tile() -> None:

@@ -3,13 +3,15 @@ light, so all scenes have it in common."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.light import Light
+from nscc_runtime.planner.sums import MOST_KEPT, Weights
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.remembered import remembered
 
@@ -72,6 +74,21 @@ class ByLane:
         moved = [(full - models[self.row[name]]) ** 2 for name in self.moving]
         return [each for some in (*models, full**2, *moved) for each in some]
 
+    def on_frames(self, light: Light) -> Values | None:
+        """The same weights (rows, T, lanes) of a light's frames, kept for all of one timing; None:
+        too large to be kept."""
+        room = len(self.weights) * len(light.frames) * self.seconds.shape[2]
+        return self._of_slots.of_frames(light).weights if room <= MOST_KEPT else None
+
+    @cached_property
+    def _of_slots(self) -> Weights:
+        return Weights(self.weights)
+
+    @cached_property
+    def full_weights(self) -> Values:
+        """The weights (buckets, N, lanes) of slots by the full model."""
+        return np.ascontiguousarray(np.moveaxis(self.tables.weights(self.full).slots, 2, 0))
+
     @cached_property
     def seconds(self) -> Values:
         """The seconds (rows, buckets, lanes) of all of these weights."""
@@ -96,14 +113,21 @@ class ByLane:
     def errors(self, at: str) -> tuple[Values, Values, Values]:
         """Of unit errors at `at`, (buckets, lanes) each: their variance at the mean leakage; twice
         their product with what faster leakage changes, and the square of that."""
-        full, faster = (self.tables.numbered(at, each) for each in (self.full, self.faster))
         mean, product, square = np.zeros((3, *self.seconds.shape[1:]))
-        for number, weight in full.items():
-            by_rate = faster[number] - weight
-            mean += (weight**2).T
-            product += (2.0 * weight * by_rate).T
-            square += (by_rate**2).T
+        for weight, faster in self._numbered(at, self.full, self.faster):
+            by_rate = faster - weight
+            mean += weight**2
+            product += 2.0 * weight * by_rate
+            square += by_rate**2
         return mean, product, square
+
+    def _numbered(self, at: str, *models: Model) -> Iterator[list[Values]]:
+        """The coefficients (buckets, lanes) of each numbered error under models of the words; a
+        word whose error cancels under one of them has none there."""
+        found = [self.tables.numbered(at, model) for model in models]
+        none = np.zeros(self.seconds.shape[:0:-1])
+        for number in sorted(set().union(*found)):
+            yield [each.get(number, none).T for each in found]
 
     @remembered
     def errors_cut(self, at: str) -> tuple[Values, Values, Values]:
@@ -119,13 +143,12 @@ class ByLane:
         """Of unit errors, (buckets, lanes) each: the variance of what they change by without an
         effect, at the mean leakage; twice its product with what faster leakage changes, and the
         square of that; and by how much their own variance is larger with the effect."""
-        full, less = (self.tables.numbered(at, each) for each in (self.full, self.less[name]))
-        leaks = self.less[name].leak_per_s != self.full.leak_per_s
-        faster = self.tables.numbered(at, self.faster) if leaks else full
+        less = self.less[name]
+        leaks = less.leak_per_s != self.full.leak_per_s
+        faster = self.faster if leaks else self.full
         found = np.zeros((4, *self.seconds.shape[1:]))
-        for number, weight in full.items():
-            lost, by_rate = weight - less[number], faster[number] - weight
-            more = weight**2 - less[number] ** 2
-            found += np.stack([lost**2, 2.0 * lost * by_rate, by_rate**2, more]).swapaxes(1, 2)
+        for weight, without, rate in self._numbered(at, self.full, less, faster):
+            lost, by_rate = weight - without, rate - weight
+            found += np.stack([lost**2, 2.0 * lost * by_rate, by_rate**2, weight**2 - without**2])
         mean, product, square, more = found
         return mean, product, square, more

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import Counted
+from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
@@ -78,8 +78,9 @@ class Planned(Prepared):
         that sums have."""
         given = Given(self.counted, away)
         for places, pixels in self._running:
+            effects = pixels.wired.effects
             # Without some of what counts, they are other counts.
-            alike = pixels.wired.effects.names(Counted) == self.kept.names(Counted)
+            alike = effects.names(Counted) == self.kept.names(Counted) and effects.part(Exchange)
             found[:, places], marked[:, places] = pixels.expose(
                 seed, frame, given if alike else None
             )
@@ -161,9 +162,17 @@ class Planned(Prepared):
             rest = np.setdiff1d(self.places, self.saturating, assume_unique=True)
             some = [(rest, self.kept), *some]
         return [
-            (places, Running(self.chip.wired(kept), self.light, places, self.threads))
+            (places, Running(self.chip.wired(self._there(kept)), self.light, places, self.threads))
             for places, kept in some if len(places)
         ]  # fmt: skip
+
+    def _there(self, kept: Selection) -> Selection:
+        """Effects without those that are nothing on this sensor: pixels that exchange nothing have
+        no need of their neighbours' counts."""
+        exchange = kept.part(Exchange)
+        if exchange is None or exchange.fraction(self.program.sensor) > 0:
+            return kept
+        return kept.without(*kept.names(Exchange))
 
 
 def prepared(

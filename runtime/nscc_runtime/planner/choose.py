@@ -200,8 +200,8 @@ class Chooser(Costs):
             loop = "all" if path == "words" else "reference"
         return Plan(
             self.tolerance_e,
-            math.sqrt(float(np.max(square + added))),
-            math.sqrt(float(np.max(most + added + unsure))),
+            math.sqrt(max(float(np.max(square + added)), 0.0)),
+            math.sqrt(max(float(np.max(most + added + unsure)), 0.0)),
             loop,
             tuple(reasons),
             len(self.fields.sample.places) / len(self.program.lanes),

@@ -58,11 +58,13 @@ class Fields:
     makes of an exposure, as its third moment shows it;
     `expected`: the exposure with every effect; `thinning[closed]`: the variance that sums leave out
     because counts are not spread over the slots, with closed slots counted or not;
-    `neighbours[closed]`: the same of crosstalk; `noise_cut`: that the noise of words is drawn as at
-    the mean leakage. All but what saturation loses is as if nothing saturated; `clipped`: where the
-    full well is passed; `after`: the fields there of effects that act on what the well lets through
-    (0 where only their noise does); `unfilled`: at most the part of the light there whose reads are
-    not full, as of a frame with many reads, 1 elsewhere.
+    `neighbours[closed]`: the same of crosstalk; `levels` (pixels,): the variance of what neighbours
+    count before shutters open, which levels take away again but where PIX is full; `noise_cut`:
+    that the noise of words is drawn as at the mean leakage. All but what saturation loses is as if
+    nothing saturated; `clipped`: where the full well is passed; `after`: the fields there of
+    effects that act on what the well lets through (0 where only their noise does); `unfilled`: at
+    most the part of the light there whose reads are not full, as of a frame with many reads, 1
+    elsewhere.
     """
 
     sample: Sample
@@ -74,6 +76,7 @@ class Fields:
     count_e: Values
     thinning: dict[bool, Values]
     neighbours: dict[bool, Values]
+    levels: Values
     noise_cut: Values
     clipped: NDArray[np.bool_]
     after: dict[str, Values]
@@ -108,8 +111,8 @@ class Fields:
 @dataclass(frozen=True, eq=False)
 class SampledFields:
     """The fields of a scene on a sample, each effect against all others. `forced_off` are effects
-    that pixels near saturation lack as well; `spilt` the places of those of them that neighbours'
-    light brings there. Threads change no bit.
+    that pixels near saturation lack as well, `unlimited` those of them that saturate; `spilt` the
+    places of those of them that neighbours' light brings there. Threads change no bit.
     """
 
     program: Program
@@ -118,6 +121,7 @@ class SampledFields:
     spilt: NDArray[np.int64]
     device_seed: int
     forced_off: frozenset[str] = frozenset()
+    unlimited: frozenset[str] = frozenset()
     threads: int = 1
 
     @cached_property
@@ -134,7 +138,7 @@ class SampledFields:
             return self.rough
         near = self._near
         found = near.added(self._far, self._found, near.with_noise)
-        return near.forced(found) if self.forced_off else found
+        return near.forced(found, self.unlimited) if self.forced_off else found
 
     @remembered
     def noisy(self, tolerance_e: float) -> bool:
@@ -191,6 +195,7 @@ class SampledFields:
             scene.count_e,
             thinning,
             neighbours,
+            scene.levels,
             noise_cut,
             np.zeros(expected.shape, np.bool_),
             {},
@@ -327,13 +332,17 @@ class _Near:
             rarely_e={name: each.most_e for name, each in rarely.items()},
         )  # fmt: skip
 
-    def forced(self, fields: Fields) -> Fields:
-        """The fields with what these pixels lack because it is forced off."""
-        kept = self._every, self._every.without(*self.forced_off)
+    def forced(self, fields: Fields, unlimited: frozenset[str]) -> Fields:
+        """The fields with what these pixels lack because it is forced off, beside what they lack of
+        what saturates, where some of that is, too."""
+        kept = self._every, self._every.without(*self.forced_off, *unlimited)
         lost = np.zeros_like(fields.expected)
         near = self.scene.sample.near
         every, without = (self._running(each).expose(0, 0)[0] for each in kept)
         lost[:, near] = every - without
+        if unlimited:
+            [name] = unlimited if len(unlimited) == 1 else [BOTH]
+            lost -= fields.fixed[name]
         return replace(fields, fixed={**fields.fixed, FORCED: lost})
 
     def _running(self, kept: Selection, some: NDArray[np.bool_] | None = None) -> Running:

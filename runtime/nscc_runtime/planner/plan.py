@@ -180,23 +180,24 @@ class Plan:
 
     @property
     def breach(self) -> str | None:
-        """What of the promise is predicted to break, in words."""
+        """All of the promise that is predicted to break, in words."""
+        found = []
         if self.predicted_e > self.tolerance_e:
-            return (
+            found.append(
                 f"the predicted error is {self.predicted_e:.3g} e, "
                 f"the tolerance {self.tolerance_e:.4g} e"
             )
         if self.tolerance_max_e is not None and (self.predicted_max_e or 0) > self.tolerance_max_e:
-            return (
+            found.append(
                 f"the predicted error of the worst pixel is {self.predicted_max_e:.3g} e, "
                 f"its tolerance {self.tolerance_max_e:.4g} e"
             )
         if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
-            return (
+            found.append(
                 f"{self.other_states:.2%} of the pixels are predicted to end in other states, "
                 f"{MOST_OTHER_STATES:.1%} may"
             )
-        return None
+        return "; ".join(found) or None
 
     @cached_property
     def kept(self) -> Selection:

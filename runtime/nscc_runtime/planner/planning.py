@@ -99,6 +99,9 @@ class PlanningBySums:
 
     def ready(self) -> None:
         """See `Planning`."""
+        for loop in (fused, run_pixels):
+            if not loop.is_compiled():  # at once, so that one run waits for all of them
+                loop.load()
         self._program  # noqa: B018  # made when it is asked for
 
     @cached_property

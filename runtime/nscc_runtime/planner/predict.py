@@ -31,7 +31,7 @@ from nscc_runtime.effects.parts import (
 from nscc_runtime.light import Light
 from nscc_runtime.planner import leak_nodes
 from nscc_runtime.planner.accounts import Account
-from nscc_runtime.planner.chip import Chip
+from nscc_runtime.planner.chip import Chip, whole_chip
 from nscc_runtime.planner.effect_fields import BOTH, FORCED, Fields, SampledFields
 from nscc_runtime.planner.near import Charges
 from nscc_runtime.planner.plan import Plan
@@ -105,7 +105,8 @@ class Forecast(ABC):
         )  # fmt: skip
         lost = self.forced_off - self.saturation - self.slow
         return SampledFields(
-            self.program, self.light, sample, self.spilt, self.device_seed, lost, self.threads
+            self.program, self.light, sample, self.spilt, self.device_seed, lost,
+            self.forced_off & self.saturation, self.threads,
         )  # fmt: skip
 
     @property
@@ -157,10 +158,22 @@ class Forecast(ABC):
     @cached_property
     def _everything(self) -> Prepared:
         """The scene with every effect kept."""
+        return self._prepared(frozenset())
+
+    @cached_property
+    def _of_wanted(self) -> Prepared:
+        """The scene with every effect but those forced off, which say which pixels run."""
+        off = self.forced_off - self.saturation
+        return self._prepared(off) if off else self._everything
+
+    def _prepared(self, off: frozenset[str]) -> Prepared:
         decisions = tuple(
-            Decision(effect.name, effect.kind, "kept", False, "", None, None, None, 0.0)
+            Decision(
+                effect.name, effect.kind, "dropped" if effect.name in off else "kept",
+                effect.name in off, "", None, None, None, 0.0,
+            )
             for effect in registered()
-        )
+        )  # fmt: skip
         plan = Plan(0.0, 0.0, 0.0, "some", (), 0.0, (), decisions)
         return Prepared(self.program, self.light, plan, self.device_seed, self.threads)
 
@@ -257,14 +270,14 @@ class Forecast(ABC):
         """The places of pixels that run through their words because they may saturate."""
         if not state.startswith(WORDS):
             return np.empty(0, np.int64)
+        near = self._of_wanted.near
         if state == WORDS:
-            return self.near
-        near = self._everything.near
+            return near.places
         return replace(near, chip=near.chip.own(_without, *state.split(" without ")[1:])).places
 
     def charges(self, state: str) -> Charges:
         """What they see."""
-        return self._everything.near.charges.at(self.running(state))
+        return self._of_wanted.near.charges.at(self.running(state))
 
     @remembered
     def runs(self, state: str) -> NDArray[np.bool_]:
@@ -344,8 +357,33 @@ class Forecast(ABC):
         sample, fields = self.fields.sample, self.fields
         more = fields.thinning[False] - fields.thinning[True]
         more = more + fields.neighbours[False] - fields.neighbours[True]
-        more = sample.mean(more * self._where(WORDS))
+        more = more * self._where(WORDS) + self._levels(closed=False) - self._levels(closed=True)
+        more = sample.mean(more)
         return bool(np.max(more) > (_CLOSED_PART * self.tolerance_e) ** 2)
+
+    def _levels(self, closed: bool, state: str = WORDS) -> Values:
+        """The variance (buckets, pixels) of neighbours' counts in levels that does not go again, as
+        PIX is full at the end, as far as a state has it: with closed slots counted, of counts taken
+        as even over their slots, at most a quarter."""
+        found = self.fields.levels * (self.fields.clipped & self.runs(state))
+        return found / 4.0 if closed else found
+
+    def own_e2(self, slot_e: Values) -> Values:
+        """The variance of what is read of a slot that so much falls in, its counts taken as even:
+        words that take time see a part of it. 0 where nothing is counted, or they take none."""
+        kept = self.every.without(*self.forced_off)
+        if kept.part(CountedLight) is None or kept.part(SlowWords) is None:
+            return np.zeros(len(slot_e))
+        full_e = whole_chip(self.program, self.device_seed).full_e
+        seen_e = np.minimum(self.program.read_part * slot_e, full_e)
+        return np.asarray(seen_e**2 / np.maximum(slot_e, 1.0))
+
+    def _own(self, state: str) -> Values:
+        """The same (buckets, pixels) of pixels that run through their words."""
+        places, program = self.fields.sample.places, self.program
+        own_e2 = self.own_e2(self.light.sum_e.reshape(-1)[places] / self.light.slots)
+        reads = program.tables.squared_reads(program.full).T[:, program.lanes[places]]
+        return np.asarray(reads * own_e2 * self.runs(state))
 
     @cached_property
     def leak_nodes(self) -> int:
@@ -391,13 +429,16 @@ class Forecast(ABC):
         leaked = self.program.leak_error(self.leak_nodes)[:, None] * fields.expected
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
-        # neighbours' from sums: of one that is full, these matter nothing.
+        # neighbours' from sums: of one that is full, these matter nothing but in levels. Of a slot
+        # that they see a part of their own are as even, too.
         unfilled = self.runs(state) * fields.unfilled
+        beside, levels = fields.neighbours[self.closed], self._levels(self.closed, state)
+        own = self._own(state)
         return {
             THINNING: fields.thinning[self.closed] * where,
             FORMULA: np.full(where.shape, FORMULA_E**2),
-            NEIGHBOURS: fields.neighbours[self.closed] * np.maximum(where, unfilled),
-            BESIDE_NEAR: fields.neighbours[self.closed] * unfilled,
+            NEIGHBOURS: np.maximum(beside * np.maximum(where, unfilled), levels) + own,
+            BESIDE_NEAR: np.maximum(beside * unfilled, levels) + own,
             NOISE: fields.noise_cut * after,
             LEAK: leaked**2 * after,
         }
@@ -414,4 +455,4 @@ class Forecast(ABC):
 
 def _without(chip: Chip, *lost: str) -> Chip:
     """The same chip without some effects."""
-    return replace(chip, kept=everything().without(*lost))
+    return replace(chip, kept=chip.kept.without(*lost))

@@ -184,6 +184,33 @@ class Program:
         chosen = of_slot if lanes is None else of_slot[lanes]
         return np.ascontiguousarray((chosen == group).T, np.float64)
 
+    @cached_property
+    def read_part(self) -> float:
+        """The largest part of a slot that has fallen on PIX when it is read there, as words take
+        time."""
+        entries = self.pixels.entries
+        return min(1.0, float(entries["end"][entries["reads_pix"] > 0].max(initial=0.0)))
+
+    @cached_property
+    def level_part(self) -> Values:
+        """The part (lanes,) of the frame whose charge PIX holds at some read though it is in no
+        bucket: that of the levels that are subtracted."""
+        seen = self.members(0) * self.tables.seen()
+        return np.asarray(self.slot_s @ seen / max(float(self.slot_s.sum()), 1e-300))
+
+    @cached_property
+    def group_s(self) -> Values:
+        """Of each group of slots the seconds (groups, 1 + 2 buckets, lanes): as they are, then by
+        the weights of slots in the buckets, and by their squares."""
+        weights = self.by_lane.full_weights
+        parts = [np.ones_like(weights[0]), *weights, *(weights**2)]
+        return np.array(
+            [
+                [self.slot_s @ (members * each) for each in parts]
+                for members in map(self.members, self.group_ids.tolist())
+            ]
+        )
+
     @remembered
     def even_weights(self, model: Model) -> Values | None:
         """The weight (lanes, buckets) that all slots of a bucket have in a lane; None where some

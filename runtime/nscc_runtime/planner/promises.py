@@ -19,7 +19,7 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.planner.accounts import Errors
 from nscc_runtime.planner.chip import whole_chip
-from nscc_runtime.planner.effect_fields import BOTH
+from nscc_runtime.planner.effect_fields import BOTH, FORCED
 from nscc_runtime.planner.lacking import Lacking, guesses
 from nscc_runtime.planner.plan import Plan
 from nscc_runtime.planner.predict import Forecast
@@ -138,7 +138,7 @@ class Promises(Forecast):
             found = replace(found, max_e=max(found.max_e, found.p999_e + 1.0))
         if not everywhere and len(self.running(self.state(dropped))):
             found = replace(found, max_e=max(found.max_e, self._evened_e(dropped, lacking)))
-        near, cut = self.fields.sample.near, self.inside(dropped) & (self.saturation | {BOTH})
+        near, cut = self.fields.sample.near, self._cut(dropped) & self.fields.fixed.keys()
         if not cut or not near.any():
             return found
         # What saturation would take is of one frame's noise: another's takes it farther.
@@ -149,8 +149,12 @@ class Promises(Forecast):
             worst_measured(taken[:, which], weight[which] / weight.sum(), pixels).max_e
             for which in (alone, near & ~alone)
         ]
-        rarely_e = max(self.fields.rarely_e.get(name, 0.0) for name in self.saturation & dropped)
-        return replace(found, max_e=max(found.max_e, *tails, rarely_e))
+        rarely_e = (self.fields.rarely_e.get(name, 0.0) for name in self.saturation & dropped)
+        return replace(found, max_e=max(found.max_e, *tails, *rarely_e))
+
+    def _cut(self, dropped: frozenset[str]) -> frozenset[str]:
+        """The fields of what a plan lacks near saturation, which one frame was measured for."""
+        return self.inside(dropped) & (self.saturation | {BOTH, FORCED})
 
     def _evened_e(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """How far the worst pixel near saturation may be off as counts are taken as even over
@@ -162,14 +166,7 @@ class Promises(Forecast):
             return 0.0
         full_e = whole_chip(self.program, self.device_seed).full_e
         running = self.running(self.state(dropped))
-        slot_e = self.light.sum_e.reshape(-1)[running] / self.light.slots
-        part, own_e2 = 0.0, np.zeros(1)
-        if kept.part(SlowWords) is not None:
-            entries = self.program.words(kept).entries
-            part = min(1.0, float(entries["end"][entries["reads_pix"] > 0].max(initial=0.0)))
-        if part:
-            seen_e = np.minimum(part * slot_e, full_e)
-            own_e2 = seen_e**2 / np.maximum(slot_e, 1.0)
+        own_e2 = self.own_e2(self.light.sum_e.reshape(-1)[running] / self.light.slots)
         exchange = kept.part(Exchange)
         spilt = exchange is not None and len(self.spilt) > 0
         beside_e2 = exchange.fraction(self.program.sensor) * full_e if exchange and spilt else 0.0
@@ -182,7 +179,7 @@ class Promises(Forecast):
         one frame another."""
         mean, variance, _ = self.errors(dropped, everywhere)
         found = self.fields.sample.error(mean**2 + variance)
-        cut = sorted(self.inside(dropped) & (self.saturation | {BOTH}))
+        cut = sorted(self._cut(dropped) & self.fields.fixed.keys())
         if not cut or not self.fields.sample.near.any():
             return found
         # What saturation takes of a few pixels is more in one frame than in another.

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from functools import cached_property
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,11 +14,12 @@ from nscc_runtime.effects.parts import CountedDark, Echo, Exchange, Leak, Respon
 from nscc_runtime.light import Light
 from nscc_runtime.planner.by_lane import LEAK_STEP
 from nscc_runtime.planner.chip import all_by_words, whole_chip
+from nscc_runtime.planner.group_loop import Grouping, of_groups, of_groups_beside
 from nscc_runtime.planner.pixels import Running
 from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.sample import Sample
 from nscc_runtime.planner.sample_loop import SIDES, Gathering, gather
-from nscc_runtime.planner.sums import sums_by_slot
+from nscc_runtime.planner.sums import sums_by_slot, weighted_sums
 from nscc_runtime.planner.tables import Model
 
 Values = NDArray[np.float64]
@@ -134,26 +134,32 @@ class SampledScene:
             return found
         return [each.take(self._used, axis=1) for each in found]
 
-    @property
-    def _full(self) -> list[Values]:
-        return self._weights[: len(self.buckets)]
+    def _sums(
+        self, light: Light, frames: Frames, sides: int = 1, rows: slice = slice(None)
+    ) -> Values:
+        """Sums (rows, `sides` times pixels) over the slots of a light, by rows of `ByLane.weights`,
+        of its frames (T, `sides` times pixels)."""
+        tables = self.by_lane.on_frames(light)
+        if tables is None:
+            lanes = np.tile(self._local, sides)
+            return sums_by_slot(light, frames, lanes, self._weights[rows])
+        return weighted_sums(frames, np.tile(self.lanes, sides), tables[rows])
 
     @property
-    def _squared(self) -> list[Values]:
-        first = self.by_lane.squared_row * len(self.buckets)
-        return self._weights[first : first + len(self.buckets)]
+    def _full(self) -> slice:
+        """The rows that have the weights of the full model."""
+        return slice(len(self.buckets))
 
     @cached_property
     def _light(self) -> Values:
         """Sums (rows, 2, buckets, pixels) of the light before the pixels respond to it and of what
         their neighbours count, by all that `ByLane.weights` has.
         """
-        return self._both(self.moving, self._weights)
+        return self._both(self.moving)
 
-    def _both(self, light: Light, weights: Sequence[Values]) -> Values:
+    def _both(self, light: Light, rows: slice = slice(None)) -> Values:
         lit = self._frames.lit
-        lanes = np.concatenate((self._local, self._local))
-        found = sums_by_slot(light, lit.reshape(len(lit), -1), lanes, weights)
+        found = self._sums(light, lit.reshape(len(lit), -1), 2, rows)
         return found.reshape(-1, len(self.buckets), 2, len(self.places)).swapaxes(1, 2)
 
     def _seen(self, own: Values, flow: Values) -> Values:
@@ -206,7 +212,7 @@ class SampledScene:
 
     @cached_property
     def alike(self) -> Values:
-        even = sums_by_slot(self.moving, self._frames.even, self._local, self._full)
+        even = self._sums(self.moving, self._frames.even, rows=self._full)
         return self._seen(self._light[0, 0], even) * self.echo
 
     @cached_property
@@ -341,47 +347,83 @@ class SampledScene:
         return thinning, neighbours
 
     @property
+    def levels(self) -> Values:
+        """The variance (pixels,) of what neighbours count in slots that PIX sees although they are
+        closed, as if their light fell evenly."""
+        beside = self.moving.frame_weight @ self._frames.lit[:, 1]
+        return np.asarray(
+            self.exchanged**2 * self.echo * self.program.level_part[self.lanes] * beside
+        )
+
+    @property
     def _moments(self) -> tuple[Values, Values, Values]:
         """Of the charge that is counted in each group of slots (groups, .., pixels): how much it
         is, and its sums by weights and by squared weights of the buckets."""
-        program, count = self.program, len(self.buckets)
-        weights: list[Values] = []
-        for members in self._members(self._used):
-            # Of all groups and buckets at once: every sum reads the light again.
-            weights.append(members)
-            weights += [each * members for each in (*self._full, *self._squared)]
-        found = sums_by_slot(self.moving, self._frames.own, self._local, weights)
-        found *= self.echo * self.response
-        found += np.array([program.slot_s @ each for each in weights])[:, self._local] * self.dark
-        shape = len(program.group_ids), 1 + 2 * count, len(self.places)
-        rates, one, two = np.split(found.reshape(shape), [1, 1 + count], axis=1)
-        return rates, one, two
+        size, arrays = self._grouping
+        shape = size.groups, size.buckets, size.pixels
+        rates, one, two = np.empty((shape[0], shape[2])), np.empty(shape), np.empty(shape)
+        of_groups(
+            grouping=size, frames=self._frames.own, light=rates, one=one, two=two, **arrays
+        )  # fmt: skip
+        seconds = self.program.group_s[:, :, self.lanes]
+        for found in (rates[:, None], one, two):
+            found *= self.echo * self.response
+        one += seconds[:, 1 : 1 + size.buckets] * self.dark
+        two += seconds[:, 1 + size.buckets :] * self.dark
+        return rates[:, None] + seconds[:, :1] * self.dark, one, two
 
     @property
     def _exchanged(self) -> tuple[Values, Values]:
         """The variance (groups, 4, 1, pixels) of what neighbours' counts in each group of slots
         send over, and the mean weight (groups, 4, buckets, pixels) of the pixel over the time of
         these slots."""
-        program, beside = self.program, self._beside
-        used, others = _used(program.lanes[beside.place.reshape(-1)])
-        members = self._members(used)
-        frames = self._frames.others
-        lit = sums_by_slot(self.moving, frames.reshape(len(frames), -1), others, members)
-        lit = lit.reshape(len(members), *beside.there.shape) * beside.there * beside.response
-        times = [program.slot_s @ each for each in members]
-        parts = [
-            np.divide(each, time, out=each, where=time > 0)
-            for each, time in zip(members, times, strict=True)
-        ]
-        seconds = [each * program.slot_s[:, None] for each in self._full]
-        lanes = np.broadcast_to(self._local, beside.place.shape).reshape(-1)
-        overlap = _overlap(seconds, lanes, parts, others)
-        overlap = overlap.reshape(*overlap.shape[:2], *beside.place.shape).transpose(0, 2, 1, 3)
+        beside, lanes = self._beside, self.program.lanes[self._beside.place]
+        few = len(self.program.group_s[0, 0]) ** 2 <= lanes.size
+        lit, open_s = (self._by_lanes if few else self._by_pixels)(lanes)
+        lit *= beside.there * beside.response
+        time = self.program.group_s[:, 0][:, lanes][:, :, None]
+        overlap = np.divide(open_s, time, out=open_s, where=time > 0)
         return np.asarray(self.exchanged**2 * self.echo * lit[:, :, None]), overlap
 
-    def _members(self, used: NDArray[np.int64]) -> list[Values]:
-        """For each group, 1 where a slot (N, lanes) belongs to it, of some lanes."""
-        return [self.program.members(group, used) for group in self.program.group_ids.tolist()]
+    def _by_pixels(self, beside: Lanes) -> tuple[Values, Values]:
+        """Of neighbours with the lanes `beside` (4, pixels): the light (groups, 4, pixels) in each
+        group of their slots, and the seconds (groups, 4, buckets, pixels) of these by the weights
+        of the pixel."""
+        size, arrays = self._grouping
+        lit = np.empty((size.groups, *beside.shape))
+        open_s = np.empty((size.groups, SIDES, size.buckets, size.pixels))
+        of_groups_beside(
+            grouping=size, frames=self._frames.others, beside=beside, slot_s=self.program.slot_s,
+            light=lit, open_s=open_s, **arrays,
+        )  # fmt: skip
+        return lit, open_s
+
+    def _by_lanes(self, beside: Lanes) -> tuple[Values, Values]:
+        """The same by way of all pairs of lanes: faster where these are few."""
+        program, frames = self.program, self._frames.others
+        members = [program.members(group) for group in program.group_ids.tolist()]
+        lit = sums_by_slot(self.moving, frames.reshape(len(frames), -1), beside.ravel(), members)
+        seconds = self.by_lane.full_weights.swapaxes(1, 2) * program.slot_s
+        pairs = np.array([seconds @ each for each in members])
+        open_s = pairs[:, :, self.lanes, beside].swapaxes(1, 2)
+        return lit.reshape(-1, *beside.shape), np.ascontiguousarray(open_s)
+
+    @cached_property
+    def _grouping(self) -> tuple[Grouping, dict[str, Any]]:
+        """What the loops over groups of slots have in common."""
+        program, light = self.program, self.moving
+        of_slot = program.pixels.groups
+        size = Grouping(
+            pixels=len(self.places), slots=of_slot.shape[1], lanes=len(of_slot),
+            groups=len(program.group_ids), buckets=len(self.buckets), frames=len(light.frames),
+            entries=len(light.weight),
+        )  # fmt: skip
+        return size, {
+            "row_start": np.require(light.row_start, np.int64, ["C", "A"]),
+            "frame_index": np.require(light.frame_index, np.int32, ["C", "A"]),
+            "frame_part": np.require(light.weight, np.float64, ["C", "A"]),
+            "lane": self.lanes, "of_slot": of_slot, "weights": self.by_lane.full_weights,
+        }  # fmt: skip
 
 
 def _used(lanes: Lanes) -> tuple[NDArray[np.int64], Lanes]:
@@ -389,19 +431,3 @@ def _used(lanes: Lanes) -> tuple[NDArray[np.int64], Lanes]:
     occurs = np.bincount(lanes) > 0
     place = np.cumsum(occurs, dtype=np.int32) - 1
     return np.flatnonzero(occurs), np.asarray(place[lanes], np.int32)
-
-
-def _overlap(
-    seen: Sequence[Values], lanes: Lanes, parts: Sequence[Values], others: Lanes
-) -> Values:
-    """The sums (groups, buckets, P) over slots of weights (N, lanes) of pixels, for each bucket,
-    and of their neighbours, for each group."""
-    found = np.empty((len(parts), len(seen), len(lanes)))
-    few = seen[0].shape[1] * parts[0].shape[1] <= len(lanes) * len(seen[0])
-    for bucket, own in enumerate(seen if few else [each.take(lanes, axis=1) for each in seen]):
-        for group, beside in enumerate(parts):
-            if few:
-                found[group, bucket] = (own.T @ beside)[lanes, others]
-            else:
-                np.einsum("np,np->p", own, beside.take(others, axis=1), out=found[group, bucket])
-    return found

@@ -17,7 +17,7 @@ from nscc_runtime.pool import in_parts
 
 _MOST_ENTRIES = 1 << 23
 """Of tables in memory at once, unless a single one is larger."""
-_MOST_KEPT = 1 << 21
+MOST_KEPT = 1 << 21
 """Of tables that are kept from light to light."""
 
 
@@ -124,7 +124,7 @@ class Weights:
         last = self._last  # threads may make it anew
         if last is None or last.timing != light.timing:
             last = OfFrames.of(light, self.slots)
-            if last.weights.size <= _MOST_KEPT:
+            if last.weights.size <= MOST_KEPT:
                 self._last = last
         return last
 

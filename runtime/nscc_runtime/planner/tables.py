@@ -171,6 +171,12 @@ class Tables:
         return reduce(np.maximum, sizes, none)
 
     @remembered
+    def squared_reads(self, full: Model) -> Weights:
+        """The sum (lanes, buckets) of the squared coefficients of reads."""
+        none = np.zeros((len(self.container.encoding), len(self.container.buckets)))
+        return sum((weight**2 for weight in self.weights(full).reads.values()), none)
+
+    @remembered
     def single(self, full: Model) -> Weights:
         """The coefficient (lanes, buckets) of the one read through which all charge reaches the
         bucket; NaN where there are several such reads, as where light falls on PIX between a reset

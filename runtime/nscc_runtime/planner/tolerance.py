@@ -125,6 +125,20 @@ def tolerance_of(given: Given, sensor: Sensor, scene: Follows, option: str = OPT
     return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons", option)
 
 
+def check_tolerance(given: Given, sensor: Sensor, option: str = OPTION) -> None:
+    """Where nothing is approximated: Rejected (NS0746) for what is no tolerance of any scene."""
+
+    class Bright:
+        """A scene of which every part is something."""
+
+        def signal_e(self) -> float:
+            return 1e4
+
+        noise_e = signal_e
+
+    tolerance_of(given, sensor, Bright(), option)
+
+
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
     """The mean of exposures without effects over pixels and buckets, in electrons: of their sizes,
     each at most the full well. What is no number does not count."""
