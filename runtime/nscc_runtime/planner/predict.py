@@ -368,22 +368,22 @@ class Forecast(ABC):
         found = self.fields.levels * (self.fields.clipped & self.runs(state))
         return found / 4.0 if closed else found
 
-    def own_e2(self, slot_e: Values) -> Values:
-        """The variance of what is read of a slot that so much falls in, its counts taken as even:
-        words that take time see a part of it. 0 where nothing is counted, or they take none."""
+    def _own(self, state: str) -> Values:
+        """The variance (buckets, pixels) of counts of pixels that run through their words, of slots
+        of which these see a part as they take time: they are taken as even. Where PIX is full in
+        the end that matters in levels alone."""
+        fields, program = self.fields, self.program
         kept = self.every.without(*self.forced_off)
         if kept.part(CountedLight) is None or kept.part(SlowWords) is None:
-            return np.zeros(len(slot_e))
-        full_e = whole_chip(self.program, self.device_seed).full_e
-        seen_e = np.minimum(self.program.read_part * slot_e, full_e)
-        return np.asarray(seen_e**2 / np.maximum(slot_e, 1.0))
-
-    def _own(self, state: str) -> Values:
-        """The same (buckets, pixels) of pixels that run through their words."""
-        places, program = self.fields.sample.places, self.program
-        own_e2 = self.own_e2(self.light.sum_e.reshape(-1)[places] / self.light.slots)
-        reads = program.tables.squared_reads(program.full).T[:, program.lanes[places]]
-        return np.asarray(reads * own_e2 * self.runs(state))
+            return np.zeros(fields.expected.shape)
+        places, lanes = fields.sample.places, program.lanes[fields.sample.places]
+        slot_e = self.light.sum_e.reshape(-1)[places] / self.light.slots
+        full_e = whole_chip(program, self.device_seed).full_e
+        levels, others = (each[:, lanes] for each in program.read_parts)
+        seen = np.where(fields.clipped, levels, levels + others) * slot_e
+        reads = program.tables.squared_reads(program.full).T[:, lanes]
+        most = reads * (full_e**2 / np.maximum(slot_e, 1.0))
+        return np.asarray(np.minimum(seen, most) * self.runs(state))
 
     @cached_property
     def leak_nodes(self) -> int:

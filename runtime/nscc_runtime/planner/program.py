@@ -192,6 +192,29 @@ class Program:
         return min(1.0, float(entries["end"][entries["reads_pix"] > 0].max(initial=0.0)))
 
     @cached_property
+    def read_parts(self) -> tuple[Values, Values]:
+        """The sums (buckets, lanes) over reads of the squares of their coefficients times the part
+        of a slot that has fallen since the slot began or PIX was reset: of reads of levels, which
+        follow a reset between two slots, and of all others."""
+        tables, entries = self.tables, self.pixels.entries
+        reads = tables.weights(self.full).reads
+        found = np.zeros((2, len(self.container.encoding), len(self.container.buckets)))
+        reset_at, boundary = np.full(found.shape[1], np.nan), -1
+        for word, entry in zip(tables.decayed, entries, strict=True):
+            if word.boundary != boundary:
+                reset_at[:], boundary = np.nan, word.boundary
+            if word.resets:
+                reset_at[word.lanes] = entry["end"]
+            elif word.number in reads:
+                level = ~np.isnan(reset_at)
+                part = np.where(level, entry["end"] - reset_at, entry["end"])
+                square = (reads[word.number] * np.minimum(part, 1.0)[:, None]) ** 2
+                found[0] += square * level[:, None]
+                found[1] += square * ~level[:, None]
+        levels, others = found.swapaxes(1, 2)
+        return levels, others
+
+    @cached_property
     def level_part(self) -> Values:
         """The part (lanes,) of the frame whose charge PIX holds at some read though it is in no
         bucket: that of the levels that are subtracted."""

@@ -166,7 +166,9 @@ class Promises(Forecast):
             return 0.0
         full_e = whole_chip(self.program, self.device_seed).full_e
         running = self.running(self.state(dropped))
-        own_e2 = self.own_e2(self.light.sum_e.reshape(-1)[running] / self.light.slots)
+        slot_e = self.light.sum_e.reshape(-1)[running] / self.light.slots
+        part = self.program.read_part if kept.part(SlowWords) is not None else 0.0
+        own_e2 = np.minimum(part * slot_e, full_e) ** 2 / np.maximum(slot_e, 1.0)
         exchange = kept.part(Exchange)
         spilt = exchange is not None and len(self.spilt) > 0
         beside_e2 = exchange.fraction(self.program.sensor) * full_e if exchange and spilt else 0.0
