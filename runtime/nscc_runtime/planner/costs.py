@@ -14,7 +14,7 @@ from nscc_runtime.effects.parts import Counted, Exchange
 from nscc_runtime.planner.effect_fields import TRIED
 from nscc_runtime.planner.plan_parts import Cost
 from nscc_runtime.planner.predict import WORDS
-from nscc_runtime.planner.prices import SHIPPED
+from nscc_runtime.planner.prices import SHIPPED, fetching_ns
 from nscc_runtime.planner.promises import Promises
 from nscc_runtime.remembered import remembered
 
@@ -124,7 +124,19 @@ class Costs(Promises):
         near = self._running_ns(self.state(dropped), lacking)
         kept = [each for each in self.present if each.name not in dropped]
         effects = sum(each.summed_ns(self.passes) for each in kept)
-        return SHIPPED.summed + SHIPPED.light * self.passes + effects + near, near
+        light = SHIPPED.light * self.passes + self._fetching_ns
+        return SHIPPED.summed + light + effects + near, near
+
+    @property
+    def _fetching_ns(self) -> float:
+        """Nanoseconds a pixel of getting the scene's light."""
+        return fetching_ns(SHIPPED, len(self.program.lanes), len(self.light.frames))
+
+    def _planned_ns(self) -> float:
+        """Nanoseconds a pixel of planning, but for the pixels near saturation that it runs."""
+        frames, pixels = len(self.light.frames), len(self.program.lanes)
+        sampled = SHIPPED.sampled * len(self.fields.sample.places) * self.light.slots / pixels
+        return SHIPPED.planned + SHIPPED.light * frames + self._fetching_ns + sampled
 
     def _trying_ns(self) -> float:
         """Nanoseconds of running a sample of pixels near saturation through their words."""
@@ -138,7 +150,7 @@ class Costs(Promises):
     def cost(self, dropped: frozenset[str], lacking: frozenset[str]) -> Cost:
         """What the plan takes that leaves these effects out."""
         ms = len(self.program.lanes) * 1e-6
-        least_ms = SHIPPED.plan_ms + SHIPPED.planned * ms + self._trying_ns() * 1e-6
+        least_ms = SHIPPED.plan_ms + self._planned_ns() * ms + self._trying_ns() * 1e-6
         # What pixels near saturation can do without is asked where something may be left out.
         planning_ms = least_ms + self.lacking(self.state(dropped)).tried_ns * 1e-6
         total, near = self._frame_ns(dropped, self.forced_off | lacking)

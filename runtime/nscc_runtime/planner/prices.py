@@ -29,9 +29,10 @@ class Prices:
     `word`; `error`, one of a word's small errors; `slot`, the light of a slot at one site (a pixel
     or a neighbour); `run`, that of a run of slots at a neighbour whose counts are given; `count`,
     the electrons of a group of slots drawn at a site; `split`, one count halved. `summed`: a pixel
-    by sums over slots, `light` one frame of its light, beside the milliseconds `frame_ms` of any
-    frame. `planned`: a pixel of the scene that is planned, beside the milliseconds `plan_ms`.
-    `looked`: a pixel that looks.
+    by sums over slots, `light` one frame of its light and `fetched` the same of a scene that no
+    cache holds, beside the milliseconds `frame_ms` of any frame. `planned`: a pixel of the scene
+    that is planned, beside the milliseconds `plan_ms` and `sampled`, a slot of a pixel of the
+    sample. `looked`: a pixel that looks.
     """
 
     slot_of_reference: float
@@ -44,23 +45,32 @@ class Prices:
     split: float
     summed: float
     light: float
+    fetched: float
     frame_ms: float
     planned: float
+    sampled: float
     plan_ms: float
     looked: float
 
 
 SHIPPED = Prices(
     slot_of_reference=450.0, pixel=300.0, word=40.0, error=10.0, slot=5.0, run=12.0,
-    count=100.0, split=15.0, summed=4.0, light=0.5, frame_ms=0.6, planned=15.0,
-    plan_ms=5.0, looked=1200.0,
+    count=100.0, split=15.0, summed=4.0, light=0.5, fetched=0.7, frame_ms=0.6, planned=15.0,
+    sampled=30.0, plan_ms=5.0, looked=1200.0,
 )  # fmt: skip
 """Measured on a core of an x86 server at about 3 GHz; what they add up to is right to a factor of
 about 2."""
 
 
+_CACHED = 1 << 23
+"""Numbers of a scene that stay in a cache from one time through it to the next."""
 _SHARED_SITES = 2.5
 """What a pixel and its neighbours cost, in sites, where all of these are simulated as well."""
+
+
+def fetching_ns(prices: Prices, pixels: int, frames: int) -> float:
+    """Nanoseconds a pixel of getting a scene's light, beside adding it up."""
+    return prices.fetched * frames if pixels * frames > _CACHED else 0.0
 
 
 @dataclass(frozen=True)
