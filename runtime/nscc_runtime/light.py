@@ -113,6 +113,11 @@ class Light:
         motion = None if self.motion is None else replace(self.motion, frames=frames)
         return replace(self, frames=frames, motion=motion)
 
+    def scaled(self, factor: float) -> Light:
+        """The same light, so many times as strong."""
+        motion = None if self.motion is None else self.motion.scaled(factor)
+        return replace(self, frames=self.frames * np.float32(factor), motion=motion)
+
     def joined(self, starts: Sequence[int]) -> Light:
         """The same light in fewer slots: slot k has all that falls in the slots starts[k] up to
         but not including starts[k + 1], N after the last; the first start is 0."""

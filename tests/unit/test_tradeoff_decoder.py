@@ -23,6 +23,7 @@ from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS  # noqa: E402
 from nscc_training.evaluation.methods import METHODS  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.reconstruct import decoded_frame  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder, ways  # noqa: E402
 from nscc_training.tradeoff.decoder import Settings, cases, measure  # noqa: E402
@@ -104,6 +105,17 @@ def test_scores_do_not_depend_on_the_day(quick: None) -> None:
     assert first == second
     other = replace(TINY, seed=1)
     assert [row[-1] for row in first] != [p.error for p in measure(cases([], other), other)[0]]
+
+
+def test_a_part_of_a_frame_is_decoded_by_its_own_shutters(clip_run: Path) -> None:
+    """Tiles are 4 x 4: parts at whole tiles are alike, others not."""
+    folder, rng = load_run(clip_run), np.random.default_rng(3)
+    codes = rng.integers(10, 200, (24, 20)).astype(np.uint8)
+    full = np.zeros(codes.shape, bool)
+    made = [decoded_frame(folder, codes, full, corner=at) for at in ((0, 0), (8, 4), (1, 0))]
+    assert made[0].shape == (4, 24, 20)
+    np.testing.assert_array_equal(made[0], made[1])
+    assert not np.allclose(made[0], made[2])
 
 
 def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path) -> None:

@@ -17,10 +17,11 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc.tradeoff.points import COLUMNS, Point
+from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.slots import in_fewer, with_slot_us
 from nscc_runtime import capture
 from nscc_runtime.scenes import Scene
-from nscc_training.tradeoff.bench import Asked, rms_percent, scaled_text
+from nscc_training.tradeoff.bench import Asked, Bench, rms_percent, scaled_text
 from nscc_training.tradeoff.joint import advised, measure, si_seconds
 
 SIDE, SLOTS = 32, 8
@@ -114,6 +115,19 @@ def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
     np.testing.assert_array_equal(found.transpose(2, 0, 1), wanted)
     assert fewer.slot_us == (4000.0, 4000.0)
     assert in_fewer(own, 3) is None
+
+
+@pytest.mark.parametrize("scene", ["builtin:hdr", "builtin:motion", "builtin:flat:9000"])
+def test_less_light_falls_in_a_shorter_frame(folder: Path, scene: str) -> None:
+    said: list[object] = []
+    bench = Bench(Asked(folder / "p.nsl", Scene(scene), "2%", options=QUICK), Rows(), said.append)
+    for part, slots in ((0.25, 8), (2.0, 8), (0.5, 2)):
+        text = TEXT.replace("8 slots of 1ms", f"{slots} slots of 1ms")
+        source = with_slot_us(Source("p.nsl", text), [part * 8000 / slots] * slots)
+        found = bench._light_in(compile_source(source, folder, QUICK).container)
+        assert found.slots == slots
+        whole_e = found.total_e().sum() / bench.light.total_e().sum()
+        assert whole_e == pytest.approx(part, rel=1e-4)
 
 
 def test_errors_of_plans_are_those_of_their_frames(folder: Path) -> None:

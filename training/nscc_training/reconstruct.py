@@ -134,12 +134,14 @@ def reconstructed(
 def decoded_frame(
     folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
     saturated: NDArray[np.bool_], share: NDArray[np.float32] | None = None,
+    corner: tuple[int, int] = (0, 0),
 ) -> NDArray[np.float32]:  # fmt: skip
     """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes, of
     two buckets (2, rows, cols).
 
     `share` (rows, cols) is the part of the frame that each pixel was open, where pixels looked.
-    Frames larger than the array are decoded block by block.
+    `corner` is the place on the array of the first pixel of a part of a frame. Frames larger than
+    the array are decoded block by block.
     """
     rows, cols = frame.shape[-2:]
     found: NDArray[np.float32] | None = None
@@ -152,9 +154,9 @@ def decoded_frame(
                 for at, most in ((top, rows), (left, cols))
             )
             codes, full = frame[..., down, across], saturated[..., down, across]
-            corner = (down.start % array[0], across.start % array[1])
+            first = (down.start + corner[0]) % array[0], (across.start + corner[1]) % array[1]
             if share is None:
-                opened = shutters(codes.shape[-2:], corner)
+                opened = shutters(codes.shape[-2:], first)
             else:
                 opened = torch.from_numpy(share[None, down, across].copy())
             made = _decoded(folder, codes, full, opened)

@@ -159,14 +159,10 @@ class Bench:
         return float(self.once(f"frame {digest}", lambda: self._error(container, own)))
 
     def _error(self, container: Container, own: Container | None) -> float:
-        if container.slot_us == self.container.slot_us:
-            light = self.light
-        else:
-            light = self.asked.scene.light(container.slot_us, container.target)
-        if own is None:
-            ideal_e = self._ideal_e(container, light)
-        else:
-            ideal_e = self._ideal_e(own, self.asked.scene.light(own.slot_us, own.target))
+        light = self._light_in(container)
+        ideal_e = self._ideal_e(container, light)
+        if own is not None:
+            ideal_e = self._ideal_e(own, self._light_in(own))
         frame = self._captured(container, light).frame
         if container.machine is not None:
             told, sure = (frame.told[key] for key in (LIGHT, DEVIATION))
@@ -176,6 +172,16 @@ class Bench:
             counted = frame.valid & ~frame.saturated
             seen_e = response_of(container, self.sensor).electrons(frame.frame)
         return rms_percent(seen_e, ideal_e, counted, mean_signal_e(ideal_e, self.sensor))
+
+    def _light_in(self, container: Container) -> Light:
+        """The scene in the slots of other words: as bright as in the program's own, so that less
+        falls in a shorter frame."""
+        if container.slot_us == self.container.slot_us:
+            return self.light
+        found = self.asked.scene.light(container.slot_us, container.target)
+        part = sum(container.slot_us) / sum(self.container.slot_us)
+        whole_e, its_e = (float(light.sum_e.sum()) for light in (self.light, found))
+        return found.scaled(part * whole_e / its_e) if its_e > 0 else found
 
     @cached_property
     def taken(self) -> Simulated:

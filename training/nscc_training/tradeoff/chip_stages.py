@@ -84,8 +84,9 @@ def lowering(bench: Bench) -> Found:
 def slots(bench: Bench) -> Found:
     """Fewer slots, and frames of other lengths down to the shortest that the words allow.
 
-    A program in fewer slots opens its pixels where the given one does for half of the time; its
-    error is from what the given one would see in a frame as long.
+    The scene is as bright in all of them, so that less light falls in a shorter frame. A program in
+    fewer slots opens its pixels where the given one does for half of the time; its error is from
+    what the given one would see in a frame as long.
     """
     if bench.source is None:
         return Found((), (replace(_COMPILED, stage="slots"),))

@@ -111,7 +111,7 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
     for count in ANY_STAGES:
         run = partial(_by_any, measured, count, slots)
         yield _Way("any", _stages(count), run, clip)
-    yield from _of_run(bench, taken, np.asarray(light.dense()))
+    yield from _of_run(bench, taken, clip, middle)
 
 
 def _merged(bench: Bench, taken: Simulated) -> Values:
@@ -146,8 +146,14 @@ def _by_tv(measured: Any, iterations: int) -> Values:
     return np.asarray(gap_tv(frame.astype(np.float32), mask, iterations=iterations)) * unit
 
 
-def _of_run(bench: Bench, taken: Simulated, truth: Values) -> Iterator[_Way]:
-    """The decoder of the run, where the program is a run's, in both number formats."""
+def _of_run(
+    bench: Bench,
+    taken: Simulated,
+    truth: Values,
+    part: tuple[slice, slice] = (slice(None), slice(None)),
+) -> Iterator[_Way]:
+    """The decoder of the run, where the program is a run's, in both number formats, on a `part` of
+    the array."""
     if bench.asked.run is None:
         return
     import torch
@@ -157,12 +163,14 @@ def _of_run(bench: Bench, taken: Simulated, truth: Values) -> Iterator[_Way]:
 
     folder = load_run(bench.asked.run, trust_code=bench.asked.trust_code)
     frame, opened = taken.frame, taken.frame.told.get(OPEN)
+    rows, cols = part
+    codes, full = frame.frame[0, rows, cols], frame.saturated[0, rows, cols]
     share = None if opened is None else (opened[0] / bench.container.slots).astype(np.float32)
     chosen = folder.parts.settings.decoder
 
     def run(dtype: str) -> Values:
         with torch.autocast(folder.parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
-            made = decoded_frame(folder, frame.frame[0], frame.saturated[0], share)
+            made = decoded_frame(folder, codes, full, share, (rows.start or 0, cols.start or 0))
         return made[None] if folder.parts.still else made
 
     for dtype in ("f32", "bf16"):
