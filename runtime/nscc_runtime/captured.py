@@ -117,7 +117,7 @@ class Capture(Frame):
 
     def __repr__(self) -> str:
         shape = " x ".join(map(str, self.frame.shape))
-        mean = float(self.exposure_e[self.valid].mean()) if self.valid.any() else 0.0
+        mean = float(self.exposure_e.mean(where=self.valid)) if self.valid.any() else 0.0
         how = self._fidelity if self.plan is None else (
             f"error {self.plan.predicted_e:.3g} e predicted"
         )  # fmt: skip

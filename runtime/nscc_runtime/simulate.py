@@ -327,10 +327,10 @@ def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> 
 def _eaten(frame: Frame) -> Diagnostic | None:
     """The warning that light has eaten reset levels."""
     bit, marked = marks()["level"].bit, frame.saturated_by
-    if marked.max(initial=0) < bit or not (marked & bit).any():
-        return None
-    pixels = (marked & bit).reshape(-1, *marked.shape[-2:]).any(axis=0)
+    pixels = np.bitwise_or.reduce(marked, axis=tuple(range(marked.ndim - 2))) & bit
     count = int(np.count_nonzero(pixels))
+    if not count:
+        return None
     many = "pixel reads less than it" if count == 1 else "pixels read less than they"
     return Diagnostic(
         "NS0793",

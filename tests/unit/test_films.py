@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import errno
+import tracemalloc
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
+from plan_cases import case
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime import films
-from nscc_runtime.frame_file import Frame, stacked
+from nscc_runtime import capture, films, frame_file
+from nscc_runtime.formats.frames import frame_content
+from nscc_runtime.frame_file import Frame, FrameFile, stacked
 
 
 def _frames(count: int) -> Iterator[Frame]:
@@ -58,3 +63,41 @@ def test_a_full_disk_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
         films.gathered(_frames(5), 5)
     assert caught.value.diagnostics[0].code == "NS0784"
     assert "TMPDIR" in caught.value.diagnostics[0].helps[0]
+
+
+@pytest.mark.parametrize("ending", [".npz", ".npy"])
+def test_no_copy_of_a_film_is_made_for_its_file(
+    ending: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(frame_file, "_BLOCK_BYTES", 0)
+    program = case("two buckets", 8, rows=12, cols=16)
+    film = capture(program, np.ones((8, 12, 16), np.float32), repeat=2000)
+    film.save(tmp_path / f"first{ending}")
+    tracemalloc.start()
+    film.save(tmp_path / f"second{ending}")
+    repr(film)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < film.exposure_e.nbytes / 2
+    np.testing.assert_array_equal(_frame_of(tmp_path / f"second{ending}"), film.frame)
+
+
+def test_frames_of_a_film_are_shown_one_by_one(tmp_path: Path) -> None:
+    """Buckets side by side, and what is no number dark."""
+    frame = stacked(list(_frames(3)))
+    frame.exposure_e[1, 0, 2, 3] = np.nan
+    program = case("two buckets", 8, rows=3, cols=4)
+    file = FrameFile(frame, {}, {}, {})
+    content = frame_content(file, program, None, lambda: program.table.shutters)
+    pictures = [*content.pictures]
+    wanted = np.concatenate([np.nan_to_num(frame.exposure_e[:, b]) for b in range(2)], axis=2)
+    np.testing.assert_array_equal(pictures, wanted)
+    np.testing.assert_array_equal(
+        [*content.shown], np.concatenate([frame.frame[:, b] for b in range(2)], axis=2)
+    )
+    assert next(content.shown).dtype == np.uint8
+
+
+def _frame_of(path: Path) -> NDArray[np.uint8]:
+    found = np.load(path)
+    return np.asarray(found["frame"] if path.suffix == ".npz" else found)

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import io
 import zipfile
+from types import SimpleNamespace
+from typing import IO
 
 import numpy as np
 
+from nscc.files import Product
 from nscc_runtime.formats.content import Arrays, Content
 
 
@@ -21,12 +24,15 @@ def npz(content: Content) -> bytes:
     return stream.getvalue()
 
 
-def npy(content: Content) -> bytes:
+def npy(content: Content) -> Product:
     """The main array."""
     first = content.main or (lambda: next(iter(content.arrays.values())))
-    stream = io.BytesIO()
-    np.lib.format.write_array(stream, np.asarray(first()))
-    return stream.getvalue()
+
+    def write(file: IO[bytes]) -> None:
+        # By blocks: in what numpy knows as a file it seeks, and a pipe cannot.
+        np.lib.format.write_array(SimpleNamespace(write=file.write), np.asarray(first()))
+
+    return write
 
 
 def mat(content: Content) -> bytes:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 import os
 import tempfile
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,10 +23,11 @@ def gif(content: Content) -> bytes:
     """Frames of 256 greys or colours, again and again."""
     from PIL import Image
 
-    first, *others = [Image.fromarray(frame) for frame in content.shown]
+    frames = map(Image.fromarray, content.shown)
+    first = next(frames)
     stream = io.BytesIO()
     first.save(
-        stream, "GIF", save_all=True, append_images=others, loop=0, comment=content.told.encode(),
+        stream, "GIF", save_all=True, append_images=frames, loop=0, comment=content.told.encode(),
         duration=round(1000 / FRAMES_A_SECOND), optimize=False,
     )  # fmt: skip
     return stream.getvalue()
@@ -36,8 +38,9 @@ def mp4(content: Content) -> bytes:
     with quiet():
         import cv2
 
-    frames = [_even(frame) for frame in content.shown]
-    size = (frames[0].shape[1], frames[0].shape[0])
+    frames = map(_even, content.shown)
+    first = next(frames)
+    size = (first.shape[1], first.shape[0])
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "clip.mp4")
         for codec in _CODECS:
@@ -49,7 +52,7 @@ def mp4(content: Content) -> bytes:
         else:
             raise OSError(0, f"OpenCV cannot write .mp4: it has none of {', '.join(_CODECS)}")
         with quiet():
-            for frame in frames:
+            for frame in chain([first], frames):
                 video.write(np.ascontiguousarray(frame))
             video.release()
         with open(path, "rb") as stream:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -24,7 +24,9 @@ class Content:
     an .npz, their first into an .npy, unless `main` gives it; `whole` writes the .npz instead where
     more belongs into it. `benchmark` gives the arrays of a .mat. `codes` (shape of `light`) are
     shown as they are, unless a `tone` is asked for; light is shown by its `tone`, by default that
-    named in `usual`, with `white` (default: a percentile) as white, in the light's `unit`.
+    named in `usual`, with `white` (default: a percentile) as white, in the light's `unit`. Light
+    and codes of other shapes have a `picture` made of them, of each frame of a clip when a format
+    comes to it: films are larger than memory.
     """
 
     arrays: Arrays
@@ -39,22 +41,30 @@ class Content:
     usual: str = "log"
     white: float | None = None
     unit: str = "e"
+    picture: Callable[[NDArray[Any]], NDArray[Any]] = np.asarray
 
     @cached_property
     def shown_by(self) -> Tone | None:
         """The tone curve of `shown`; None where codes are shown."""
         if self.light is None or (self.codes is not None and self.tone is None):
             return None
-        return fitted(self.tone or self.usual, self.light, self.white)
+        light = np.stack([*self.pictures]) if self.moving else self.picture(self.light)
+        return fitted(self.tone or self.usual, light, self.white)
 
     @property
-    def shown(self) -> NDArray[np.uint8]:
-        """The light as a screen shows it."""
+    def pictures(self) -> Iterator[NDArray[Any]]:
+        """The light: frame by frame of a clip, or a single picture."""
+        return self._pictures(self.light)
+
+    @property
+    def shown(self) -> Iterator[NDArray[np.uint8]]:
+        """The same as a screen shows it."""
         tone = self.shown_by
-        if tone is None:
-            assert self.codes is not None  # formats of pictures take what has light or codes
-            return self.codes
-        return tone(self.light if self.light is not None else np.zeros(0))
+        return self._pictures(self.codes) if tone is None else map(tone, self.pictures)
+
+    def _pictures(self, values: NDArray[Any] | None) -> Iterator[NDArray[Any]]:
+        assert values is not None  # formats of pictures take what has light or codes
+        return map(self.picture, values if self.moving else [values])
 
     @property
     def told(self) -> str:

@@ -31,19 +31,20 @@ def frame_content(
     `shutters` gives the distinct shutters bool (shutters, buckets, N) of the container.
     """
     frame, colour = file.frame, "colours" in file.meta
-    codes, electrons = (_laid_out(values, colour) for values in (frame.frame, frame.exposure_e))
     return Content(
-        {"frame": frame.frame}, np.where(np.isfinite(electrons), electrons, 0.0),
-        moving=frame.frame.ndim == 4 and not colour, colour=colour, codes=codes, whole=file.write,
+        {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
+        colour=colour, codes=frame.frame, whole=file.write,
         benchmark=lambda: benchmark_arrays(container, shutters(), frame.exposure_e, light, colour),
-        tone=tone, usual="linear",
+        tone=tone, usual="linear", picture=_picture,
     )  # fmt: skip
 
 
-def _laid_out(values: NDArray[Any], colour: bool) -> NDArray[Any]:
-    """(.., buckets, rows, cols) as (.., rows, buckets * cols); the axis of colours comes last."""
+def _picture(values: NDArray[Any]) -> NDArray[Any]:
+    """(buckets, rows, cols) as (rows, buckets * cols), 0 where there is no number; an axis of
+    colours in front comes last."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
-    return np.moveaxis(side, 0, -1) if colour else side
+    np.copyto(side, 0, where=~np.isfinite(side))
+    return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
 
 
 def benchmark_arrays(

@@ -22,7 +22,8 @@ def png(content: Content) -> bytes:
     about.add_text("Description", content.told)
     about.add_text("Software", "nscc")
     stream = io.BytesIO()
-    Image.fromarray(content.shown).save(stream, "PNG", pnginfo=about)
+    (shown,) = content.shown
+    Image.fromarray(shown).save(stream, "PNG", pnginfo=about)
     return stream.getvalue()
 
 
@@ -40,10 +41,9 @@ def tiff(content: Content) -> bytes:
     """float32, bit by bit; a clip is a file of as many pages."""
     import cv2
 
-    light = _light(content)
-    pages = [np.ascontiguousarray(_to_opencv(page)) for page in light] if content.moving else []
-    if not pages:
-        return _encoded(".tiff", light)
+    if not content.moving:
+        return _encoded(".tiff", _light(content))
+    pages = [np.ascontiguousarray(_to_opencv(picture), np.float32) for picture in content.pictures]
     good, data = cv2.imencodemulti(".tiff", pages)
     if not good:
         raise OSError(0, "OpenCV cannot write .tiff")
@@ -67,7 +67,8 @@ def exr(content: Content) -> bytes:
 
 
 def _light(content: Content) -> NDArray[np.float32]:
-    return np.asarray(content.light, np.float32)
+    (picture,) = content.pictures
+    return np.asarray(picture, np.float32)
 
 
 def _in_three(light: NDArray[np.float32]) -> NDArray[np.float32]:

@@ -17,7 +17,7 @@ _COLUMNS, _MOST = 4, 16
 
 def content_sheet(content: Content, title: str) -> Figure:
     """A picture, or up to sixteen frames of a clip; the note names the tone curve."""
-    shown = content.shown if content.moving else content.shown[None]
+    shown = [*content.shown]
     numbers = np.unique(np.linspace(0, len(shown) - 1, min(_MOST, len(shown))).round().astype(int))
     images = [
         Image(shown[k], f"frame {k}" if content.moving else "", content.told if k == 0 else "")

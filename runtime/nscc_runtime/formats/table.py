@@ -21,7 +21,7 @@ class Format:
 
     ending: str
     holds: str
-    write: Callable[[Content], bytes]
+    write: Callable[[Content], Product]
     about: str
     shown: bool = False
 
