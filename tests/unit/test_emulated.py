@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -22,12 +24,15 @@ from nscc.source import Source  # noqa: E402
 from nscc.words.container import Container  # noqa: E402
 from nscc_runtime.effects.crosstalk import smeared  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402
-from nscc_runtime.sensor import default_sensor, sensor_sha256  # noqa: E402
+from nscc_runtime.sensor import Sensor, default_sensor, sensor_sha256  # noqa: E402
 from nscc_runtime.simulate import Request, simulate  # noqa: E402
+from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
+from nscc_training.evaluation import runs  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
+from nscc_training.evaluation.runs import made_by_chip  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.frame_reading import FrameRead  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
@@ -93,6 +98,43 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     # Photons and the readout alone vary much less.
     photons = level * sensor.full_well_e / sensor.electrons_per_lsb**2
     assert wanted[:, ::2, ::2].var() > 1.3 * (photons + sensor.adc_noise_lsb**2)
+
+
+def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
+    sensor = default_sensor(program.target)
+    light_e = np.linspace(0, 1.1 * sensor.full_well_e, program.target.rows * program.target.cols)
+    still = light_e.astype(np.float32).reshape(program.target.rows, program.target.cols)
+    light = Light.of_still(still, np.full(SLOTS, 1 / SLOTS))
+    loops, drawn = (
+        emulated_codes(program, light, sensor, "all", 5, 6, 2, torch_device=device)
+        for device in (None, "cpu")
+    )
+    assert (loops == drawn).mean() > 0.999
+
+
+@pytest.mark.parametrize(("device", "named"), [("cpu", None), ("cuda:0", "cuda:0")])
+def test_a_run_is_emulated_where_it_trains(
+    device: str, named: str | None, program: Container, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    run = load_run(RUNS / "hdr_learned_0")
+    settings = replace(run.parts.settings, sensor=replace(run.parts.settings.sensor, effects="all"))
+    run = replace(run, parts=replace(run.parts, settings=settings, device=torch.device(device)))
+    asked = []
+
+    class SeenError(Exception):
+        """Nothing is exposed."""
+
+    def seen(_container: Container, _light: Light, _sensor: Sensor, request: Request) -> None:
+        asked.append(request.torch_device)
+        raise SeenError
+
+    monkeypatch.setattr(emulated, "simulate", seen)
+    monkeypatch.setattr(runs, "simulate", seen)
+    with pytest.raises(SeenError):
+        run.parts.emulated  # noqa: B018  # made when it is asked for
+    with pytest.raises(SeenError):
+        made_by_chip(run, 0, program, "all", SimpleNamespace(light_e=np.ones((8, 8))), 0)
+    assert asked == [named, named]
 
 
 def test_crosstalk_is_the_emulators_and_light_has_a_slope(

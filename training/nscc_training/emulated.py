@@ -102,13 +102,21 @@ class EmulatedSensor:
         return low + part * (high - low)
 
 
+def captures_on(device: torch.device) -> str | None:
+    """The `torch_device` of captures beside networks on a device: None on the processor, whose
+    frames are those of the compiled loops."""
+    return None if device.type == "cpu" else str(device)
+
+
 def emulated_sensor(
-    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS
-) -> EmulatedSensor:
+    container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS,
+    torch_device: str | None = None,
+) -> EmulatedSensor:  # fmt: skip
     """What the emulator makes of a program with pixels of a tile (rows, cols) and one bucket.
 
     `effects` as `--effects` takes them; Rejected as there. Takes seconds, half a minute where each
     place has a shutter of its own; fewer `chips` take less, and see less of how they differ.
+    `torch_device` as of `nscc_runtime.capture`: the same to rounding.
     """
     chosen = selected(effects)
     assert container.pixel_codes is not None
@@ -121,7 +129,7 @@ def emulated_sensor(
     weak = np.geomspace(_DARKEST * full_e / opened.max(), first, _DARK_LEVELS, endpoint=False)
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
-    code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips)
+    code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips, torch_device)
     exchange = chosen.part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     levels, codes, spreads, marked = map(torch.from_numpy, (light_e, code, spread, full))
@@ -131,10 +139,15 @@ def emulated_sensor(
 def emulated_codes(
     container: Container, light: Light, sensor: Sensor, effects: Selection | str,
     seed: int = 0, device_seed: int = 0, repeat: int | None = None,
+    torch_device: str | None = None,
 ) -> NDArray[np.float32]:  # fmt: skip
     """Codes above the ADC's offset (rows, cols), with `repeat` an axis in front, as `nscc run
-    --effects` gives them; of a program with one bucket."""
-    request = Request.of(effects=effects, seed=seed, device_seed=device_seed, repeat=repeat)
+    --effects` gives them; of a program with one bucket. `torch_device` as of
+    `nscc_runtime.capture`."""
+    request = Request.of(
+        effects=effects, seed=seed, device_seed=device_seed, repeat=repeat,
+        torch_device=torch_device,
+    )  # fmt: skip
     return _codes_of(simulate(container, light, sensor, request).frame, sensor)
 
 
@@ -145,7 +158,7 @@ def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
 
 def _measured(
     container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
-    effects: Selection, chips: int,
+    effects: Selection, chips: int, torch_device: str | None,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
     """Mean and standard deviation of codes, and how many pixels are saturated (K, r, c). Levels
     stand side by side on the array, each on columns of whole tiles; as many scenes as that takes.
@@ -175,7 +188,10 @@ def _measured(
             return np.asarray(part.mean(axis=(0, 1, 4)).transpose(1, 0, 2))
 
         for chip in range(chips):
-            request = Request.of(effects=effects, seed=chip, device_seed=chip, repeat=_FRAMES)
+            request = Request.of(
+                effects=effects, seed=chip, device_seed=chip, repeat=_FRAMES,
+                torch_device=torch_device,
+            )  # fmt: skip
             frame = simulate(container, light, sensor, request).frame
             codes = _codes_of(frame, sensor).astype(np.float64)
             sums[each] += mean(codes) / chips

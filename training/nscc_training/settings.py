@@ -175,7 +175,10 @@ class TrainSettings:
     steps: int = key(Integer(1, 10**9), "updates", 1000)
     batch: int = key(_COUNT, "patches an update", 4)
     seed: int = key(Integer(0, 2**31 - 1), "of everything random", 0)
-    device: str = key(Text(("auto", "cpu", "cuda")), "auto: cuda where there is one", "auto")
+    device: str = key(
+        Text(("auto", "cpu", "cuda")),
+        "of networks and the frames of the emulated chip; auto: cuda where there is one", "auto",
+    )  # fmt: skip
     dtype: str = key(
         Text(("f32", "bf16")), "of the decoder; the sensor's physics stays what it is", "f32"
     )

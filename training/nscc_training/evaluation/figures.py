@@ -22,6 +22,7 @@ from nscc_runtime.scenes import Scene as Shown
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
+from nscc_training.emulated import captures_on
 from nscc_training.encoders import make_encoder
 from nscc_training.evaluation import hdr, video
 from nscc_training.evaluation.results import Scene, Unusable
@@ -111,7 +112,8 @@ def _taken(
         weight = np.full(parts.slots, 1 / parts.slots)
         light = Light.of_still(light_e, weight) if still else Light.of_clip(light_e)
     truth = np.asarray(light.total_e() if still else light.dense(), np.float64)
-    request = Request.of(effects=effects, seed=seed, device_seed=seed)
+    on = captures_on(parts.device)
+    request = Request.of(effects=effects, seed=seed, device_seed=seed, torch_device=on)
     coded, usual = (
         simulate(container, light, parts.sensor, request).frame
         for container in (container_of(folder), camera(parts.slots, parts.chip.slot_us))

@@ -23,6 +23,7 @@ from nscc_runtime.simulate import Request, simulate
 from nscc_training import programs
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
+from nscc_training.emulated import captures_on
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.evaluation import deblur, hdr, several_frames, video
 from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
@@ -250,7 +251,10 @@ def made_by_chip(
     slots = folder.parts.slots
     still = folder.parts.still
     light = Light.of_still(light_e, np.full(slots, 1 / slots)) if still else Light.of_clip(light_e)
-    chosen = Request.of(effects=effects, seed=1000 * seed + index, device_seed=seed)
+    chosen = Request.of(
+        effects=effects, seed=1000 * seed + index, device_seed=seed,
+        torch_device=captures_on(folder.parts.device),
+    )  # fmt: skip
     frame = simulate(container, light, folder.parts.sensor, chosen).frame
     begin = perf_counter()
     opened = frame.told.get(OPEN)

@@ -22,7 +22,7 @@ from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.make import make_decoder
 from nscc_training.design.chip import most_steps
-from nscc_training.emulated import CHIPS, EmulatedSensor, emulated_sensor
+from nscc_training.emulated import CHIPS, EmulatedSensor, captures_on, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
 from nscc_training.encoders.looks import LOOKS
@@ -74,7 +74,8 @@ class Parts:
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
         """What the emulator makes of the shutters that the run began with, where `[sensor] effects`
-        asks for it; places keep it while their codes learn. Takes seconds, once."""
+        asks for it; places keep it while their codes learn. Takes seconds, once, on the device
+        that the run trains on."""
         if not self.settings.sensor.effects:
             return None
         seed = self.settings.train.seed
@@ -82,7 +83,10 @@ class Parts:
         found = programs.compiled(programs.program_of(start, self.chip), self.chip)
         assert found.container is not None
         effects = self.settings.sensor.effects
-        return emulated_sensor(found.container, start.spec.tile, self.sensor, effects, self.chips)
+        return emulated_sensor(
+            found.container, start.spec.tile, self.sensor, effects, self.chips,
+            captures_on(self.device),
+        )  # fmt: skip
 
 
 def make_parts(settings: Settings, seed: int | None = None) -> Parts:
