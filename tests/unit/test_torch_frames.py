@@ -60,7 +60,7 @@ def test_frames_are_those_of_the_loops(name: str, effects: str, most_e: float) -
     np.testing.assert_array_equal(drawn.valid, loops.valid)
 
 
-@pytest.mark.parametrize("device", ["abacus", 3])
+@pytest.mark.parametrize("device", ["abacus", "meta", 3])
 def test_a_device_that_is_none_is_told(device: object) -> None:
     program = case("b edges", 8, rows=ROWS, cols=COLS)
     with pytest.raises(WrongArgument, match="torch"):
