@@ -3,7 +3,7 @@ light, so all scenes have it in common."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Hashable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
-from nscc_runtime.planner.sums import MOST_KEPT, Weights
+from nscc_runtime.planner.sums import MOST_KEPT, frame_tables
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.remembered import remembered
 
@@ -65,24 +65,35 @@ class ByLane:
         """Which row has the squares of what one of those that are `moving` changes."""
         return len(self._known) + 1 + self.moving.index(name)
 
-    @cached_property
-    def weights(self) -> list[Values]:
-        """The weights (N, lanes) of slots by every such model, bucket by bucket; then the squared
-        ones of the full model, and the squares of what effects change of them."""
-        models = [np.moveaxis(self.tables.weights(model).slots, 2, 0) for model in self._known]
-        full = models[0]
-        moved = [(full - models[self.row[name]]) ** 2 for name in self.moving]
-        return [each for some in (*models, full**2, *moved) for each in some]
+    def weights(self, used: NDArray[np.int64] | None = None) -> Iterator[Values]:
+        """The weights (buckets, N, lanes) of slots by every such model; then the squared ones of
+        the full model, and the squares of what effects change of them. Of the lanes that are
+        `used`, or of all. Made when they are come to: of long frames all are hundreds of MB."""
+        yield from (self._slots(model, used) for model in self._known)
+        full = self._slots(self.full, used)
+        yield full**2
+        for name in self.moving:
+            yield (full - self._slots(self.less[name], used)) ** 2
+
+    def _slots(self, model: Model, used: NDArray[np.int64] | None) -> Values:
+        found = np.moveaxis(self.tables.weights(model).slots, 2, 0)
+        return found if used is None else found.take(used, axis=2)
 
     def on_frames(self, light: Light) -> Values | None:
         """The same weights (rows, T, lanes) of a light's frames, kept for all of one timing; None:
         too large to be kept."""
-        room = len(self.weights) * len(light.frames) * self.seconds.shape[2]
-        return self._of_slots.of_frames(light).weights if room <= MOST_KEPT else None
+        if self.seconds[:, :, :1].size * len(light.frames) * self.seconds.shape[2] > MOST_KEPT:
+            return None
+        found = self._on_frames.get(light.timing)
+        if found is None:
+            found = np.concatenate([frame_tables(light, [*some]) for some in self.weights()])
+            self._on_frames.clear()
+            self._on_frames[light.timing] = found
+        return found
 
     @cached_property
-    def _of_slots(self) -> Weights:
-        return Weights(self.weights)
+    def _on_frames(self) -> dict[Hashable, Values]:
+        return {}
 
     @cached_property
     def full_weights(self) -> Values:
@@ -92,16 +103,14 @@ class ByLane:
     @cached_property
     def seconds(self) -> Values:
         """The seconds (rows, buckets, lanes) of all of these weights."""
-        found = np.array([self.slot_s @ each for each in self.weights])
-        return found.reshape(self.squared_row + 1 + len(self.moving), -1, found.shape[1])
+        return np.array([[self.slot_s @ each for each in some] for some in self.weights()])
 
     @cached_property
     def count_e(self) -> Values:
         """What one count makes of an exposure (buckets, lanes), by the square of that: the third
         moment of counts by their variance."""
         square = self.seconds[self.squared_row]
-        full = self.weights[: len(square)]
-        cube = np.array([self.slot_s @ each**3 for each in full])
+        cube = np.array([self.slot_s @ each**3 for each in self.full_weights])
         return np.asarray(np.divide(cube, square, out=np.zeros_like(square), where=square > 0))
 
     @cached_property

@@ -93,7 +93,13 @@ class Pixels:
         needed = ~turns.unread | drawn[word, lane]
         lane, word = lane[needed], word[needed]
         entry_start = _starts(lane, lanes)
-        ids, groups = np.unique(program.groups.of_slot, return_inverse=True)
+        # Of long frames each of these is among the largest that planning has: one at a time.
+        weights = np.ascontiguousarray(draws[word, :, lane])
+        del draws
+        of_slot = program.groups.of_slot
+        ids, groups = np.unique(of_slot), np.empty(of_slot.shape, np.int32)
+        for number, group in enumerate(ids.tolist()):
+            groups[of_slot == group] = number
         return cls(
             program,
             entry_start,
@@ -101,8 +107,8 @@ class Pixels:
             Turns(entries[word], acts[word, lane], entry_start).flags,
             entries,
             operands,
-            np.ascontiguousarray(draws[word, :, lane]),
-            groups.reshape(program.groups.of_slot.shape).astype(np.int32),
+            weights,
+            groups,
             ids.astype(np.uint64),
         )
 

@@ -126,13 +126,12 @@ class SampledScene:
         """The part (pixels,) of a pixel's light that its neighbours do not take."""
         return np.asarray(1.0 - self.exchanged * self._beside.there.sum(axis=0))
 
-    @cached_property
+    @property
     def _weights(self) -> list[Values]:
         """Those of `ByLane`, of the lanes that occur."""
-        found = self.by_lane.weights
-        if len(self._used) == found[0].shape[1]:
-            return found
-        return [each.take(self._used, axis=1) for each in found]
+        every = len(self._used) == self.by_lane.seconds.shape[2]
+        made = self.by_lane.weights(None if every else self._used)
+        return [each for some in made for each in some]
 
     def _sums(
         self, light: Light, frames: Frames, sides: int = 1, rows: slice = slice(None)

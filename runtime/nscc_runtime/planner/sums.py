@@ -89,7 +89,7 @@ class OfFrames:
     @classmethod
     def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> OfFrames:
         """Those of slots, of the frames of a light."""
-        return cls(light.timing, _tables(light, slots), light.frame_weight)
+        return cls(light.timing, frame_tables(light, slots), light.frame_weight)
 
     @cached_property
     def tables(self) -> Tables:
@@ -136,7 +136,7 @@ class Weights:
             return
         for first in range(0, len(self.slots), room):
             part = slice(first, min(first + room, len(self.slots)))
-            yield part, Tables.of(_tables(light, self.slots[part]))
+            yield part, Tables.of(frame_tables(light, self.slots[part]))
 
 
 def scene_sums(
@@ -213,11 +213,13 @@ def sums_by_slot(
     room = max(1, _MOST_ENTRIES // max(1, len(frames) * (weights[0].shape[1] if weights else 1)))
     for first in range(0, len(weights), room):
         part = weights[first : first + room]
-        found[first : first + room] = weighted_sums(frames, lanes, _tables(light, part), threads)
+        found[first : first + room] = weighted_sums(
+            frames, lanes, frame_tables(light, part), threads
+        )
     return found
 
 
-def _tables(light: Light, weights: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
+def frame_tables(light: Light, weights: Sequence[NDArray[np.float64]]) -> NDArray[np.float64]:
     """Weights (N, lanes) of slots as tables (len(weights), T, lanes) of a light's frames."""
     if not light.in_order:
         tables = on_frames(light, np.stack(weights, axis=1))
