@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import tracemalloc
+
 import numpy as np
 import pytest
 from plan_cases import CASES, case
@@ -15,6 +17,7 @@ from nscc_runtime.planner.program import Program
 from nscc_runtime.planner.reach import Reach, reach_of
 from nscc_runtime.planner.tables import Model, Tables
 from nscc_runtime.reference import expose
+from nscc_runtime.reference.weights import ByName
 from nscc_runtime.sensor import Sensor
 
 ROWS, COLS = 6, 9
@@ -223,3 +226,18 @@ def test_pix_holds_the_slots_beyond_which_the_reference_is_full(name: str) -> No
             for effects in ("full_well", "none")
         )
         np.testing.assert_array_equal((full != free).any(axis=0), most > slots)
+
+
+def test_weights_of_words_in_few_lanes_are_held_by_lane() -> None:
+    """Of frames of many slots most words act in one lane of thousands."""
+    weights, found = np.eye(2000)[:, :, None] * -0.5, ByName[int]()
+    weights[7] = 0.25
+    weights[8] = 0.0
+    tracemalloc.start()
+    for number, weight in enumerate(weights):
+        found.keep(number, weight)
+    assert tracemalloc.get_traced_memory()[0] < weights.nbytes / 20
+    tracemalloc.stop()
+    assert list(found) == [n for n in range(2000) if n != 8]
+    for number, weight in found.items():
+        np.testing.assert_array_equal(weight, weights[number])

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, backward
+from nscc_runtime.reference.weights import Backward, ByName, backward
 from nscc_runtime.remembered import remembered
 
 Weights = NDArray[np.float64]
@@ -83,7 +83,7 @@ class Tables:
             self.container, words, model.gain, model.leak_per_s, model.dead_time, model.lit_level
         )
 
-    def numbered(self, at: str, model: Model) -> dict[int, Weights]:
+    def numbered(self, at: str, model: Model) -> ByName[int]:
         """The coefficients (lanes, buckets) of small errors, by the numbers of their draws."""
         return numbered_errors(self.container.target, self.weights(model))[at]
 

@@ -33,7 +33,7 @@ from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.resets import Resets
 from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, Weights, backward, error_sign, orthonormal
+from nscc_runtime.reference.weights import Backward, ByName, backward, error_sign, orthonormal
 
 Values = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ class Reference:
     effects: Selection
     words: tuple[AnalogWord, ...]
     groups: Groups
-    draws: Mapping[str, Mapping[int, Weights]]
+    draws: Mapping[str, ByName[int]]
 
     @classmethod
     def of(cls, container: Container, sensor: Sensor, effects: Selection) -> Reference:
@@ -197,10 +197,10 @@ def scene_of(container: Container, light: Light, previous: Light | None = None) 
     return Scene(light, light if previous is None else previous, slot_s)
 
 
-def numbered_errors(target: Target, weights: Backward) -> dict[str, dict[int, Weights]]:
+def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]:
     """The weights of small errors, by where they are made and under the numbers of their draws."""
     most = most_destinations(target)
-    words = {number * most + i: each for (number, i), each in weights.errors.items()}
+    words = weights.errors.renamed(lambda name: name[0] * most + name[1])
     return {"reads": weights.reads, "resets": weights.resets, "words": words}
 
 

@@ -7,11 +7,11 @@ the way, as long as nothing saturates.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from math import exp
-from typing import TypeVar
+from typing import Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,45 @@ from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters
 
 Weights = NDArray[np.float64]
 Name = TypeVar("Name", int, tuple[int, int])
+
+
+class ByName(Mapping[Name, Weights], Generic[Name]):
+    """Weights (lanes, buckets) by name, those that are not all 0.
+
+    Of long frames most words act in one lane of thousands: what is not 0 is held, and the array is
+    made when it is asked for. Not to be written to.
+    """
+
+    def __init__(self) -> None:
+        self._held: dict[Name, tuple[int, NDArray[np.int32] | None, Weights]] = {}
+
+    def keep(self, name: Name, weight: Weights) -> None:
+        """Add one, or nothing where it is 0."""
+        lanes = np.flatnonzero(weight.any(axis=1)).astype(np.int32)
+        if 2 * len(lanes) > len(weight):
+            self._held[name] = len(weight), None, weight
+        elif len(lanes):
+            self._held[name] = len(weight), lanes, weight[lanes]
+
+    def renamed(self, name: Callable[[Name], int]) -> ByName[int]:
+        """The same under other names."""
+        found: ByName[int] = ByName()
+        found._held = {name(each): held for each, held in self._held.items()}
+        return found
+
+    def __getitem__(self, name: Name) -> Weights:
+        count, lanes, some = self._held[name]
+        if lanes is None:
+            return some
+        found = np.zeros((count, some.shape[1]))
+        found[lanes] = some
+        return found
+
+    def __iter__(self) -> Iterator[Name]:
+        return iter(self._held)
+
+    def __len__(self) -> int:
+        return len(self._held)
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,9 +73,9 @@ class Backward:
     """
 
     slots: Weights
-    reads: dict[int, Weights]
-    resets: dict[int, Weights]
-    errors: dict[tuple[int, int], Weights]
+    reads: ByName[int]
+    resets: ByName[int]
+    errors: ByName[tuple[int, int]]
 
     def open(self) -> NDArray[np.bool_]:
         """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
@@ -72,7 +111,7 @@ def backward(
         kept = exp(-leak_per_s * order * container.target.readout_us * 1e-6)
         bucket = container.buckets.index(readout.bucket)
         weight[readout.register][:, bucket] += readout.gain * kept
-    result = Backward(np.zeros((container.slots, lanes, buckets)), {}, {}, {})
+    result = Backward(np.zeros((container.slots, lanes, buckets)), ByName(), ByName(), ByName())
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
     later = container.slots
     after_the_last = np.zeros((lanes, buckets))
@@ -116,7 +155,11 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
         lit = lit * (1.0 - target.plane_load_us / slot_us)
     slots = shutters.transpose(2, 0, 1) * gains * lit[:, None, None]
     each = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
-    return Backward(slots, dict(enumerate(each)), dict(enumerate(each * gains)), {})
+    result = Backward(slots, ByName(), ByName(), ByName())
+    for number, weight in enumerate(each):
+        result.reads.keep(number, weight)
+        result.resets.keep(number, weight * gains)
+    return result
 
 
 def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
@@ -143,7 +186,7 @@ def _through(
     """Take the weights from after a word to before it; keeps those of its noise."""
     where = word.lanes[:, None]
     if word.resets:
-        _keep(result.resets, word.number, weight["PIX"] * where)
+        result.resets.keep(word.number, weight["PIX"] * where)
         weight["PIX"] = weight["PIX"] * ~where
         return
     through = np.zeros_like(weight["PIX"])
@@ -151,12 +194,12 @@ def _through(
         here = weight[name] * where
         weight[name] = weight[name] * ~where
         through += here
-        _keep(result.errors, (word.number, index), error_sign(name, container) * here)
+        result.errors.keep((word.number, index), error_sign(name, container) * here)
     through *= -gain / word.op.operation.divisor
     for name in word.op.sources:
         weight[name] = weight[name] + through
     if "PIX" in word.op.sources:
-        _keep(result.reads, word.number, through)
+        result.reads.keep(word.number, through)
 
 
 def error_sign(destination: str, container: Container) -> float:
@@ -166,18 +209,13 @@ def error_sign(destination: str, container: Container) -> float:
     return -1.0 if destination == container.target.analog_scratch else 1.0
 
 
-def _keep(found: dict[Name, Weights], name: Name, weight: Weights) -> None:
-    if weight.any():
-        found[name] = weight
-
-
-def orthonormal(weights: dict[Name, Weights]) -> dict[Name, Weights]:
+def orthonormal(weights: ByName[int]) -> ByName[int]:
     """The same with orthonormal columns in each lane, over the names, bucket after bucket.
 
     A bucket whose weights are a combination of those before it (or none) becomes zeros.
     """
     if not weights:
-        return {}
+        return weights
     names = list(weights)
     q = np.array([weights[name] for name in names])
     scale = np.sqrt((q * q).sum(axis=0))
@@ -188,4 +226,8 @@ def orthonormal(weights: dict[Name, Weights]) -> dict[Name, Weights]:
         size = np.sqrt((q[:, :, b] ** 2).sum(axis=0))
         independent = size > 1e-9 * scale[:, b]
         q[:, :, b] *= np.divide(1.0, size, out=np.zeros_like(size), where=independent)
-    return dict(zip(names, q, strict=True))
+    found: ByName[int] = ByName()
+    for name, weight in zip(names, q, strict=True):
+        # A copy: what is held must not hold all the others.
+        found.keep(name, weight.copy())
+    return found
