@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import product
 from pathlib import Path
-from time import perf_counter
 from typing import Any, Literal
 
 import numpy as np
@@ -16,12 +15,13 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
 from nscc.lower.plan import Lowering
-from nscc.pipeline import Compiled, Options, run_passes
+from nscc.pipeline import LEVELS, Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
+from nscc.tradeoff.stopwatch import Stopwatch
 
 Count = Literal["all", "logic"]
 """All words of a frame, or only those that decode codes."""
@@ -107,15 +107,14 @@ def measure(
     fit the chip in some way is refused there.
     """
     rows = rows or Rows()
-    if ways:
-        compiled_or_not(ways[0])  # what is imported and read once is not what is measured
+    watch = Stopwatch()
     times_ms: dict[Way, list[float]] = {way: [] for way in ways}
     words: dict[Way, tuple[float, float | None]] = {}
     refused: dict[Way, str] = {}
     for way in progress([way for _ in range(repeats) for way in ways]):
         if way in refused:
             continue
-        found = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, way, count))
+        found = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
         if "refused" in found:
             refused[way] = found["refused"]
         else:
@@ -131,10 +130,10 @@ def measure(
     return Measured(tuple(points), tuple(refused.items()))
 
 
-def _timed(way: Way, count: Count) -> dict[str, Any]:
-    begin = perf_counter()
-    found = compiled_or_not(way)
-    taken_ms = (perf_counter() - begin) * 1e3
+def _timed(watch: Stopwatch, way: Way, count: Count) -> dict[str, Any]:
+    kind = way.case.name, way.lowering
+    least = partial(compiled_or_not, replace(way, level=min(LEVELS)))
+    found, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
     if isinstance(found, Diagnostic):
         return {"refused": f"{found.message} ({found.code})"}
     words, bound = _words(found, count)

@@ -6,13 +6,13 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from time import perf_counter
 from typing import Any
 
 import numpy as np
 
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
+from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
 from nscc_runtime.frame_file import Frame
@@ -125,9 +125,8 @@ def measure(
     """
     if settings.frames < 2 or settings.repeats < 1:
         raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
-    benches = [_Bench(program, scene, settings, rows or Rows()) for scene in scenes]
-    for bench in benches[:1]:
-        bench.warm()
+    watch, rows = Stopwatch(), rows or Rows()
+    benches = [_Bench(program, scene, settings, rows, watch) for scene in scenes]
     work = [*benches, *[bench for _ in range(settings.repeats) for bench in benches]]
     for bench in progress(work):
         if bench.errors:
@@ -149,6 +148,7 @@ class _Bench:
     scene: Scene
     settings: Settings
     rows: Rows
+    watch: Stopwatch
     plans: dict[str, Plan] = field(default_factory=dict)
     errors: dict[_Key, tuple[float, float]] = field(default_factory=dict)
     times_ms: dict[_Key, list[float]] = field(default_factory=dict)
@@ -170,14 +170,10 @@ class _Bench:
         seed, auto = self.settings.device_seed, selected("auto")
         return Chooser(self.program, self.scene.light, seed, 1, given, None, auto).allowed
 
-    def warm(self) -> None:
-        """Loads what a process loads once."""
-        scene = scene_of(self.program.container, self.scene.light)
-        self.program.reference.expose_rows(scene, range(1))
-
     def compare(self) -> None:
         """The errors of all methods, and the times of the reference's frames."""
         self.plans = {each.name: self._plan(each) for each in self.tolerances}
+        self.watch.ran(WITH_PLANNING, *((self.scene.name, setting) for setting in self.plans))
         found = self.rows.once(f"{self.scene.name}, errors", self._compared)
         self.errors = {(method, setting): (e, lsb) for method, setting, e, lsb in found["errors"]}
         self.missing = [(method, why) for method, why in found["missing"]]
@@ -192,8 +188,12 @@ class _Bench:
                 seed=settings.seed, device_seed=settings.device_seed, count=count,
             )
         )  # fmt: skip
-        truth: list[Frame] = []
-        times_ms = [_ms(lambda: truth.append(next(made))) for _ in range(count)]
+        # A row loads what a frame does; each frame is drawn once, and its time counts.
+        scene = scene_of(self.program.container, light)
+        self.program.reference.expose_rows(scene, range(1))
+        self.watch.ran(REFERENCE, self.scene.name)
+        drawing = partial(self.watch.ms, REFERENCE, self.scene.name, partial(next, made))
+        truth, times_ms = zip(*(drawing() for _ in range(count)), strict=True)
         errors = {
             (REFERENCE, "all"): (0.0, 0.0),
             (OTHER_DRAWS, "all"): error(truth[1:], truth[:-1]),
@@ -208,6 +208,8 @@ class _Bench:
         for setting, plan in self.plans.items():
             found = error(list(self._planned(plan, count)), truth)
             errors[PLANNED, setting] = errors[WITH_PLANNING, setting] = found
+        for method, setting in errors:
+            self.watch.ran(method, (self.scene.name, setting))
         rows = [(*key, *values) for key, values in errors.items()]
         return {"errors": rows, "missing": missing, "ms": times_ms}
 
@@ -218,16 +220,22 @@ class _Bench:
             self.times_ms.setdefault((method, setting), []).append(ms)
 
     def _times(self) -> list[tuple[str, str, float]]:
-        found = [(SUMMED, "none", _ms(self.naive.summed))]
+        found = [self._timed(SUMMED, "none", self.naive.summed)]
         if (DRAWN, self.counted) in self.errors:
             drawn = partial(self.naive.drawn, self.settings.seed)
-            found.append((DRAWN, self.counted, _ms(drawn)))
+            found.append(self._timed(DRAWN, self.counted, drawn))
         for tolerance in self.tolerances:
-            planning_ms = _ms(partial(self._plan, tolerance))
-            frame_ms = _ms(partial(self._first, self.plans[tolerance.name]))
-            found.append((PLANNED, tolerance.name, frame_ms))
-            found.append((WITH_PLANNING, tolerance.name, planning_ms + frame_ms))
+            name = tolerance.name
+            *_, planning_ms = self._timed(WITH_PLANNING, name, partial(self._plan, tolerance))
+            *_, frame_ms = self._timed(PLANNED, name, partial(self._first, self.plans[name]))
+            found.append((PLANNED, name, frame_ms))
+            found.append((WITH_PLANNING, name, planning_ms + frame_ms))
         return found
+
+    def _timed(
+        self, method: str, setting: str, run: Callable[[], object]
+    ) -> tuple[str, str, float]:
+        return method, setting, self.watch.ms(method, (self.scene.name, setting), run)[1]
 
     def study(self, gb_per_s: float) -> Study:
         """What was found."""
@@ -261,13 +269,6 @@ class _Bench:
         """Frames of a scene that is made ready anew: sums over the slots are part of the first."""
         light, settings = unknown(self.scene.light), self.settings
         return planned_frames(self.program, light, plan, settings.seed, settings.device_seed, count)
-
-
-def _ms(run: Callable[[], object]) -> float:
-    """How long that takes."""
-    begin = perf_counter()
-    run()
-    return (perf_counter() - begin) * 1e3
 
 
 def unknown(light: Light) -> Light:

@@ -22,6 +22,7 @@ from nscc.source import Source
 from nscc.syntax.parse import read_source
 from nscc.tradeoff.points import STAGES
 from nscc.tradeoff.rows import Rows
+from nscc.tradeoff.stopwatch import Stopwatch
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
@@ -75,6 +76,7 @@ class Bench:
     asked: Asked
     rows: Rows
     said: Callable[[Diagnostic], None]
+    watch: Stopwatch = field(default_factory=Stopwatch)
 
     @cached_property
     def source(self) -> Source | None:
@@ -271,16 +273,6 @@ def target_of(text: str, sensor: Any, scene: Follows) -> Tolerance:
         ),
         helps=("write --target-error 1%, --target-error 50e or --target-error 0.5lsb",),
     )
-
-
-def times_ms(repeats: int, run: Callable[[], object], clock: Callable[[], float]) -> list[float]:
-    """How long it takes, as often as asked."""
-    found = []
-    for _ in range(repeats):
-        begin = clock()
-        run()
-        found.append((clock() - begin) * 1e3)
-    return found
 
 
 def scaled_text(target: str, factor: float) -> str:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -18,7 +18,7 @@ from nscc.tradeoff.points import Point
 from nscc.tradeoff.slots import in_fewer, with_slot_us
 from nscc.tradeoff.synthesis import DOES_NOT_FIT
 from nscc.words.container import Container
-from nscc_training.tradeoff.bench import Bench, scaled, times_ms, whole_ticks
+from nscc_training.tradeoff.bench import Bench, scaled, whole_ticks
 from nscc_training.tradeoff.stages import PERCENT, Found, Misfit
 
 JOINED = (1, 2, 4)
@@ -43,13 +43,10 @@ def compiling(bench: Bench) -> Found:
             continue
         container = _laid(bench, made)
 
-        def again(level: int = level) -> None:
-            assert bench.source is not None
-            _compiled(bench, bench.source, level=level)
-
-        took = bench.once(
-            f"compile {level}", lambda: times_ms(bench.asked.repeats, again, perf_counter)
-        )
+        bench.watch.ran("compile", level)
+        again = partial(_compiled, bench, bench.source, level=level)
+        timed = partial(bench.watch.times_ms, bench.asked.repeats, "compile", level, again)
+        took = bench.once(f"compile {level}", timed)
         points.append(_point(
             "compile", container.notes.get("lowering", ""),
             f"{setting} ({container.words_per_frame} words)",

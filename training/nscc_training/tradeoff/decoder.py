@@ -15,6 +15,7 @@ import torch
 from nscc.diagnostics.rejection import rejected
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
+from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.evaluation.runs import check_unseen
@@ -28,7 +29,7 @@ from nscc_training.tradeoff.ways import Light, Taken, Way, baselines, names_of, 
 
 UNITS = ("psnr_db", "ssim")
 _WARM = 32
-"""Pixels a side of the part of a capture that everything is run on once, untimed."""
+"""Pixels a side of the part of a capture that every method is run on once, untimed."""
 _FRAMES = 16
 _STOPS = 256
 
@@ -101,9 +102,7 @@ def measure(
     `rows` knows is not decoded again.
     """
     rows = rows or Rows()
-    for case in todo:
-        for way in case.ways:
-            way.run(case.taken[0].corner(_WARM))
+    watch = Stopwatch()
     turns = [(case, way) for case in todo for way in case.ways]
     found: list[list[dict[str, Any]]] = [[] for _ in turns]
     begin = perf_counter()
@@ -111,7 +110,9 @@ def measure(
         before = perf_counter()
         for index, (case, way) in enumerate(progress(turns)):
             name = f"{case.name}, {way.method}, {way.setting}, {turn}"
-            found[index].append(rows.once(name, partial(_timed, case, way, scores=turn == 0)))
+            found[index].append(
+                rows.once(name, partial(_timed, watch, case, way, scores=turn == 0))
+            )
         now = perf_counter()
         if now - begin + (now - before) > settings.budget_s:
             break
@@ -126,12 +127,15 @@ def measure(
     return points, len(found[0]) if turns else 0
 
 
-def _timed(case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
+def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
     """How long a decoder takes for one scene, and where they are asked for its scores."""
-    start = perf_counter()
-    lights = [way.run(taken) for taken in case.taken]
-    taken_ms = (perf_counter() - start) * 1e3 / len(lights)
-    return {"ms": taken_ms, "scores": scored(case, lights) if scores else None}
+
+    def every() -> list[Light]:
+        return [way.run(taken) for taken in case.taken]
+
+    corner = partial(way.run, case.taken[0].corner(_WARM))
+    lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, every, corner)
+    return {"ms": taken_ms / len(lights), "scores": scored(case, lights) if scores else None}
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:

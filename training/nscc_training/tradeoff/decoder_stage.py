@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from functools import partial
-from time import perf_counter
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +16,7 @@ from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
 from nscc_runtime.simulate import Simulated
-from nscc_training.tradeoff.bench import Bench, rms_percent, times_ms
+from nscc_training.tradeoff.bench import Bench, rms_percent
 from nscc_training.tradeoff.stages import PERCENT, Found
 
 Values = NDArray[Any]
@@ -29,13 +28,14 @@ ANY_STAGES = (2, 8)
 
 
 class _Way(NamedTuple):
-    """A decoder at a setting; `made` is what it makes, `truth` what that is compared with, both
-    (T, rows, cols)."""
+    """A decoder at a setting; `run` makes what `truth` is compared with, both (T, rows, cols).
+    `loads` tells settings apart that do not load the same things."""
 
     method: str
     setting: str
     run: Callable[[], Values]
     truth: Values
+    loads: str = ""
 
 
 def decoding(bench: Bench) -> Found:
@@ -61,9 +61,9 @@ def decoding(bench: Bench) -> Found:
 
 
 def _timed(bench: Bench, way: _Way) -> dict[str, Any]:
-    found: list[Values] = []
-    taken_ms = times_ms(bench.asked.repeats, lambda: found.append(way.run()), perf_counter)
-    made, truth = np.asarray(found[0], np.float64), np.asarray(way.truth, np.float64)
+    kind = way.method, way.loads
+    found, taken_ms = bench.watch.made_and_ms(bench.asked.repeats, kind, way.setting, way.run)
+    made, truth = np.asarray(found, np.float64), np.asarray(way.truth, np.float64)
     known = np.isfinite(made)
     error = rms_percent(made[None], truth[None], known[None], float(truth.mean()))
     return {"error": error, "ms": taken_ms}
@@ -174,7 +174,7 @@ def _of_run(
         return made[None] if folder.parts.still else made
 
     for dtype in ("f32", "bf16"):
-        yield _Way(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth)
+        yield _Way(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth, dtype)
 
 
 def _middle(shape: tuple[int, ...], slots: int) -> tuple[slice, slice]:

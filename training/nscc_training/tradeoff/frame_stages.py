@@ -44,18 +44,21 @@ def effects(bench: Bench) -> Found:
     ways.append(("all", scaled_text(asked.target_error, 1.0)))
 
     def measured(chosen: str, tolerance: str) -> dict[str, Any]:
-        error, first_ms, next_ms = 0.0, [], []
-        for _ in range(asked.repeats):
+        def emulated() -> tuple[Frame, float]:
+            """A frame, and the milliseconds of its plan."""
             # A scene that nothing has been found out about yet: its sums are part of a frame.
             begin, light = perf_counter(), unknown(bench.light)
             planning = planning_of(container, bench.sensor, light, asked.device_seed)
             plan = planning.plan(tolerance, selected(chosen))
-            planned = perf_counter()
-            frame = next(iter(planning.frames(plan, asked.seed, 1)))
-            first_ms.append((perf_counter() - begin) * 1e3)
-            next_ms.append((perf_counter() - planned) * 1e3)
-            error = error or truth.percent(frame)
-        return {"error": error, "first": first_ms, "next": next_ms}
+            plan_ms = (perf_counter() - begin) * 1e3
+            return next(iter(planning.frames(plan, asked.seed, 1))), plan_ms
+
+        first_ms, next_ms = [], []
+        for _ in range(asked.repeats):
+            (frame, plan_ms), taken_ms = bench.watch.ms(f"effects {chosen}", tolerance, emulated)
+            first_ms.append(taken_ms)
+            next_ms.append(taken_ms - plan_ms)
+        return {"error": truth.percent(frame), "first": first_ms, "next": next_ms}
 
     planning_of(container, bench.sensor, bench.light, asked.device_seed).ready()
     found = {" ".join(way): partial(measured, *way) for way in ways}
@@ -111,17 +114,20 @@ class _Truth:
     @property
     def _frame(self) -> tuple[Values, NDArray[np.bool_], Any, float]:
         if self._made is None:
-            begin = perf_counter()
-            made = self._looked() if self._bench.container.machine else self._summed()
-            self._made = (*made, (perf_counter() - begin) * 1e3)
+            looks = self._bench.container.machine is not None
+            made, took_ms = self._bench.watch.ms(
+                "reference", "all", self._looked if looks else partial(self._summed, self._rows),
+                first=(lambda: None) if looks else partial(self._summed, self._rows[:1]),
+            )  # fmt: skip
+            self._made = (*made, took_ms)
         return self._made
 
-    def _summed(self) -> tuple[Values, NDArray[np.bool_], Any]:
+    def _summed(self, rows: NDArray[np.intp]) -> tuple[Values, NDArray[np.bool_], Any]:
         bench = self._bench
         reference = Reference.of(bench.container, bench.sensor, everything())
         scene = scene_of(bench.container, bench.light)
         seeds = bench.asked.seed, bench.asked.device_seed
-        parts = [reference.expose_rows(scene, band, *seeds) for band in bands(self._rows)]
+        parts = [reference.expose_rows(scene, band, *seeds) for band in bands(rows)]
         exposure_e = np.concatenate([part.exposure_e for part in parts], axis=1)
         return exposure_e, np.concatenate([part.valid for part in parts], axis=1), None
 

@@ -55,12 +55,14 @@ class Taken:
 @dataclass(frozen=True, eq=False)
 class Way:
     """A decoder with its settings. `run` gives electrons over the frame (rows, cols) of a still,
-    electrons a slot (N, rows, cols) of a clip. `device`: where that is not the processor."""
+    electrons a slot (N, rows, cols) of a clip. `device`: where that is not the processor. `loads`
+    tells settings apart that do not load and compile the same things."""
 
     method: str
     setting: str
     run: Callable[[Taken], Light]
     device: str = ""
+    loads: str = ""
 
 
 def baselines(kind: Kind) -> list[Way]:
@@ -95,9 +97,11 @@ def networks(folder: RunFolder, name: str) -> list[Way]:
                 net = copy(parts.decoder)
                 net.overlapping = overlapping
                 run = _network(folder, net, dtype)
-                found.append(Way(method, f"x{blocks} {dtype}", run, device))
+                setting = f"x{blocks} {dtype}"
+                found.append(Way(method, setting, run, device, loads=setting))
         else:
-            found.append(Way(method, dtype, _network(folder, parts.decoder, dtype), device))
+            run = _network(folder, parts.decoder, dtype)
+            found.append(Way(method, dtype, run, device, loads=dtype))
     return found
 
 
