@@ -267,13 +267,12 @@ def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
     for name in pictures:
         Image.open(folder / name).load()
     rows = list(csv.DictReader(io.StringIO((folder / "out.csv").read_text())))
-    tenth = f"{0.1 * 30000 / 255:g}e"
     assert [(row["method"], row["setting"]) for row in rows if row["error_unit"] == LSB] == [
         (f"{scene}, {method}", setting)
         for scene in ("builtin:hdr", "builtin:flat:100")
         for method, settings in (
             (REFERENCE, ["all"]), (OTHER_DRAWS, ["all"]), (SUMMED, ["none"]), (DRAWN, ["shot"]),
-            (PLANNED, [tenth, "20e"]), (WITH_PLANNING, [tenth, "20e"]),
+            (PLANNED, ["0.1lsb", "20e"]), (WITH_PLANNING, ["0.1lsb", "20e"]),
         )
         for setting in settings
     ]  # fmt: skip
@@ -288,6 +287,7 @@ def test_command_writes_tables_csv_and_pictures(folder: Path) -> None:
         ]  # fmt: skip
         assert row["dominated"] == ("yes" if better else "no")
     assert done.out.count("error budget of 3 e") == 2
+    assert done.out.count(f"  0.1lsb, {0.1 * 30000 / 255:.3g}e  ") == 2
     for name in ("shot", "crosstalk", "adc"):
         assert f"\n  {name} " in done.out
     again = invoke([*ARGUMENTS, "--csv", "again.csv"], folder)

@@ -55,8 +55,8 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
             )
             panels.append(Panel(study.scene, error, points, guides))
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    settings = [p.setting for each in studies for p in each.points if p.method == PLANNED]
-    unit = " in e" if all(setting.endswith("e") for setting in settings) else ""
+    plain = all(each.plan.allowed.in_electrons for study in studies for each in study.asked)
+    unit = " in e" if plain else ""
     return precision_diagram(
         panels, "What the emulator's time buys",
         "against the reference with all effects, same draws (hollow: dominated; beside the marks: "

@@ -48,14 +48,20 @@ class Tolerance:
         return self.signal_e is not None or self.noise_e is not None
 
     @property
+    def in_electrons(self) -> bool:
+        """Whether it was asked for in electrons."""
+        return not self.follows and not self.text.endswith("lsb")
+
+    @property
     def noise_part(self) -> float | None:
         """Which part of the noise it is."""
         return None if self.noise_e is None else self.electrons / self.noise_e
 
     @property
     def name(self) -> str:
-        """What tells it from others, on any scene: its electrons, or its part of the scene."""
-        return self.text if self.follows else f"{self.electrons:g}e"
+        """What tells it from others, on any scene: its electrons, or its codes, or its part of the
+        scene, as they were asked for."""
+        return f"{self.electrons:g}e" if self.in_electrons else self.text
 
     def __str__(self) -> str:
         electrons = f"{self.electrons:.4g} e"
@@ -63,7 +69,7 @@ class Tolerance:
             return f"{self.text.removesuffix('noise')} of the frame's own noise = {electrons}"
         if self.signal_e is not None:
             return f"{electrons} ({self.text} of the mean signal, {self.signal_e:.4g} e)"
-        return f"{electrons} ({self.text})" if self.text.endswith("lsb") else electrons
+        return electrons if self.in_electrons else f"{electrons} ({self.text})"
 
 
 Given = str | float | Tolerance

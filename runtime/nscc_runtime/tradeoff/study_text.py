@@ -62,9 +62,9 @@ def _methods_text(study: Study) -> str:
 
 
 def _setting(asked: Asked) -> str:
-    """What was asked, with its electrons where those differ from scene to scene."""
-    follows = asked.plan.allowed.follows
-    return f"{asked.setting}, {asked.tolerance_e:.3g}e" if follows else asked.setting
+    """What was asked, with its electrons where it was asked for in another unit."""
+    plain = asked.plan.allowed.in_electrons
+    return asked.setting if plain else f"{asked.setting}, {asked.tolerance_e:.3g}e"
 
 
 def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:
