@@ -29,22 +29,34 @@ def with_slot_us(source: Source, slot_us: Sequence[float]) -> Source:
     return Source(source.name, text[: spans[0].start] + frame + text[spans[0].end :])
 
 
-def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]] | None:
+class NotJoined(ValueError):
+    """Why a program has no other with fewer slots."""
+
+
+def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
     """A program that has `join` slots of this one in each of its own, and the code `id` (rows,
     cols) of its pixels: open where the pixel is for half of that time or more.
 
-    None where that is no program to write down: slots that cannot be joined so, pixels that look,
-    or more shutters than a codebook holds.
+    Raises NotJoined where that is no program to write down: slots that cannot be joined so, pixels
+    without codes, or more shutters than a codebook holds.
     """
     codes, slots = container.pixel_codes, container.slots
-    if container.machine is not None or codes is None or slots % join or slots // join < 2:
-        return None
+    if container.machine is not None or codes is None:
+        raise NotJoined("pixels that look at the light do so in slots of the program's own")
+    if slots % join:
+        raise NotJoined(f"{slots} slots are no multiple of {join}")
+    if slots // join < 2:
+        raise NotJoined(f"of {slots} slots less than 2 are left")
     slot_us = np.array(container.slot_us).reshape(-1, join)
     used, row = np.unique(container.table.shutter_of_code[codes], return_inverse=True)
     opened = container.table.shutters[used].reshape(len(used), -1, *slot_us.shape)
     share = (opened * slot_us).sum(axis=3) / slot_us.sum(axis=1)
     rows, same = np.unique(share >= 0.5, axis=0, return_inverse=True)
-    if rows.size > MOST_DIGITS or (rows.sum(axis=1) > 1).any():
-        return None
+    if rows.size > MOST_DIGITS:
+        raise NotJoined(
+            f"{len(rows)} shutters are a codebook of {rows.size} digits, more than {MOST_DIGITS}"
+        )
+    if (rows.sum(axis=1) > 1).any():
+        raise NotJoined("two buckets would be open in one slot, each for half of it")
     text = book_text(slot_us.sum(axis=1).tolist(), container.buckets, rows)
     return text, same.reshape(-1)[row].reshape(codes.shape).astype(np.int32)

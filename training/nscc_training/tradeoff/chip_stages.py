@@ -15,14 +15,14 @@ from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
 from nscc.tradeoff.points import Point
-from nscc.tradeoff.slots import in_fewer, with_slot_us
+from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc.tradeoff.synthesis import DOES_NOT_FIT
 from nscc.words.container import Container
 from nscc_training.tradeoff.bench import Bench, scaled, whole_ticks
 from nscc_training.tradeoff.stages import PERCENT, Found, Misfit
 
-JOINED = (1, 2, 4)
-"""Slots that are taken together as one."""
+JOINED = {1: "all", 2: "halves", 4: "quarters"}
+"""Slots that are taken together as one, and what that leaves of them."""
 LENGTHS = (0.25, 0.5, 1.0, 2.0)
 """Frames as parts of the program's own."""
 _COMPILED = Misfit(
@@ -90,10 +90,11 @@ def slots(bench: Bench) -> Found:
     points, misfits, seen = [], [], set[tuple[int, float]]()
     frame_us = sum(bench.container.slot_us)
     for join in JOINED:
-        found = _program(bench, join)
-        if found is None:
+        try:
+            source, own, codes = _program(bench, join)
+        except NotJoined as why:
+            misfits.append(Misfit("slots", JOINED[join], "", str(why)))
             continue
-        source, own, codes = found
         count = own.slots // join
         shortest = _compiled(bench, source)
         if isinstance(shortest, Diagnostic):
@@ -118,16 +119,14 @@ def slots(bench: Bench) -> Found:
     return Found(tuple(points), tuple(misfits))
 
 
-def _program(bench: Bench, join: int) -> tuple[Source, Container, Any] | None:
-    """The program in fewer slots, the given one, and the codes of its pixels; None for none."""
+def _program(bench: Bench, join: int) -> tuple[Source, Container, Any]:
+    """The program in fewer slots, the given one, and the codes of its pixels; raises NotJoined."""
     assert bench.source is not None
     own = bench.container
     if join == 1:
         return bench.source, own, None
-    fewer = in_fewer(own, join)
-    if fewer is None:
-        return None
-    return Source(bench.source.name, fewer[0]), own, {"id": fewer[1]}
+    text, codes = in_fewer(own, join)
+    return Source(bench.source.name, text), own, {"id": codes}
 
 
 def _compiled(bench: Bench, source: Source, **changes: Any) -> Compiled | Diagnostic:
