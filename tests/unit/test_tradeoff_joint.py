@@ -18,7 +18,7 @@ from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc.tradeoff.points import COLUMNS, Point
 from nscc.tradeoff.rows import Rows
-from nscc.tradeoff.slots import in_fewer, with_slot_us
+from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc_runtime import capture
 from nscc_runtime.scenes import Scene
 from nscc_training.tradeoff.bench import Asked, Bench, rms_percent, scaled_text
@@ -114,7 +114,35 @@ def test_fewer_slots_are_open_where_half_of_them_was(folder: Path) -> None:
     found = fewer.table.shutters[fewer.table.shutter_of_code[fewer.pixel_codes]][:, :, 0]
     np.testing.assert_array_equal(found.transpose(2, 0, 1), wanted)
     assert fewer.slot_us == (4000.0, 4000.0)
-    assert in_fewer(own, 3) is None
+    with pytest.raises(NotJoined, match="8 slots are no multiple of 3"):
+        in_fewer(own, 3)
+    with pytest.raises(NotJoined, match="of 8 slots less than 2"):
+        in_fewer(own, 8)
+
+
+def test_fewer_slots_that_cannot_be_had_are_listed_with_the_reason(folder: Path) -> None:
+    (folder / "p.nsl").write_text(TEXT.replace("8 slots", "6 slots").replace("[6, 8]", "[6, 6]"))
+    asked = Asked(
+        folder / "p.nsl", Scene("builtin:flat:9000"), "2%", stages=("slots",), options=QUICK
+    )
+    joint = measure(asked)
+    assert {point.method for point in joint.points} == {"6 slots", "3 slots"}
+    assert [(each.setting, each.reason) for each in joint.misfits] == [
+        ("quarters", "6 slots are no multiple of 4")
+    ]
+
+
+def test_parts_of_a_target_that_are_no_tolerance_are_the_least_there_is(folder: Path) -> None:
+    asked = Asked(
+        folder / "p.nsl", Scene("builtin:flat:9000"), "2e-9e", stages=("effects",), options=QUICK
+    )
+    joint = measure(asked)
+    planned = [point.setting for point in joint.points if point.method == "planned"]
+    assert planned == ["auto 1e-09e", "auto 2e-09e", "auto 6e-09e", "all 2e-09e"]
+    assert joint.notes == (
+        "effects: no plan is made for 2e-10e: 1e-09e stands for it",
+        "effects: no plan is made for 6e-10e: 1e-09e stands for it",
+    )
 
 
 @pytest.mark.parametrize("scene", ["builtin:hdr", "builtin:motion", "builtin:flat:9000"])

@@ -11,10 +11,12 @@ from numpy.typing import NDArray
 
 from nscc.tradeoff.points import Point
 from nscc_runtime.effects import everything, selected
+from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.planless import planless
 from nscc_runtime.planner.audit import bands, compared_rows
+from nscc_runtime.planner.tolerance import LEAST_E
 from nscc_runtime.planning import planning_of
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.simulate import Request, simulate
@@ -40,7 +42,8 @@ def effects(bench: Bench) -> Found:
     if container.target.streamed:
         raise planless("comparing tolerances")
     truth = _Truth(bench)
-    ways = [("auto", scaled_text(asked.target_error, part)) for part in PARTS]
+    tolerances, notes = _tolerances(bench)
+    ways = [("auto", tolerance) for tolerance in tolerances]
     ways.append(("all", scaled_text(asked.target_error, 1.0)))
 
     def measured(chosen: str, tolerance: str) -> dict[str, Any]:
@@ -70,7 +73,23 @@ def effects(bench: Bench) -> Found:
     ]
     took_ms = bench.once("effects reference", lambda: truth.took_ms)
     points.append(Point("effects", "reference", "all", 0.0, PERCENT, (took_ms,)))
-    return Found(tuple(points), notes=truth.notes)
+    return Found(tuple(points), notes=(*truth.notes, *notes))
+
+
+def _tolerances(bench: Bench) -> tuple[list[str], list[str]]:
+    """PARTS of the target, and what is to be said of those that are beyond what a tolerance can be:
+    the least or the most that there is stands for them."""
+    target = bench.target
+    found, notes = dict[str, None](), list[str]()
+    for part in PARTS:
+        tolerance = scaled_text(bench.asked.target_error, part)
+        electrons = part * target.electrons
+        nearest = min(max(electrons, LEAST_E), MOST_E)
+        if nearest != electrons:
+            notes.append(f"no plan is made for {tolerance}: {nearest:g}e stands for it")
+            tolerance = f"{nearest:g}e"
+        found[tolerance] = None
+    return [*found], notes
 
 
 class _Truth:
