@@ -14,8 +14,6 @@ from typing import Any
 import matplotlib
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 from matplotlib.axes import Axes
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
@@ -31,7 +29,6 @@ from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.courses import course_sheet
 from nscc_runtime.pictures.frames import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
-from nscc_runtime.pictures.labels import Label, place_labels
 from nscc_runtime.pictures.look import LOOKS, Look, contrast, look, looking
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
 from nscc_runtime.pictures.shutters import shutter_sheet
@@ -363,46 +360,6 @@ def test_svg_is_of_its_own() -> None:
     assert "<svg" in text
     assert "<text" not in text
     assert not re.findall(r'(?:href|src)="[^#"]', text)
-
-
-PLACES = st.tuples(st.floats(0, 1), st.floats(0, 1))
-LINES = st.lists(st.lists(PLACES, min_size=1, max_size=6), min_size=1, max_size=9)
-
-
-@settings(deadline=None, max_examples=25)
-@given(LINES, st.integers(1, 30), st.floats(1.2, 5))
-def test_labels_cover_nothing(
-    lines: list[list[tuple[float, float]]], long: int, wide: float
-) -> None:
-    """No text on another, on a mark or outside, whatever is drawn; no leader through a text."""
-    with sheet.style():
-        figure, [axes] = sheet.panels(1, (wide, 2.5), 1)
-        axes.set(xlim=(-0.1, 1.1), ylim=(-0.1, 1.1))
-        labels = []
-        for number, points in enumerate(lines):
-            own = look().of(number)
-            axes.plot(*zip(*points, strict=True), **own)
-            labels.append(Label("m" * long, points, own["color"], name=True))
-            labels += [Label(f"s{at}", [point], own["color"]) for at, point in enumerate(points)]
-        sheet.lay_out(figure)
-        left_out = place_labels(axes, labels)
-        texts = [text for text in axes.texts if text.get_text()]
-        boxes = [text.get_window_extent() for text in texts]
-    assert len(texts) + len(left_out) == len(labels)
-    assert all(axes.bbox.x0 <= box.x0 and box.x1 <= axes.bbox.x1 for box in boxes)
-    assert all(axes.bbox.y0 <= box.y0 and box.y1 <= axes.bbox.y1 for box in boxes)
-    assert not any(a.overlaps(b) for a, b in combinations(boxes, 2))
-    marks = axes.transData.transform([point for points in lines for point in points])
-    assert not any(box.contains(*mark) for box in boxes for mark in marks)
-
-
-def test_a_text_without_room_is_told() -> None:
-    with sheet.style():
-        figure, [axes] = sheet.panels(1, (2, 2), 1)
-        sheet.lay_out(figure)
-        long = Label("a name that is longer than its panel is wide", [(0.5, 0.5)], look().ink, True)
-        assert place_labels(axes, [long]) == [long]
-        assert not axes.texts
 
 
 @pytest.mark.parametrize("chosen", LOOKS.values(), ids=LOOKS)

@@ -16,13 +16,15 @@ from nscc.containers import with_pixels
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
-from nscc.tradeoff.points import COLUMNS, Point
+from nscc.tradeoff.points import COLUMNS, STAGES, Point
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc_runtime import capture
+from nscc_runtime.pictures import sheet
 from nscc_runtime.scenes import Scene
 from nscc_training.tradeoff.bench import Asked, Bench, rms_percent, scaled_text
-from nscc_training.tradeoff.joint import advised, measure, si_seconds
+from nscc_training.tradeoff.joint import Joint, advised, measure, si_seconds
+from nscc_training.tradeoff.joint_diagram import joint_diagram
 
 SIDE, SLOTS = 32, 8
 QUICK = Options(level=0)
@@ -91,6 +93,29 @@ def test_parts_of_a_target_keep_its_unit(text: str, tenth: str) -> None:
 )
 def test_times_are_in_si_units(time_ms: float, text: str) -> None:
     assert si_seconds(time_ms) == text
+
+
+def test_what_is_advised_is_to_be_read_however_crowded_the_picture_is() -> None:
+    """Beside its mark, or in the legend with its stage."""
+    rng = np.random.default_rng(0)
+    crowd = rng.uniform(1.0, 1.3, (400, 2))
+    for names in ("short", "a setting whose name is as long as the panel is wide, " * 3):
+        points = [
+            Point(stage, names, f"{i}", error, "percent", (time_ms,))
+            for stage in STAGES
+            for i, (error, time_ms) in enumerate(crowd)
+        ]
+        joint = Joint("p.nsl", "s", "1%", STAGES, 1.1, 1.2, 1e3, tuple(points), (), (), ())
+        with sheet.style():
+            figure = joint_diagram(joint, 1, "a card")
+        beside = {text.get_text() for text in figure.axes[0].texts}
+        [legend] = figure.legends
+        told = {text.get_text() for text in legend.get_texts()}
+        for each in joint.advice:
+            assert each.point is not None
+            setting = f"{each.point.method}, {each.point.setting}"
+            assert setting in beside or f"{each.stage}: {setting}" in told
+            assert {each.stage, f"{each.stage}: {setting}"} & (beside | told)
 
 
 def test_other_slot_times_change_the_frame_alone() -> None:

@@ -1,8 +1,9 @@
 """Texts beside the marks and lines that they belong to: none on another, on a mark, or outside.
 
-Every text tries places around its anchors, from near to far. Those where it would lie on a text or
-a mark, or stick out of the panel, are none, nor are small texts' on lines; of the others it takes
-the cheapest: near, off the lines, and nearer to its own mark than to others.
+Every text tries places around its anchors, from near to far. Those where it or its halo would lie
+on a text or a mark, or on the panel's edge, are none, nor are small texts' on lines, and names' are
+where there is no other; of the rest it takes the cheapest: near, and nearer to its own mark than to
+others.
 """
 
 from __future__ import annotations
@@ -28,30 +29,42 @@ Boxes = NDArray[np.float64]
 
 _NAME, _SMALL = 7.8, 7.0
 """Points of the type of names, and of the rest."""
-_NEAR, _FAR = (3.0, 5.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
-"""Points between a mark and its text, or the name of its line."""
+_NEAR, _FAR = (3.0, 5.5, 8.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
+"""Points between a mark and its text, or one that may stand further off."""
 _LEADER = 9.0
-"""A name further off than so many points is joined to its anchor."""
-_CLEAR = 1.5
-"""Dots that stay free around a text."""
+"""A text further off than so many points is joined to its anchor."""
+_HALO = 2.0
+"""Points of the line around the letters, of which half is outside them."""
+_CLEAR = _HALO / 2 + 0.8
+"""Points that stay free around a text: its halo cuts nothing, with half of a line's width."""
+_SPACE, _LEADING = 4.0, 1.0
+"""Points between one text and the next, in a line and from line to line: two names are not read as
+one."""
 _STEP = 3.0
 """Dots between the points by which lines are known."""
-_ON_LINE, _CROSSED, _NEXT, _ASTRAY = 6.0, 2.0, 5.0, 2.0
-"""Cost, in points of distance: of a line's point below a text or a leader, of a later anchor, of a
-point nearer to another mark than to one's own."""
+_ON_LINES, _ON_LINE, _CROSSED, _NEXT, _ASTRAY = 1000.0, 6.0, 2.0, 5.0, 2.0
+"""Cost, in points of distance: of being on lines at all, of a line's point below a text or a
+leader, of a later anchor, of a point nearer to another mark than to one's own."""
 
 
 @dataclass(frozen=True)
 class Label:
     """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
 
-    The `name` of a line is larger and may stand further off, joined to its anchor by a thin line.
+    The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
+    and so may what a reader looks for (`sought`).
     """
 
     text: str
     anchors: Sequence[tuple[float, float]]
     colour: str
     name: bool = False
+    sought: bool = False
+
+    @property
+    def far(self) -> bool:
+        """Whether it may stand far off."""
+        return self.name or self.sought
 
 
 class _Tally:
@@ -103,7 +116,7 @@ def halo() -> list[Any]:
     """The effect of a text (`path_effects`) that stays legible on lines."""
     from matplotlib.patheffects import withStroke
 
-    return [withStroke(linewidth=2, foreground=look().paper)]
+    return [withStroke(linewidth=_HALO, foreground=look().paper)]
 
 
 def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
@@ -123,7 +136,7 @@ def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
     box, anchor, corner = places.boxes[best], places.anchors[best], places.nearest[best]
     text.xy = label.anchors[places.number[best]]
     text.set_position(tuple((box[:2] - anchor) / dots))
-    if label.name and places.gaps[best] > _LEADER:
+    if label.far and places.gaps[best] > _LEADER:
         drawn.leaders = np.vstack([drawn.leaders, _between(anchor, corner)])
         _join(axes, text, (corner - anchor) / dots, label.colour)
     drawn.texts = np.vstack([drawn.texts, box])
@@ -155,7 +168,7 @@ class _Places:
 
 def _places(axes: Axes, label: Label, size: tuple[float, float], dots: float) -> _Places:
     """All places around all anchors; sizes and boxes in dots, gaps in points."""
-    gaps = np.array(_FAR if label.name else _NEAR)
+    gaps = np.array(_FAR if label.far else _NEAR)
     angles = np.arange(16) * np.pi / 8
     number, gap, angle = (
         part.ravel() for part in np.meshgrid(np.arange(len(label.anchors)), gaps, angles)
@@ -178,15 +191,17 @@ def _costs(
     """What each place costs, in points; infinite where it would cover something or stick out."""
     boxes = places.boxes
     room = axes.bbox
-    free = (boxes[:, :2] > [room.x0, room.y0]).all(1) & (boxes[:, 2:] < [room.x1, room.y1]).all(1)
-    grown = boxes + _CLEAR * np.array([-1, -1, 1, 1])
-    free &= ~_overlaps(grown, np.vstack([drawn.texts, drawn.marks])).any(1)
+    grown = boxes + _CLEAR * dots * np.array([-1, -1, 1, 1])
+    free = (grown[:, :2] > [room.x0, room.y0]).all(1) & (grown[:, 2:] < [room.x1, room.y1]).all(1)
+    free &= ~_overlaps(grown, drawn.marks).any(1)
+    apart = boxes + dots * np.array([-_SPACE, -_LEADING, _SPACE, _LEADING])
+    free &= ~_overlaps(apart, drawn.texts).any(1)
     free &= _held(grown, drawn.leaders) == 0
     costs = places.gaps + _NEXT * places.number + 2 * places.turn
-    covered = drawn.lines.held(boxes)
+    covered = drawn.lines.held(grown)
     if not label.name:
         free &= covered == 0
-    costs += _ON_LINE * covered
+    costs += _ON_LINES * (covered > 0) + _ON_LINE * covered
     middles = (drawn.marks[:, :2] + drawn.marks[:, 2:]) / 2
     own = np.hypot(*(places.nearest - places.anchors).T)
     for middle in middles:
@@ -204,7 +219,7 @@ def _cheapest(
         if costs[place] >= least:
             break
         cost = costs[place]
-        if label.name and places.gaps[place] > _LEADER:
+        if label.far and places.gaps[place] > _LEADER:
             leader = _between(places.anchors[place], places.nearest[place])
             if _held(drawn.texts, leader).any():
                 continue
@@ -221,7 +236,8 @@ def _drawn(axes: Axes) -> _Drawn:
         points = line.get_transform().transform(line.get_xydata())
         points = points[np.isfinite(points).all(1)]
         if line.get_marker() not in (None, "None", "", " "):
-            marks.append(_around(points, (line.get_markersize() / 2 + 0.5) * dots))
+            reach = (line.get_markersize() + line.get_markeredgewidth()) / 2
+            marks.append(_around(points, reach * dots))
         if line.get_linestyle() != "None":
             lines += [_between(*pair) for pair in pairwise(points)]
     texts = [text.get_window_extent().extents for text in axes.texts if text.get_text()]

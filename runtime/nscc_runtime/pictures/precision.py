@@ -156,7 +156,9 @@ def _draw(
                 time, error, marker if point.error >= bottom else "v", color=colour,
                 markerfacecolor=look().paper if hollow else colour, clip_on=False, zorder=3,
             )  # fmt: skip
-            labels.append((hollow, Label(reading.text(point), [(time, error)], colour)))
+            # The one setting of a method is all that is told of it.
+            text, sought = reading.text(point), len(part) == 1
+            labels.append((hollow, Label(text, [(time, error)], colour, sought=sought)))
         ends = [*zip(medians, errors, strict=True)]
         names.append(Label(name, [ends[-1], ends[0], *ends[1:-1]], colour, name=True))
         if name in bounds:

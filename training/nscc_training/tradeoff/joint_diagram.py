@@ -36,6 +36,7 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     bottom = _set_limits(axes, joint)
     beaten = dict(zip(map(id, joint.points), dominated(joint.points), strict=True))
     labels: list[Label] = []
+    keys: dict[int, Line2D] = {}
     for number, each in enumerate(joint.advice):
         points = [point for point in joint.points if point.case == each.stage]
         if not points:
@@ -46,12 +47,16 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
         axes.plot(*zip(*places, strict=True), color=style["color"], zorder=2)
         for point in points:
             _mark(axes, point, bottom, style, hollow=beaten[id(point)])
-        labels.append(Label(each.stage, places[::-1], style["color"], name=True))
+        name = Label(each.stage, places[::-1], style["color"], name=True)
+        labels.append(name)
+        keys[id(name)] = Line2D([], [], label=each.stage, **style)
         if each.point is not None:
             place = _place(each.point, bottom)
             axes.plot(*place, "o", markersize=12, fillstyle="none", color=look().ink, clip_on=False)
             text = ", ".join(filter(None, (each.point.method, each.point.setting)))
-            labels.append(Label(text, [place], style["color"]))
+            label = Label(text, [place], style["color"], sought=True)
+            labels.append(label)
+            keys[id(label)] = Line2D([], [], label=f"{each.stage}: {text}", ls="", **style)
     guides: list[tuple[float, Literal["--", ":"], str]] = [
         (joint.target_percent, "--", f"target, {joint.target}"),
         (joint.shot_percent, ":", "the light's own noise"),
@@ -61,13 +66,15 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     axes.xaxis.set_major_formatter(EngFormatter(unit="s"))
     axes.set(xlabel="time", ylabel="RMS error, % of the mean signal")
     sheet.lay_out(figure)
-    place_labels(axes, sorted(labels, key=lambda label: not label.name))
+    # What is advised has room before all else, and what finds none stands in the legend.
+    homeless = place_labels(axes, sorted(labels, key=lambda label: not label.sought))
     times = "one run" if repeats == 1 else f"medians of {repeats} runs"
     handles = [
         Line2D([], [], color=look().ink, linestyle=dashes, label=name) for _, dashes, name in guides
     ]
     handles.append(Line2D([], [], color=look().ink, linestyle="", marker="o", markersize=10,
                           fillstyle="none", label="advised"))  # fmt: skip
+    handles += [keys[id(label)] for label in homeless]
     sheet.head(
         figure, f"{joint.program} on {Path(joint.scene).name}: what each stage's time buys",
         "compile, lowering, slots: the chip's frame against the light that fell; effects: against "
