@@ -132,7 +132,10 @@ def _run_on_emulator(
     if taken.plan is not None:
         from nscc_runtime.plan_file import plan_table
 
-        done(plan_table(taken.plan, taken.audit) + "\n")
+        table = plan_table(taken.plan, taken.audit)
+        if exposed.pieces > 1:
+            table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
+        done(table + "\n")
     alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
     colours = "colours" in exposed.laid
     done(summary(container, frame, files, alike=alike, colours=colours))

@@ -27,7 +27,7 @@ class Taken:
     axis; `container` has a code for every pixel of them, `light` is what the first of them saw.
 
     `laid` belongs into the frame file's meta. `program` is the chip's, `where` how it sees the
-    picture.
+    picture, in so many `pieces`, colours each: the plan is that of the one it has most wrong with.
     """
 
     simulated: Simulated
@@ -36,6 +36,7 @@ class Taken:
     laid: dict[str, Any]
     program: Container
     where: Layout
+    pieces: int
 
     def response(self, sensor: Sensor) -> Response:
         """What the chip makes of steady light, at every pixel of the picture."""
@@ -82,7 +83,7 @@ def simulate_scene(
     light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
     about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
-    return Taken(simulated, where.widened(container), light, about, container, where)
+    return Taken(simulated, where.widened(container), light, about, container, where, len(made))
 
 
 def _joined(made: Sequence[Simulated], where: Layout, colours: int) -> Simulated:
