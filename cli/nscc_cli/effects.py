@@ -43,11 +43,10 @@ def command(
         raise click.UsageError(
             "EFFECT, --json, --toml and --cost print different things: give one of them"
         )
+    found = sensor_of(load_target(target, Path()), options)
     if cost:
         click.echo(costs())
-        return
-    found = sensor_of(load_target(target, Path()), options)
-    if toml:
+    elif toml:
         click.echo(sensor_toml(found), nl=False)
     elif as_json:
         click.echo(json.dumps({"effects": effects_json(found)}, indent=2))
