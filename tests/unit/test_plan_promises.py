@@ -517,7 +517,7 @@ def test_pixels_that_are_all_in_the_sample_leave_no_doubt() -> None:
 
 
 @pytest.mark.filterwarnings("ignore:warning.NS0793")
-@pytest.mark.parametrize("seed", [530020, 531511, 541770, 620297, 641863])
+@pytest.mark.parametrize("seed", [530020, 531511, 541770, 620297, 641863, 650762])
 def test_what_is_left_of_the_noise_is_said_or_nothing_is(seed: int) -> None:
     """Counts without the gain of words, which is below 1; crosstalk where the counts that it evens
     out are left out, or those of light alone; counts that pixels lack which the plan's frame has

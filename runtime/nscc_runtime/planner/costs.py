@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Literal
 
 import numpy as np
 
@@ -15,7 +14,7 @@ from nscc_runtime.planner.effect_fields import TRIED
 from nscc_runtime.planner.plan_parts import Cost
 from nscc_runtime.planner.predict import WORDS
 from nscc_runtime.planner.prices import SHIPPED, fetching_ns
-from nscc_runtime.planner.promises import Promises
+from nscc_runtime.planner.promises import Path, Promises
 from nscc_runtime.remembered import remembered
 
 MARGIN = 0.9
@@ -45,10 +44,8 @@ class Costs(Promises):
         return not self.effects.auto or effect.name in self.effects.forced
 
     @remembered
-    def path(self, dropped: frozenset[str]) -> Literal["sums", "words", "reference"]:
-        """What has all effects that are left: sums over slots, the loop over the words of single
-        pixels for all of them, or the reference alone.
-        """
+    def path(self, dropped: frozenset[str]) -> Path:
+        """See `Promises`."""
         summed = self._unsummed <= dropped and not self.everywhere
         if summed and not self.state(dropped).startswith(WORDS):
             return "sums"

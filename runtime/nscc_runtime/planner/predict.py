@@ -47,6 +47,7 @@ from nscc_runtime.planner.short_cuts import (
     LEAK,
     NEIGHBOURS,
     NOISE,
+    PARTS,
     THINNING,
 )
 from nscc_runtime.remembered import remembered
@@ -408,9 +409,9 @@ class Forecast(ABC):
         if not counted <= dropped:
             found = (THINNING, FORMULA)
             if not beside <= dropped:
-                found += (NEIGHBOURS,)
+                found += (NEIGHBOURS, PARTS)
             elif beside - self.forced_off and counted & dropped <= self.forced_off:
-                found += (BESIDE_NEAR,)
+                found += (BESIDE_NEAR, PARTS)
         if not errors <= dropped:
             found += (NOISE,)
         return found if leak <= dropped else (*found, LEAK)
@@ -429,16 +430,15 @@ class Forecast(ABC):
         leaked = self.program.leak_error(self.leak_nodes)[:, None] * fields.expected
         after = np.ones(1) if state == "clip" else where
         # Pixels that run through their words spread their own counts over the slots, and have their
-        # neighbours' from sums: of one that is full, these matter nothing but in levels. Of a slot
-        # that they see a part of their own are as even, too.
+        # neighbours' from sums: of one that is full, these matter nothing.
         unfilled = self.runs(state) * fields.unfilled
-        beside, levels = fields.neighbours[self.closed], self._levels(self.closed, state)
-        own = self._own(state)
+        beside = fields.neighbours[self.closed]
         return {
             THINNING: fields.thinning[self.closed] * where,
             FORMULA: np.full(where.shape, FORMULA_E**2),
-            NEIGHBOURS: np.maximum(beside * np.maximum(where, unfilled), levels) + own,
-            BESIDE_NEAR: np.maximum(beside * unfilled, levels) + own,
+            NEIGHBOURS: beside * np.maximum(where, unfilled),
+            BESIDE_NEAR: beside * unfilled,
+            PARTS: self._own(state) + self._levels(self.closed, state),
             NOISE: fields.noise_cut * after,
             LEAK: leaked**2 * after,
         }

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,6 +38,8 @@ from nscc_runtime.planner.tolerance import (
 from nscc_runtime.planner.worst import Worst, worst_measured, worst_of
 from nscc_runtime.remembered import remembered
 
+Path = Literal["sums", "words", "reference"]
+
 _RARE = 2.0
 """Standard deviations of the counts of the few brightest pixels."""
 _WORSE = 3.0
@@ -51,6 +55,12 @@ class Promises(Forecast):
 
     tolerance: Given
     tolerance_max: Given | None
+
+    @abstractmethod
+    def path(self, dropped: frozenset[str]) -> Path:
+        """What has all effects that are left: sums over slots, the loop over the words of single
+        pixels for all of them, or the reference alone.
+        """
 
     @cached_property
     def allowed(self) -> Tolerance:
@@ -214,7 +224,7 @@ class Promises(Forecast):
         effect, in root mean square over pixels and buckets; of what is read out with `readout`.
         None where nothing is random."""
         state = self.state(dropped)
-        far, near = self._lost_near(dropped, everywhere, lacking)
+        far, near = self._lost_near(dropped, lacking)
         square = kept_e2 = 0.0
         for name, noise in self._noise(state).items():
             square += noise.all
@@ -234,10 +244,12 @@ class Promises(Forecast):
         return math.sqrt(max(kept_e2 + added, 0.0) / (square + added))
 
     def _lost_near(
-        self, dropped: frozenset[str], everywhere: bool, lacking: frozenset[str]
+        self, dropped: frozenset[str], lacking: frozenset[str]
     ) -> tuple[frozenset[str], frozenset[str]]:
-        """What a plan lacks far from saturation, and near it."""
-        return dropped, dropped if everywhere else self.forced_off | lacking
+        """What a plan lacks far from saturation, and near it, where pixels run through their words
+        with more than the others, unless the reference runs."""
+        by_reference = self.path(dropped) == "reference"
+        return dropped, dropped if by_reference else self.forced_off | lacking
 
     @remembered
     def _left(self, name: str, lost: frozenset[str]) -> float:
@@ -282,7 +294,7 @@ class Promises(Forecast):
         if dropped & self.saturation or self.off_for_good(dropped, everywhere):
             return None
         full, mine = self._noise_e2_of(dropped, everywhere, lacking)
-        noise, (_, lost_near) = self.fields.noise, self._lost_near(dropped, everywhere, lacking)
+        noise, (_, lost_near) = self.fields.noise, self._lost_near(dropped, lacking)
         none = np.zeros(full.shape)
         uncut = sum(noise.values(), none)
         parts = {name: self._left(name, lost_near) for name in noise}
@@ -315,8 +327,8 @@ class Promises(Forecast):
         """The variance over frames (buckets, pixels of the sample) with every effect, and under a
         plan."""
         found, state = self.fields, self.state(dropped)
-        lost_far, lost_near = self._lost_near(dropped, everywhere, lacking)
-        runs = np.zeros(len(found.sample.places), np.bool_) if everywhere else self.runs(state)
+        lost_far, lost_near = self._lost_near(dropped, lacking)
+        runs = self.runs(state)
         full, mine = (np.zeros(found.expected.shape) for _ in range(2))
         for name, there in found.noise_left.items():
             full += there

@@ -9,6 +9,7 @@ FORMULA_E = 0.015
 NEIGHBOURS = "neighbours' counts are taken as even over their slots"
 BESIDE_NEAR = f"{NEIGHBOURS} by pixels near saturation"
 """Where sums have no neighbours."""
+PARTS = "counts are even in slots that pixels near saturation see a part of, and in their levels"
 NOISE = "the noise of words as at the mean leakage"
 LEAK = "leakage from sums at {rates}"
 
