@@ -88,7 +88,8 @@ class Outcome:
 
     @property
     def needless(self) -> list[str]:
-        """Effects that were kept at a cost though the tolerance could have spared them."""
+        """Effects that were kept at a cost though the tolerance could have spared them, for all
+        that a sample tells."""
         return [
             each.name
             for each in self.plan.decisions
@@ -97,6 +98,7 @@ class Outcome:
             and each.cost_ms_model > 0
             and each.predicted_if_dropped_e is not None
             and each.predicted_if_dropped_e <= 0.9 * self.plan.tolerance_e
+            and "could be" not in each.reason
         ]
 
 

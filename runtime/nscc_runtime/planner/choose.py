@@ -141,9 +141,13 @@ class Chooser(Costs):
 
     def _sure(self, dropped: frozenset[str], limit: float) -> bool:
         """Whether it fits with two standard errors of the sample, and keeps to its bounds."""
-        error = float(np.max(self.sampling_error(dropped, self.path(dropped) != "sums")))
         most = max(limit / MARGIN**2, self._square(self.forced_off))
-        return self._square(dropped) + 2.0 * error <= most and self._bounded(dropped)
+        return self._doubtful(dropped) <= most and self._bounded(dropped)
+
+    def _doubtful(self, dropped: frozenset[str]) -> float:
+        """The mean square error with two standard errors of the sample."""
+        error = float(np.max(self.sampling_error(dropped, self.path(dropped) != "sums")))
+        return self._square(dropped) + 2.0 * error
 
     def _bounded(self, dropped: frozenset[str], lacking: frozenset[str] = frozenset()) -> bool:
         """Whether the worst pixels and the noise keep to what was asked, or to what is forced."""
@@ -257,6 +261,9 @@ class Chooser(Costs):
             choice, reason = "dropped", f"{rms:.3g} e fits into the tolerance"
         elif then > MARGIN * self.tolerance_e:
             reason = f"left out, the error would be {then:.3g} e"
+        elif cost > 0 and self._doubtful(without) > self.tolerance_e**2:
+            could_e = math.sqrt(self._doubtful(without))
+            reason = f"left out, the error could be {could_e:.3g} e: few pixels tell"
         elif cost > 0 and not self._bounded(dropped | {effect.name}):
             reason = self._unbounded(dropped | {effect.name})
         else:
