@@ -369,10 +369,11 @@ class Forecast(ABC):
         found = self.fields.levels * (self.fields.clipped & self.runs(state))
         return found / 4.0 if closed else found
 
-    def _own(self, state: str) -> Values:
-        """The variance (buckets, pixels) of counts of pixels that run through their words, of slots
-        of which these see a part as they take time: they are taken as even. Where PIX is full in
-        the end that matters in levels alone."""
+    @cached_property
+    def _own(self) -> Values:
+        """The variance (buckets, pixels) of pixels' own counts in slots of which words see a part,
+        as they take time: where pixels run through their words they are taken as even. Where PIX is
+        full in the end that matters in levels alone."""
         fields, program = self.fields, self.program
         kept = self.every.without(*self.forced_off)
         if kept.part(CountedLight) is None or kept.part(SlowWords) is None:
@@ -384,7 +385,7 @@ class Forecast(ABC):
         seen = np.where(fields.clipped, levels, levels + others) * slot_e
         reads = program.tables.squared_reads(program.full).T[:, lanes]
         most = reads * (full_e**2 / np.maximum(slot_e, 1.0))
-        return np.asarray(np.minimum(seen, most) * self.runs(state))
+        return np.minimum(seen, most)
 
     @cached_property
     def leak_nodes(self) -> int:
@@ -438,7 +439,7 @@ class Forecast(ABC):
             FORMULA: np.full(where.shape, FORMULA_E**2),
             NEIGHBOURS: beside * np.maximum(where, unfilled),
             BESIDE_NEAR: beside * unfilled,
-            PARTS: self._own(state) + self._levels(self.closed, state),
+            PARTS: self._own * self.runs(state) + self._levels(self.closed, state),
             NOISE: fields.noise_cut * after,
             LEAK: leaked**2 * after,
         }
