@@ -98,7 +98,7 @@ class ByLane:
     @cached_property
     def full_weights(self) -> Values:
         """The weights (buckets, N, lanes) of slots by the full model."""
-        return np.ascontiguousarray(np.moveaxis(self.tables.weights(self.full).slots, 2, 0))
+        return np.ascontiguousarray(self._slots(self.full, None))
 
     @cached_property
     def seconds(self) -> Values:

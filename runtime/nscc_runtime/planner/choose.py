@@ -264,8 +264,8 @@ class Chooser(Costs):
         elif cost > 0 and self._doubtful(without) > self.tolerance_e**2:
             could_e = math.sqrt(self._doubtful(without))
             reason = f"left out, the error could be {could_e:.3g} e: few pixels tell"
-        elif cost > 0 and not self._bounded(dropped | {effect.name}):
-            reason = self._unbounded(dropped | {effect.name})
+        elif cost > 0 and not self._bounded(without):
+            reason = self._unbounded(without)
         else:
             reason = "costs nothing"
         if forced and choice != "absent":

@@ -178,11 +178,9 @@ class Program:
         members = np.ascontiguousarray((self.reference.groups.of_slot == group).T)
         return Masks.of(members, self.lanes)
 
-    def members(self, group: int, lanes: NDArray[np.int64] | None = None) -> Values:
-        """1 where a slot (N, lanes) belongs to a group; of some lanes only, if given."""
-        of_slot = self.reference.groups.of_slot
-        chosen = of_slot if lanes is None else of_slot[lanes]
-        return np.ascontiguousarray((chosen == group).T, np.float64)
+    def members(self, group: int) -> Values:
+        """1 where a slot (N, lanes) belongs to a group."""
+        return np.ascontiguousarray((self.reference.groups.of_slot == group).T, np.float64)
 
     @cached_property
     def read_part(self) -> float:

@@ -38,6 +38,7 @@ from nscc_runtime.planner.tolerance import (
 from nscc_runtime.planner.worst import Worst, worst_measured, worst_of
 from nscc_runtime.remembered import remembered
 
+Values = NDArray[np.float64]
 Path = Literal["sums", "words", "reference"]
 
 _RARE = 2.0
@@ -148,11 +149,10 @@ class Promises(Forecast):
             found = replace(found, max_e=max(found.max_e, found.p999_e + 1.0))
         if not everywhere and len(self.running(self.state(dropped))):
             found = replace(found, max_e=max(found.max_e, self._evened_e(dropped, lacking)))
-        near, cut = self.fields.sample.near, self._cut(dropped) & self.fields.fixed.keys()
-        if not cut or not near.any():
+        near, taken = self.fields.sample.near, self._taken_near(dropped)
+        if taken is None:
             return found
         # What saturation would take is of one frame's noise: another's takes it farther.
-        taken = np.sum([self.fields.fixed[name] for name in sorted(cut)], axis=0)
         # Those that see most stand for themselves: no other pixel is beyond them.
         alone = near & (weight <= 1.0)
         tails = [
@@ -162,9 +162,14 @@ class Promises(Forecast):
         rarely_e = (self.fields.rarely_e.get(name, 0.0) for name in self.saturation & dropped)
         return replace(found, max_e=max(found.max_e, *tails, *rarely_e))
 
-    def _cut(self, dropped: frozenset[str]) -> frozenset[str]:
-        """The fields of what a plan lacks near saturation, which one frame was measured for."""
-        return self.inside(dropped) & (self.saturation | {BOTH, FORCED})
+    def _taken_near(self, dropped: frozenset[str]) -> Values | None:
+        """What a plan lacks near saturation that one frame was measured for (buckets, pixels of the
+        sample); None where that is nothing."""
+        fixed = self.fields.fixed
+        cut = self.inside(dropped) & (self.saturation | {BOTH, FORCED}) & fixed.keys()
+        if not cut or not self.fields.sample.near.any():
+            return None
+        return np.asarray(np.sum([fixed[name] for name in sorted(cut)], axis=0))
 
     def _evened_e(self, dropped: frozenset[str], lacking: frozenset[str]) -> float:
         """How far the worst pixel near saturation may be off as counts are taken as even over
@@ -191,11 +196,10 @@ class Promises(Forecast):
         one frame another."""
         mean, variance, _ = self.errors(dropped, everywhere)
         found = self.fields.sample.error(mean**2 + variance)
-        cut = sorted(self._cut(dropped) & self.fields.fixed.keys())
-        if not cut or not self.fields.sample.near.any():
+        taken = self._taken_near(dropped)
+        if taken is None:
             return found
         # What saturation takes of a few pixels is more in one frame than in another.
-        taken = np.sum([self.fields.fixed[name] for name in cut], axis=0)
         noise_e2 = np.maximum(np.sum([*self.fields.noise.values()], axis=0), 0.0)
         return np.hypot(found, self.fields.sample.spread(2.0 * taken * np.sqrt(noise_e2)))
 
