@@ -1,4 +1,4 @@
-"""Programs, scenes and plans for tests of the planner."""
+"""Programs, scenes and plans for tests of execution and planning."""
 
 from __future__ import annotations
 
@@ -9,9 +9,14 @@ from reference_programs import program
 
 from nscc.words.container import Container
 from nscc_runtime.effects import registered, selected
+from nscc_runtime.execution.frames import ExecutedScene, executed
+from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
-from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.plan_parts import Decision
+from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_parts import Decision
+from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.sensor import Sensor
 
 ANY_STOP = """nsl 1
 frame {slots} slots of {slot}
@@ -94,9 +99,14 @@ def case(
 ) -> Container:
     """The compiled program of `CASES` or `RARER` on a small SCAMP-5; `slots` a multiple of 4."""
     text, lowering = {**CASES, **RARER}[name]
+    shown = text.format(slots=slots, slot=slot, rows=book_rows(slots))
+    return program(shown, lowering, rows, cols)
+
+
+def book_rows(slots: int) -> list[str]:
+    """The shutters of `BOOK`."""
     made = np.random.default_rng(7).integers(0, 2, (4, slots))
-    book = ["".join(map(str, row)) for row in made]
-    return program(text.format(slots=slots, slot=slot, rows=book), lowering, rows, cols)
+    return ["".join(map(str, row)) for row in made]
 
 
 def moving_light(
@@ -121,3 +131,21 @@ def plan_of(effects: str, tolerance_e: float = 5.0, loop: str = "some", **values
         for effect in registered()
     )  # fmt: skip
     return Plan(tolerance_e, 0.0, 0.0, loop, (), 0.0, (), decisions, **values)  # type: ignore[arg-type]
+
+
+def exposed_under(
+    plan: Plan, container: Container, light: Light, sensor: Sensor, device_seed: int = 5,
+    threads: int = 1,
+) -> ExecutedScene:  # fmt: skip
+    """A scene made ready to be exposed under a plan."""
+    program = analysed(container, sensor)
+    return executed(program, light, plan.execution, device_seed=device_seed, threads=threads)
+
+
+def measured_plan(
+    container: Container, light: Light, sensor: Sensor, tolerance: str | float,
+    effects: str = "auto", device_seed: int = 5,
+) -> Plan:  # fmt: skip
+    """A plan with every figure of its table."""
+    scene = planning_of(container, sensor, light, device_seed, threads=1)
+    return make_plan(scene, PlanRequest(selected(effects), tolerance, figures=True))

@@ -95,3 +95,34 @@ def _any_scene(rng: np.random.Generator, slots: int, side: int, full_e: float) -
         rows, cols = rng.integers(0, side, (2, 5))
         frames[:, rows, cols] = np.float32(full_e * 10 ** rng.uniform(0, 6))
     return f"{name}{', suns' if kind == 'suns' else ''}", Light.of_clip(frames)
+
+
+def rare_pixels(seed: int, side: int = 256) -> Draw:
+    """A plan for a dim scene with lamps, with pixels that flash once, with suns, or with a disk:
+    few pixels have most of the error."""
+    rng = np.random.default_rng([11, seed])
+    program, slots = str(rng.choice(list(CASES))), int(rng.choice([4, 8, 16]))
+    container = case(program, slots, f"{rng.choice([100, 500, 2000])}us", side, side)
+    sensor, kind = sensor_of(container), str(rng.choice(["lamps", "flashes", "suns", "disk"]))
+    name = str(rng.choice(["dim", "mid", "hdr"]))
+    frames = np.array(scene(name, slots, side, side).frames)
+    rows, cols = rng.integers(0, side, (2, int(rng.choice([1, 5, 60, 600]))))
+    bright_e = np.float32(sensor.full_well_e * 10 ** rng.uniform(-1, 1))
+    if kind == "lamps":
+        frames[:, rows, cols] += bright_e / slots
+    elif kind == "flashes":
+        frames[rng.integers(0, slots, len(rows)), rows, cols] += bright_e
+    elif kind == "suns":
+        frames[:, rows[:5], cols[:5]] = bright_e * np.float32(10 ** rng.uniform(1, 6))
+    else:
+        y, x = np.mgrid[:side, :side]
+        disk = (y - rows[0]) ** 2 + (x - cols[0]) ** 2 < rng.uniform(1, 12) ** 2
+        frames[:, disk] += bright_e / slots
+    tolerance = str(rng.choice(["0.1noise", "0.15noise", "5e", "50e"]))
+    full = full_frames(container, Light.of_clip(frames), sensor, 2, 3, 5)
+    found = outcome(container, Light.of_clip(frames), sensor, tolerance, full)
+    said = (
+        f"seed {seed}: {program}, {slots} slots, {name} with {len(rows)} of {kind}, {tolerance}: "
+        f"{found.err:.4g} e of {found.plan.tolerance_e:.4g}, predicted {found.plan.predicted_e:.4g}"
+    )
+    return Draw(said, found)

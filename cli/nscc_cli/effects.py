@@ -65,34 +65,21 @@ def listing() -> str:
 
 
 def costs() -> str:
-    """What simulating takes here, beside the prices that plans are chosen by; measured if nobody
-    has."""
-    from nscc_runtime import machine_prices
+    """What simulating takes here, measured now, beside the prices that plans are chosen by."""
     from nscc_runtime.effects import registered
+    from nscc_runtime.planning.measure_prices import measure_prices
 
-    found, where = machine_prices.kept(), machine_prices.place()
-    if found is None:
-        from nscc_runtime.planner.measuring import measured
-
-        found = measured()
-        where_kept = machine_prices.keep(found)
-        told = f"measured now, kept in {where}" if where_kept else "measured now, not kept"
-    else:
-        told = f"measured before, kept in {where}: without that file it is measured anew"
+    prices = measure_prices()
     rows = [("price", "shipped", "here", "unit", "of")]
-    rows += [
-        (e.name, "" if e.shipped is None else f"{e.shipped:.4g}", f"{e.here:.4g}", e.unit, e.what)
-        for e in found.prices
-    ]
-    here = {each.name for each in found.prices}
+    rows += [(e.name, f"{e.shipped:.4g}", f"{e.here:.4g}", e.unit, e.what) for e in prices]
+    measured = {price.name for price in prices}
     rows += [
         (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")
-        for e in registered() if e.cost_ns and e.name not in here
+        for e in registered() if e.cost_ns and e.name not in measured
     ]  # fmt: skip
-    threads = "1 thread" if found.threads == 1 else f"{found.threads} threads"
     return columns(rows, left=(0, 3, 4)) + (
-        f"\n\nof one core; frames are done first with {threads}\n{told}\n"
-        "shipped prices decide on effects, what is measured here on threads, which change no bit"
+        "\n\nof one core; plans are chosen by shipped prices, so that the same input gives the "
+        "same bytes on every machine"
     )
 
 
@@ -102,7 +89,7 @@ def details(name: str, sensor: Sensor) -> str:
 
     effect = named(name)
     lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
-    for heading in ("model", "predicted", "cost", "applied"):
+    for heading in ("model", "size", "cost", "applied"):
         first, rest = f"  {heading:<11}", " " * 13
         text = getattr(effect, heading)
         lines += textwrap.wrap(text, _WIDTH, initial_indent=first, subsequent_indent=rest)

@@ -130,7 +130,7 @@ def _run_on_emulator(
         lambda: exposed.response(sensor), taken.plan_file,
     )  # fmt: skip
     if taken.plan is not None:
-        from nscc_runtime.plan_file import plan_table
+        from nscc_runtime.planning.plan_file import plan_table
 
         table = plan_table(taken.plan, taken.audit)
         if exposed.pieces > 1:

@@ -59,7 +59,7 @@ def command(program: Path | None, **options: Any) -> int:
     which are left out. Ends with status 1 where a plan broke its promise.
     """
     from nscc.words.readout import converter_of
-    from nscc_runtime.planner.program import Program
+    from nscc_runtime.execution.program import analysed
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
     from nscc_runtime.tradeoff.study_text import kept, studies_text
@@ -70,7 +70,7 @@ def command(program: Path | None, **options: Any) -> int:
     settings = _settings(options)
     scenes = _scenes(container, options, messages)
     _refuse(container)
-    made = Program.of(container, sensor)
+    made = analysed(container, sensor)
     gb_per_s = copy_gb_per_s()
     digests = [scene.light.sha256() for scene in scenes]
     with kept_rows(files, {**options, "program": program}, *digests) as rows:

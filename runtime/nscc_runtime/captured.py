@@ -22,9 +22,9 @@ from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
 from nscc_runtime.light import Light
 from nscc_runtime.merge import Readout, light_estimate, readouts
 from nscc_runtime.pieces import Taken
-from nscc_runtime.plan_file import plan_table
-from nscc_runtime.planner.audit import Audit
-from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planning.audit import Audit
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_file import plan_table
 from nscc_runtime.response import Response
 
 _SIDE, _MOST = 256, 1024
@@ -118,9 +118,10 @@ class Capture(Frame):
     def __repr__(self) -> str:
         shape = " x ".join(map(str, self.frame.shape))
         mean = float(self.exposure_e.mean(where=self.valid)) if self.valid.any() else 0.0
-        how = self._fidelity if self.plan is None else (
-            f"error {self.plan.predicted_e:.3g} e predicted"
-        )  # fmt: skip
+        how = self._fidelity
+        if self.plan is not None:
+            predicted_e = self.plan.predicted_e
+            how = "planned" if predicted_e is None else f"error {predicted_e:.3g} e predicted"
         return f"<nscc capture: {shape}, codes {self._codes()}, mean {mean:.6g} e, {how}>"
 
     def _repr_html_(self) -> str:
@@ -134,7 +135,8 @@ class Capture(Frame):
         lines = html.plain("\n".join(frame_lines(self.container, self)))
         told = html.Html()
         if self.plan is not None:
-            summary = f"what was simulated, to {self.plan.tolerance_e:.4g} e"
+            asked = self.plan.tolerance if self.plan.allowed is None else self.plan.allowed
+            summary = f"what was simulated, to {asked}"
             told = html.folded(summary, html.plain(plan_table(self.plan, self.audit)))
         effects = "by a plan" if self.plan is not None else f"fidelity {self._fidelity}"
         subtitle = f"{' x '.join(map(str, self.frame.shape))}, codes {self._codes()}, {effects}"

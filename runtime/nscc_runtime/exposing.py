@@ -40,9 +40,9 @@ from nscc_runtime.given import (
 from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
-from nscc_runtime.planner.audit import Audit
-from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.tolerance import Given, Tolerance
+from nscc_runtime.planning.audit import Audit
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.tolerance import Given, Tolerance
 from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.fit import FITS, Fit
@@ -151,10 +151,12 @@ def captures(
     if threads is not None:
         whole("nscc_runtime.captures", "threads", threads, least=1)
     plans = KeptPlans()
+    plans.expect(range(count))
 
     def run(number: int, program: Any, light: Any) -> Capture:
         try:
-            return capture(program, light, threads=1, turn=Turn(plans, number), **options)
+            turn = Turn(plans, number, frames=count)
+            return capture(program, light, threads=1, turn=turn, **options)
         finally:
             plans.passed(number)
 
@@ -178,7 +180,8 @@ def plan(
     Arguments as of `capture`, which takes the plan for this scene and others. Nothing is exposed.
     """
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.planning import planning_of
+    from nscc_runtime.planning.make import PlanRequest, make_plan
+    from nscc_runtime.planning.scenes import planning_of
 
     call = "nscc_runtime.plan"
     container = container_of(call, program)
@@ -195,8 +198,11 @@ def plan(
     if container.target.streamed:
         raise planless(call)
     warn(said)
-    planning = planning_of(container, chip, scene, device_seed)
-    return planning.plan(request.tolerance, request.effects, request.tolerance_max)
+    planned = planning_of(container, chip, scene, device_seed)
+    return make_plan(
+        planned,
+        PlanRequest(request.effects, request.tolerance, request.tolerance_max, figures=True),
+    )
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:

@@ -21,8 +21,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.effects.parts import Leak, SlowWords, Soft, Well, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.planner.frames import made_ready
-from nscc_runtime.planner.program import Program
+from nscc_runtime.execution.program import Program, analysed
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
@@ -57,7 +56,7 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     """The codes (buckets, rows, cols) from which on pixels may be full, by bit of `saturated_by`;
     infinite where no code tells. Raises as `marked_by_codes` does.
     """
-    program = made_ready(container, sensor)
+    program = analysed(container, sensor)
     used, places = np.unique(program.lanes, return_inverse=True)
     parts = np.array_split(used, -(-len(used) // _MOST_LANES))
     told = [_codes_of(program, part) for part in parts]

@@ -9,7 +9,7 @@ stand near a level, and the plan is tried on the new scene.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable
+from collections.abc import Callable, Hashable, Iterable
 from concurrent.futures import Future
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -32,8 +32,8 @@ from nscc_runtime.sizes_loop import (
     sizes_of,
 )
 
-if TYPE_CHECKING:  # captures without effects start without the planner
-    from nscc_runtime.planner.plan import Plan
+if TYPE_CHECKING:  # captures without effects start without planning
+    from nscc_runtime.planning.plan import Plan
 
 Values = NDArray[np.float64]
 
@@ -94,7 +94,8 @@ class Statistics:
 
     def covers(self, other: Statistics, plan: Plan) -> bool:
         """Whether a plan that was made for this scene will do for another one."""
-        least = _LESS_OF_PART if plan.allowed.follows else _LESS
+        follows = plan.allowed is None or plan.allowed.follows
+        least = _LESS_OF_PART if follows else _LESS
         return self.resembles(other, saturating=not plan.drops_saturation, least=least)
 
 
@@ -137,10 +138,12 @@ def _alike(one: Light, other: Light) -> bool:
 
 @dataclass(frozen=True, eq=False)
 class _Kept:
-    """A plan, or one that is being made, with what its scene is like."""
+    """A plan, or one that is being made, with what its scene is like; `scenes`: how many of that
+    kind there were so far."""
 
     statistics: Statistics
     made: Future[Plan]
+    scenes: int
 
     @cached_property
     def again(self) -> Plan:
@@ -151,76 +154,82 @@ class _Kept:
 class KeptPlans:
     """The plans of a film's frames, or of the scenes of a batch, which are numbered from 0.
 
-    Scenes may be exposed at the same time: whose plan one takes follows from their order alone.
-    Every number has to be `passed`, whether its scene was planned or not.
+    Frames that are exposed one after the other need nothing else. Where scenes are exposed at the
+    same time, their numbers are announced by `expect` before any of them begins: whose plan one
+    takes then follows from their order alone. A capture passes its turn on however it ends.
     """
 
     def __init__(self) -> None:
         self._last: dict[Hashable, _Kept] = {}
-        self._passed: set[int] = set()
-        self._turn = 0
+        self._expected: set[int] = set()
         self._changed = Condition()
+
+    def expect(self, numbers: Iterable[int]) -> None:
+        """Scenes with these numbers will be exposed, maybe at the same time: none is planned before
+        those with lower numbers have passed."""
+        with self._changed:
+            self._expected.update(numbers)
+
+    def passed(self, number: int) -> None:
+        """Scene `number` has its plan, or needs none."""
+        with self._changed:
+            self._expected.discard(number)
+            self._changed.notify_all()
 
     def plan(
         self,
-        number: int,
+        turn: Turn,
         asked: Hashable,
-        found: Statistics,
-        make: Callable[[], Plan],
-        serves: Callable[[Plan], bool] = lambda _plan: True,
+        statistics: Statistics,
+        make: Callable[[int], Plan],
+        serves: Callable[[Plan], bool],
     ) -> Plan:
-        """The plan of scene `number`: that of the last one that was planned for what is `asked`, if
-        it covers this one and `serves` it, and what `make` gives otherwise."""
+        """The plan of a scene: that of the last one that was planned for what is `asked`, if it
+        covers this one and `serves` it, else what `make` gives for so many frames as are expected
+        of this kind. These are at first as many as the turn says, and later as many as there were
+        of the last kind: where no two scenes are alike, measuring does not pay.
+        """
         with self._changed:
-            self._changed.wait_for(lambda: self._turn >= number)
+            self._changed.wait_for(lambda: turn.number <= min(self._expected, default=turn.number))
+        mine: Future[Plan] = Future()
         try:
-            earlier = self._earlier(asked, found)
-            if earlier is not None and serves(earlier):
-                return earlier
-            mine: Future[Plan] = Future()
-            self._last[asked] = _Kept(found, mine)
+            last, scenes, frames = self._last.get(asked), 1, turn.frames
+            if last is not None:
+                frames = min(turn.frames, last.scenes)
+            # Most scenes that differ are told apart before the last plan is there.
+            alike = last is not None and last.statistics.resembles(statistics)
+            if last is not None and alike and last.made.exception() is None:
+                scenes, earlier = last.scenes + 1, last.again
+                frames = min(turn.frames, scenes)
+                covers = earlier.measured and last.statistics.covers(statistics, earlier)
+                if covers and serves(earlier):
+                    self._last[asked] = replace(last, scenes=scenes)
+                    return earlier
+            self._last[asked] = _Kept(statistics, mine, scenes)
         finally:
-            self.passed(number)
+            self.passed(turn.number)
         try:
-            mine.set_result(make())
+            mine.set_result(make(frames))
         except BaseException as error:
             mine.set_exception(error)
             raise
         return mine.result()
 
-    def _earlier(self, asked: Hashable, found: Statistics) -> Plan | None:
-        """The last plan, where it covers a scene."""
-        last = self._last.get(asked)
-        # Most scenes that differ are told apart before that plan is there.
-        if last is None or not (last.made.done() or last.statistics.resembles(found)):
-            return None
-        if last.made.exception() is not None:
-            return None
-        return last.again if last.statistics.covers(found, last.again) else None
-
-    def passed(self, number: int) -> None:
-        """Scene `number` has its plan, or needs none."""
-        with self._changed:
-            self._passed.add(number)
-            while self._turn in self._passed:
-                self._passed.discard(self._turn)
-                self._turn += 1
-            self._changed.notify_all()
-
 
 @dataclass(frozen=True, eq=False)
 class Turn:
-    """A scene's place among those that share their plans."""
+    """A scene's place among those that share their plans.
+
+    Attributes
+    ----------
+    plans : KeptPlans
+        Where plans are kept.
+    number : int
+        The scene's number among them.
+    frames : int
+        How many frames of one kind are expected at most: choosing effects has to pay by them.
+    """
 
     plans: KeptPlans
     number: int
-
-    def plan(
-        self,
-        asked: Hashable,
-        found: Statistics,
-        make: Callable[[], Plan],
-        serves: Callable[[Plan], bool],
-    ) -> Plan:
-        """See `KeptPlans.plan`."""
-        return self.plans.plan(self.number, asked, found, make, serves)
+    frames: int = 1000

@@ -196,14 +196,6 @@ class Light:
             return self.weight[:, None] * slots
         return np.asarray(self._transposed @ slots)
 
-    def on_slots(self, frames: NDArray[np.floating]) -> NDArray[np.float64]:
-        """What the slots (N, J) have of values (T, J) of the frames."""
-        if self.in_order:
-            return self.weight[:, None] * frames
-        if self.one_each:
-            return self.weight[:, None] * frames[self.frame_index]
-        return np.asarray(self._transposed.T @ frames.astype(np.float64))
-
     @cached_property
     def ended(self) -> NDArray[np.float32]:
         """The frames, light without end as so much that no count tells it from more: a closed slot

@@ -9,8 +9,6 @@ from concurrent.futures import ThreadPoolExecutor
 from functools import cache
 from itertools import pairwise
 
-from nscc_runtime.machine_prices import best_threads
-
 THREADS = "nscc"
 """How the names of threads begin that do a part of some work, and share it with no others."""
 
@@ -21,11 +19,8 @@ def processors() -> int:
 
 
 def threads_of(asked: int | None) -> int:
-    """So many threads as were asked for, by default one a processor, or as many as have been found
-    to be worth it on this machine."""
-    if asked is not None:
-        return asked
-    return min(best_threads() or processors(), processors())
+    """So many threads as were asked for, by default one a processor."""
+    return processors() if asked is None else asked
 
 
 @cache

@@ -93,10 +93,10 @@ def _weights(container: Container, sensor: Sensor, effects: Selection) -> Backwa
         leak = effects.part(Leak)
         rate = 1.0 / leak.tau_s(sensor) if leak else 0.0
         return backward(container, (), 1.0, rate, effects.part(SlowWords) is not None)
-    from nscc_runtime.planner.frames import made_ready
+    from nscc_runtime.execution.program import analysed
 
     try:
-        program = made_ready(container, sensor)
+        program = analysed(container, sensor)
     except Rejected:  # NS0442
         return None
     return program.tables.weights(program.model(effects))

@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -24,16 +24,16 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
-from nscc_runtime.planner.tolerance import DEFAULT, OPTION_MAX, Given, check_tolerance
+from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, Given, check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
-if TYPE_CHECKING:  # a frame without effects starts without the planner
-    from nscc_runtime.planner.audit import Audit
-    from nscc_runtime.planner.plan import Plan
-    from nscc_runtime.planner.planning import Planning
+if TYPE_CHECKING:  # a frame without effects starts without planning
+    from nscc_runtime.planning.audit import Audit
+    from nscc_runtime.planning.plan import Plan
+    from nscc_runtime.planning.planned_scene import PlannedScene
 
 Fidelity = Literal["planned", "reference"]
 
@@ -155,7 +155,11 @@ def simulate(
 ) -> Simulated:
     """Expose the scene. Raises Rejected where the program, the scene or the plan is unfit."""
     listener = listener or Listener()
-    simulated = _simulated(container, light, sensor, request, listener)
+    try:
+        simulated = _simulated(container, light, sensor, request, listener)
+    finally:
+        if request.turn is not None:
+            request.turn.plans.passed(request.turn.number)
     eaten = _eaten(simulated.frame)
     if eaten is not None:
         listener.warn(eaten)
@@ -263,8 +267,9 @@ def _planned(
 ) -> Simulated:
     """By a plan: made here, or read from its file."""
     from nscc_runtime.emulator.capture import check
-    from nscc_runtime.plan_file import plan_text, read_plan
-    from nscc_runtime.planning import planning_of
+    from nscc_runtime.planning.make import measured_again
+    from nscc_runtime.planning.plan_file import plan_text, read_plan
+    from nscc_runtime.planning.scenes import planning_of
 
     timings, device_seed = listener.timings, request.device_seed
     planning = planning_of(
@@ -279,7 +284,7 @@ def _planned(
     given = file is not None and file.exists()
     with timings.part("plan_s"):
         if file is not None and given:
-            plan = planning.predicted(read_plan(file, digest, sensor))
+            plan = measured_again(planning, read_plan(file, digest, sensor))
         elif request.plan is None or isinstance(request.plan, Path):
             plan = _made(planning, container, light, sensor, request)
         else:
@@ -303,15 +308,26 @@ def _planned(
 
 
 def _made(
-    planning: Planning, container: Container, light: Light, sensor: Sensor, request: Request
+    scene: PlannedScene, container: Container, light: Light, sensor: Sensor, request: Request
 ) -> Plan:
-    """A plan made for this scene, or an earlier one that covers it."""
-    asked = request.tolerance, request.effects, request.tolerance_max
-    if request.turn is None:
-        return planning.plan(*asked)
+    """A plan made for this scene, or an earlier one that covers it. Who asks for a plan's file or
+    for an audit gets every figure of the table."""
+    from nscc_runtime.planning.make import PlanRequest, make_plan
+
+    turn, repeat = request.turn, request.repeat or 1
+    asked = PlanRequest(
+        request.effects, request.tolerance, request.tolerance_max, repeat,
+        figures=request.audit or request.plan is not None,
+    )  # fmt: skip
+    if turn is None or not request.effects.auto:
+        return make_plan(scene, asked)
+
+    def make(frames: int) -> Plan:
+        return make_plan(scene, replace(asked, frames=frames * repeat))
+
     one = container, sensor, request.device_seed, asked
-    found = Statistics.of(light, planning.open_part)
-    return request.turn.plan(one, found, lambda: planning.plan(*asked), planning.serves)
+    statistics = Statistics.of(light, scene.open_part)
+    return turn.plans.plan(turn, one, statistics, make, scene.serves)
 
 
 def _gathered(made: Iterable[Frame], repeat: int | None, listener: Listener) -> Frame:
@@ -376,7 +392,11 @@ def _broken(plan: Plan, report: Audit, given: bool) -> Rejected:
     return rejected(
         "NS0749",
         report.breach(plan) or "the promise is broken",
-        notes=(f"predicted were {plan.predicted_e:.3g} e",),
+        notes=(
+            "its error was not measured before"
+            if plan.predicted_e is None
+            else f"predicted were {plan.predicted_e:.3g} e",
+        ),
         helps=(what,),
         data={
             "measured_rms_e": report.measured_rms_e,

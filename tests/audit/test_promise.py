@@ -2,7 +2,7 @@
 
 Each program's runs are one test: no run may break its promise or keep an effect that the tolerance
 can spare, and of the errors that are large enough to be judged nine in ten must have been foreseen.
-The oracle is the reference, compared here without `nscc_runtime.planner.audit`.
+The oracle is the reference, compared here without `nscc_runtime.planning.audit`.
 """
 
 from __future__ import annotations

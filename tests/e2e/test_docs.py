@@ -94,11 +94,11 @@ def test_python_captures_what_the_page_says(
     names: dict[str, Any] = {}
     for text in blocks("docs/emulator.md", "python"):
         exec(text, names)
-    taken, again, batch = names["taken"], names["again"], names["batch"]
-    assert taken.exposure_e.shape == taken.frame.shape == (1, 256, 256)
-    assert 0 < taken.plan.predicted_e <= 4.5
+    taken, chosen, batch = names["taken"], names["chosen"], names["batch"]
+    assert taken.exposure_e.shape == taken.frame.shape == (3, 1, 256, 256)
+    assert taken.plan is chosen
+    assert 0 < chosen.predicted_e <= 4.5
     assert "shot" in names["kept"]
-    assert again.frame.shape == (3, 1, 256, 256)
     assert [each.plan.tolerance_e for each in batch] == [2.0, 2.0, 2.0]
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -47,7 +46,9 @@ def loaded(folder: Path, name: str = "f.npz") -> tuple[dict[str, np.ndarray], di
 
 
 def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
-    outcome = run(folder, "--effects", "auto", "--tolerance", "2e", "--seed", "4")
+    outcome = run(
+        folder, "--effects", "auto", "--tolerance", "2e", "--seed", "4", "--plan", "plan.json"
+    )
     assert outcome.status == 0, outcome.err
     arrays, meta = loaded(folder)
     assert arrays["exposure_e"].shape == (1, 24, 30)
@@ -66,19 +67,42 @@ def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     assert "wrote f.npz" in outcome.err
 
 
-@pytest.mark.parametrize(
-    "option", [["--tolerance", "0.15noise"], ["--audit"], ["--plan", "plan.json"]]
-)
-def test_options_of_plans_mean_a_plan(option: list[str], folder: Path) -> None:
+def test_a_frame_that_measuring_would_not_pay_for_has_all_effects(folder: Path) -> None:
+    """What was not measured is null, and the table says why."""
+    assert run(folder, "--effects", "all", "--seed", "4").status == 0
+    every = loaded(folder)[0]["exposure_e"]
+    outcome = run(folder, "--effects", "auto", "--seed", "4")
+    assert outcome.status == 0, outcome.err
+    arrays, meta = loaded(folder)
+    assert arrays["exposure_e"].tobytes() == every.tobytes()
+    plan = meta["plan"]
+    names = ("predicted_e", "bound_e", "predicted_p999_e", "predicted_max_e", "noise_ratio")
+    assert [plan[name] for name in names] == [None] * 5
+    assert plan["tolerance"] == "0.15noise"
+    assert plan["tolerance_e"] is plan["noise_e"] is None
+    assert plan["sampled_fraction"] == 0.0
+    assert {each["error_e"] for each in plan["approximations"]} == {None}
+    for each in plan["effects"]:
+        if each["decision"] == "kept" and each["kind"] != "after":
+            assert each["predicted_rms_e"] is each["predicted_if_dropped_e"] is None
+            assert each["reason"] == "choosing effects would take longer than it saves"
+    assert "choosing effects would take longer than it saves" in outcome.err
+    assert "no error was measured" in outcome.err
+
+
+def test_options_of_plans_mean_a_plan(folder: Path) -> None:
     assert run(folder, "--effects", "auto").status == 0
     expected = (folder / "f.npz").read_bytes()
-    assert run(folder, *option).status == 0
-    arrays, meta = loaded(folder)
-    before = np.load(BytesIO(expected))
-    assert arrays["exposure_e"].tobytes() == before["exposure_e"].tobytes()
-    assert meta["plan"]["tolerance"] == "0.15noise"
-    if option[0] != "--audit":
-        assert (folder / "f.npz").read_bytes() == expected
+    assert run(folder, "--tolerance", "0.15noise").status == 0
+    assert (folder / "f.npz").read_bytes() == expected
+    found = []
+    for option in (["--audit"], ["--plan", "plan.json"]):
+        assert run(folder, *option).status == 0
+        arrays, meta = loaded(folder)
+        assert meta["plan"]["tolerance"] == "0.15noise"
+        assert meta["plan"]["predicted_e"] <= meta["plan"]["tolerance_e"]
+        found.append(arrays["exposure_e"].tobytes())
+    assert found[0] == found[1]
 
 
 def test_the_default_is_no_effects_and_predicts_nothing(folder: Path) -> None:

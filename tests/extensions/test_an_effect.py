@@ -7,15 +7,11 @@ import numpy as np
 import pytest
 from added_package import add_package, nscc_with
 
-SOURCE = '''
-from nscc_runtime.effects import CannotHave, Effect, Field, parameter
+SOURCE = """
+from nscc_runtime.effects import CannotHave, Effect, parameter
 from nscc_runtime.noise import key, normals
 def offsets_e(sensor, device_seed, places):  # row * 256 + col
     return sensor.columns_e * normals(key(device_seed, COLUMNS.stream), places % 256)
-def field(sample):
-    """rms of the columns' offsets"""
-    offsets = sample.on_device(offsets_e)
-    return Field(fixed=offsets, behind_well=offsets)
 SLOW = CannotHave("nobody has written it")
 COLUMNS = Effect(
     name="columns", stream=1000, kind="fixed", title="offsets of the columns' amplifiers",
@@ -24,9 +20,9 @@ COLUMNS = Effect(
     absent="this sensor has none",
     parameters=(parameter("columns_e", "readout", 0.0, "e", 0, 1e6, "sigma of a column", "ours"),),
     reference={"readout": lambda pixels, value, bucket: value + pixels.fixed(offsets_e)},
-    field=field, sums=SLOW, fused=SLOW, words=SLOW, cost_ns=1.0,
+    size="rms of the columns' offsets", sums=SLOW, words=SLOW, cost_ns=1.0,
 )
-'''
+"""
 RUN = ("run", "a.nsl", "--scene", "builtin:motion", "--exposure", "20000", "-o", "f.npz")
 
 
@@ -54,7 +50,7 @@ def test_an_effect_from_outside_in_everything_there_is(tmp_path: Path) -> None:
 
 
 def test_what_it_lacks_is_said_by_its_name(tmp_path: Path) -> None:
-    lacking = SOURCE.replace("field=field", "field=None")
+    lacking = SOURCE.replace("rms of the columns' offsets", "")
     add_package(tmp_path, lacking, "nscc.effects", "columns", "COLUMNS")
     refused = nscc_with(tmp_path, "effects").stderr
-    assert "[NS0905]: the effect 'columns' cannot be used: it lacks `field`" in refused
+    assert "[NS0905]: the effect 'columns' cannot be used: it lacks `size`" in refused

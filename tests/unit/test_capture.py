@@ -13,7 +13,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planning.plan import Plan
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import Sensor, default_sensor
 
@@ -177,7 +177,7 @@ def test_one_plan_for_a_batch() -> None:
 def test_a_frame_is_near_the_reference_to_its_tolerance() -> None:
     sensor: Sensor = default_sensor(PROGRAM.target)
     full = exposures(PROGRAM, Light.of_clip(CLIP), sensor, "all", 40)
-    taken = capture(PROGRAM, CLIP, tolerance="5e", seed=3, device_seed=5, repeat=40)
+    taken = capture(PROGRAM, CLIP, tolerance="5e", seed=3, device_seed=5, repeat=40, audit=True)
     err = float(np.sqrt(((taken.exposure_e - full) ** 2).mean()))
     assert err <= 1.1 * 5.0
     assert isinstance(taken.plan, Plan)

@@ -14,13 +14,9 @@ from nscc_command import invoke
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target
 from nscc_runtime.effects import (
-    AfterExposure,
-    ByParts,
     CannotHave,
-    Field,
     InLoop,
     Mark,
-    effects_json,
     marks,
     named,
     optional,
@@ -75,22 +71,6 @@ def test_bad_choices(text: str) -> None:
     assert caught.value.status == 2
 
 
-def test_the_readouts_figures() -> None:
-    sensor = SENSOR.changed(adc_noise_lsb=2.0, spread_noise_lsb=0.5, electrons_per_lsb=6.0)
-    found = {
-        effect.name: effect.field.rms_e(sensor)
-        for effect in registered()
-        if isinstance(effect.field, AfterExposure)
-    }
-    noise_e = {"adc_noise": 12.0, "spreading": 3.0}
-    assert found == {**noise_e, "adc": pytest.approx(3**0.5)}
-
-
-def test_what_people_read_is_said_by_the_function_that_the_planner_calls() -> None:
-    row = next(row for row in effects_json(SENSOR) if row["name"] == "lag")
-    assert row["predicted"] == " ".join(named("lag").field.__doc__.split())
-
-
 INCOMPLETE = [
     ({"name": ""}, "a text"),
     ({"name": "shot"}, "there is an effect `shot`"),
@@ -101,14 +81,10 @@ INCOMPLETE = [
     ({"reference": {}}, "`reference`, a function"),
     ({"reference": {"nowhere": abs}}, "`reference`, a function"),
     ({"reference": {"codes": abs}}, "it is that of `adc`"),
-    ({"field": None}, "`field`, a function"),
-    ({"field": lambda sample: Field()}, "what `field` is: its docstring"),
-    ({"kind": "after"}, "a `field` that goes with its `kind`"),
+    ({"size": ""}, "`size`, a text"),
     ({"sums": None}, "`sums`, its parts"),
     ({"sums": (1,)}, "`sums` of known parts only"),
     ({"sums": named("lag").sums}, "that of `lag`"),
-    ({"fused": None}, "`fused`, ByParts"),
-    ({"sums": named("dark").sums, "fused": ByParts()}, "does not know all of its parts"),
     ({"words": None}, "`words`, InLoop"),
     ({"words": InLoop()}, "`words` that is CannotHave"),
     ({"parameters": (1,)}, "`parameters`, each a parameter"),
@@ -136,7 +112,7 @@ INCOMPLETE = [
 def test_what_an_effect_lacks_is_refused_by_name(changes: dict[str, object], text: str) -> None:
     whole = replace(
         named("lag"), name="tilt", stream=99, parameters=(), sums=CannotHave("so"),
-        fused=CannotHave("so"), words=CannotHave("so"),
+        words=CannotHave("so"),
     )  # fmt: skip
     before = registered()
     with pytest.raises(Rejected) as caught:

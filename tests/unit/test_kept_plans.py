@@ -9,18 +9,20 @@ import pytest
 from plan_cases import case
 from promise import still
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture, captures
 from nscc_runtime.effects import Selection
-from nscc_runtime.kept_plans import KeptPlans, Statistics
+from nscc_runtime.execution.program import analysed
+from nscc_runtime.kept_plans import KeptPlans, Statistics, Turn
 from nscc_runtime.light import Light
-from nscc_runtime.planner.frames import made_ready
-from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planning.plan import Plan
 from nscc_runtime.sensor import default_sensor
 
 PROGRAM = case("b edges", 8, rows=64, cols=64)
 WIDE = still(8, 64, 72, 3000.0).astype(np.float32)
 LIGHT = Light.of_clip(np.ascontiguousarray(WIDE[:, :, :64]))
-OPEN = made_ready(PROGRAM, default_sensor(PROGRAM.target)).open_part
+OPEN = analysed(PROGRAM, default_sensor(PROGRAM.target)).open_part
+MEASURED = replace(Plan.of_nothing(), tolerance_e=5.0, predicted_e=1.0)
 
 
 def statistics(light: Light, part: np.ndarray = OPEN) -> Statistics:
@@ -47,12 +49,12 @@ def test_whose_plan_a_scene_takes_follows_from_the_order_alone(threads: int) -> 
     bright, dark, spot = film[0] * 1.2, film[0] * 0.3, film[0].copy()
     spot[:, 3, 3] = 2 * film[0].max()
     lights = [film[0], film[1], bright, bright, dark, spot, film[0][0]]
-    found = captures(PROGRAM, lights, tolerance="5e", threads=threads)
+    found = captures(PROGRAM, lights, tolerance="5e", threads=threads, audit=True)
     reused = [each.plan is not None and each.plan.reused for each in found]
     assert reused == [False, True, False, True, False, False, False]
     for light, each in zip(lights, found, strict=True):
         if each.plan is not None and not each.plan.reused:
-            alone = capture(PROGRAM, light, tolerance="5e")
+            alone = capture(PROGRAM, light, tolerance="5e", audit=True)
             assert alone.exposure_e.tobytes() == each.exposure_e.tobytes()
 
 
@@ -118,23 +120,74 @@ def test_the_sizes_of_light_are_means_of_its_powers() -> None:
     np.testing.assert_allclose(statistics(light, part).sizes, expected, 1e-6)
 
 
+ASKED = Selection(frozenset(), frozenset())
+
+
+def planned(
+    plans: KeptPlans, number: int, plan: Plan, light: Light = LIGHT, frames: int = 1000,
+    serves: bool = True,
+) -> tuple[Plan, int | None]:  # fmt: skip
+    """The plan of a scene, and for how many frames it was made anew."""
+    asked: list[int] = []
+
+    def make(expected: int) -> Plan:
+        asked.append(expected)
+        return plan
+
+    turn = Turn(plans, number, frames)
+    found = plans.plan(turn, ASKED, statistics(light), make, lambda _: serves)
+    return found, asked[0] if asked else None
+
+
 def test_a_plan_that_does_not_serve_a_scene_is_made_anew() -> None:
-    plans, plan = KeptPlans(), Plan.of_nothing()
-    asked, made = Selection(frozenset(), frozenset()), replace(plan, tolerance_e=3.0)
-    assert plans.plan(0, asked, statistics(LIGHT), lambda: plan, lambda _: False) is plan
-    assert plans.plan(1, asked, statistics(LIGHT), lambda: made, lambda _: False) is made
-    last = plans.plan(2, asked, statistics(LIGHT), lambda: plan, lambda each: each.tolerance_e == 3)
-    assert last == replace(made, reused=True)
+    plans, other = KeptPlans(), replace(MEASURED, tolerance_e=3.0)
+    assert planned(plans, 0, MEASURED) == (MEASURED, 1000)
+    assert planned(plans, 1, other, serves=False)[0] is other
+    assert planned(plans, 2, MEASURED) == (replace(other, reused=True), None)
 
 
 def test_a_plan_that_could_not_be_made_serves_nobody() -> None:
-    plans, plan = KeptPlans(), Plan.of_nothing()
+    plans = KeptPlans()
 
-    def fails() -> Plan:
+    def fails(_frames: int) -> Plan:
         raise ValueError("no plan")
 
-    asked = Selection(frozenset(), frozenset())
     with pytest.raises(ValueError, match="no plan"):
-        plans.plan(0, asked, statistics(LIGHT), fails)
-    assert plans.plan(1, asked, statistics(LIGHT), lambda: plan) is plan
-    assert plans.plan(2, asked, statistics(LIGHT), fails).reused
+        plans.plan(Turn(plans, 0), ASKED, statistics(LIGHT), fails, lambda _: True)
+    assert planned(plans, 1, MEASURED)[0] is MEASURED
+    found = plans.plan(Turn(plans, 2), ASKED, statistics(LIGHT), fails, lambda _: True)
+    assert found.reused
+
+
+def test_where_no_two_scenes_are_alike_no_plan_is_made_for_many() -> None:
+    plans, unmeasured = KeptPlans(), Plan.of_nothing()
+    lights = [Light.of_clip(LIGHT.dense() * np.float32(2.0**k)) for k in range(4)]
+    expected = [planned(plans, k, unmeasured, light)[1] for k, light in enumerate(lights)]
+    assert expected == [1000, 1, 1, 1]
+    # Of a scene that stays, as many more are expected as there were: measuring may pay by then.
+    again = [planned(plans, 4 + k, unmeasured, lights[-1])[1] for k in range(3)]
+    assert again == [2, 3, 4]
+    assert planned(plans, 8, MEASURED, lights[-1], frames=2) == (MEASURED, 2)
+    # A kind that lasted long is followed by one of which as many are expected.
+    assert [planned(plans, 9 + k, MEASURED, lights[-1])[1] for k in range(3)] == [None] * 3
+    assert planned(plans, 12, MEASURED, lights[0])[1] == 8
+
+
+@pytest.mark.parametrize("lost", [0, 1, 2, 3])
+def test_a_film_does_not_wait_for_a_frame_that_is_lost(lost: int) -> None:
+    """A number that is skipped, and one whose capture was refused."""
+    plans, film = KeptPlans(), frames(4)
+    for number, light in enumerate(film):
+        if number == lost:
+            with pytest.raises(Rejected):
+                capture(PROGRAM, light[:, :8], tolerance="5e", turn=Turn(plans, number))
+        elif number != lost + 1:
+            taken = capture(PROGRAM, light, tolerance="5e", turn=Turn(plans, number))
+            assert taken.plan is not None
+
+
+def test_one_rejected_scene_of_many_hangs_no_other() -> None:
+    lights = frames(5)
+    lights[2] = lights[2][:, :8]
+    with pytest.raises(Rejected):
+        captures(PROGRAM, lights, tolerance="5e", threads=3)

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 import nscc
+import nscc_runtime
 from nscc.target.load import builtin_target
 from nscc_runtime import capture
 
@@ -55,7 +56,8 @@ def test_at_most_allows_for_frames_that_were_not_measured(scene: int) -> None:
     total = np.random.default_rng(scene).lognormal(7.0, 2.5, (50, 4))
     light = np.full((program.slots, 1, 1), 1.0 / program.slots) * total
     given = {"seed": scene, "device_seed": 3, "repeat": 24}
-    planned = capture(program, light, effects="auto", tolerance="0.5e", **given)
+    made = nscc_runtime.plan(program, light, tolerance="0.5e", device_seed=3)
+    planned = capture(program, light, plan=made, **given)
     exact = capture(program, light, effects="all", fidelity="reference", **given)
     same = planned.told["states_closed_at"] == exact.told["states_closed_at"]
     square = np.where(same[:, None], (planned.exposure_e - exact.exposure_e) ** 2, 0.0)

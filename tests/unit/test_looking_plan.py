@@ -19,10 +19,14 @@ from nscc.words.container import Container
 from nscc_runtime import captures
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
-from nscc_runtime.looking.choose import predicted_for, serves
 from nscc_runtime.looking.frames import ways_of
-from nscc_runtime.looking.sample import Sample
-from nscc_runtime.planner.plan import MOST_OTHER_STATES, Plan
+from nscc_runtime.planning.differences import Difference
+from nscc_runtime.planning.look_trial import LookTrial
+from nscc_runtime.planning.make import measured_again
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
+from nscc_runtime.planning.scenes import LookingPixels, planning_of
+from nscc_runtime.planning.trial import Setting
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.sensor import default_sensor
@@ -58,7 +62,7 @@ def light(full_wells: float) -> Light:
 def run(
     program: Container, scene: Light, effects: str, listener: Listener | None = None, **given: Any
 ) -> tuple[Plan, Simulated]:
-    request = Request.of(effects=effects, **given)
+    request = Request.of(effects=effects, **{"audit": True, **given})
     sensor = default_sensor(program.target)
     done = simulate(program, scene, sensor, request, listener or Listener())
     assert done.plan is not None
@@ -123,20 +127,29 @@ def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
     plan, _ = run(program, light(0.05), "auto", tolerance=40.0)
     again = Plan.from_json(json.loads(json.dumps(plan.as_json())))
     assert again == plan
-    ways = ways_of(program, default_sensor(program.target))
-    brighter = predicted_for(Sample.of(ways, light(2.0)), again, again.allowed)
+    scene = planning_of(program, default_sensor(program.target), light(2.0))
+    brighter = measured_again(scene, again)
     assert brighter.kept.on == plan.kept.on
     assert brighter.predicted_e > plan.predicted_e
 
 
-def test_a_sample_stands_for_the_scene(program: Container) -> None:
+def trial_on(program: Container, scene: Light) -> LookTrial:
     ways = ways_of(program, default_sensor(program.target))
-    sample = Sample.of(ways, light(2.0))
-    assert sample.weight.sum() == pytest.approx(SIDE**2)
-    mean = (sample.light.frames[0] * sample.weight).sum() / sample.weight.sum()
+    return LookTrial(frozenset(), ways, scene)
+
+
+def without(trial: LookTrial, *names: str) -> Difference:
+    """What leaving effects out changes."""
+    return Difference(trial.together(Setting(frozenset(names))), trial.sample)
+
+
+def test_a_sample_stands_for_the_scene(program: Container) -> None:
+    trial = trial_on(program, light(2.0))
+    assert trial.sample.weight.sum() == pytest.approx(SIDE**2)
+    mean = trial.sample.mean(light(2.0).frames[0].reshape(-1)[trial.sample.places])
     assert mean == pytest.approx(light(2.0).frames[0].mean(), rel=0.25)
-    nothing = sample.without(frozenset())
-    assert not nothing.square.any()
+    nothing = without(trial)
+    assert not nothing.changes
     assert nothing.other_states == 0.0
 
 
@@ -174,15 +187,18 @@ def test_a_plan_serves_a_scene_only_where_few_pixels_end_in_other_states(
     """A wall as bright as a level: what effects change there tips pixels over."""
     plan, _ = run(program, light(0.5), "all,-shot,-prnu", tolerance=1e4)
     weight = light(1.0).weight
-    ways = ways_of(program, default_sensor(program.target))
 
-    def wall(full_wells: float) -> Sample:
+    def wall(full_wells: float) -> Light:
         still = np.full((SIDE, SIDE), full_wells * 30000.0 / weight.sum(), np.float32)
-        return Sample.of(ways, Light.of_still(still, weight))
+        return Light.of_still(still, weight)
+
+    def serves(full_wells: float) -> bool:
+        scene = LookingPixels(program, default_sensor(program.target), wall(full_wells))
+        return scene.serves(plan)
 
     on_a_level = next(
         each for each in np.geomspace(0.5, 4.0, 60)
-        if wall(each).without(frozenset({"shot", "prnu"})).other_states > MOST_OTHER_STATES
+        if without(trial_on(program, wall(each)), "shot", "prnu").other_states > MOST_OTHER_STATES
     )  # fmt: skip
-    assert serves(wall(0.05), plan)
-    assert not serves(wall(on_a_level), plan)
+    assert serves(0.05)
+    assert not serves(on_a_level)

@@ -33,8 +33,8 @@ from nscc_runtime.pictures.look import LOOKS, Look, contrast, look, looking
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
 from nscc_runtime.pictures.shutters import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
-from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.plan_parts import Choice, Decision
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_parts import Choice, Decision
 from nscc_runtime.tradeoff.study import (
     DRAWN,
     ELECTRONS,

@@ -15,8 +15,8 @@ from reference_programs import sensor_of
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
-from nscc_runtime.planner import capture as planned
-from nscc_runtime.planner.summed import Summed
+from nscc_runtime.execution import frames as executed_frames
+from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.pool import THREADS, in_strips
 from nscc_runtime.reference.capture import Reference, scene_of
 
@@ -63,13 +63,13 @@ def test_rates_are_made_before_the_threads_that_draw_them(monkeypatch: pytest.Mo
     """Made by one of these, they would wait for others of them that wait for rates."""
     makers: list[str] = []
 
-    class Noted(Summed):
+    class Noted(SummedScene):
         @cached_property
         def rates(self) -> list[NDArray[np.float64]]:
             makers.append(current_thread().name)
             return super().rates
 
-    monkeypatch.setattr(planned, "Summed", Noted)
+    monkeypatch.setattr(executed_frames, "SummedScene", Noted)
     program = case("b edges", 8, rows=64, cols=64)
     light = np.ascontiguousarray(still(8, 64, 64, 3000.0), np.float32)
     capture(program, light, tolerance="5e", threads=4)

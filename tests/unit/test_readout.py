@@ -33,8 +33,8 @@ from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
-from nscc_runtime.planner.choose import plan_for
-from nscc_runtime.planner.frames import made_ready, planned_frames
+from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.scenes import planning_of
 from nscc_runtime.reference import frames
 from nscc_runtime.sensor import default_sensor
 
@@ -64,9 +64,9 @@ def test_the_emulator(readout: str) -> None:
     frame = read_out(expose(container, light), target, sensor)
     check(frame.frame, readout, target)
     assert frame.saturated.tolist() == [[[False, False, True]]]
-    program = made_ready(container, sensor)
-    plan = plan_for(program, light, 5.0, selected("none"), 0)
-    [planned] = planned_frames(program, light, plan, 0, 0, 1, 1)
+    planning = planning_of(container, sensor, light)
+    plan = make_plan(planning, PlanRequest(selected("none"), 5.0))
+    [planned] = planning.frames(plan, 0, 1)
     np.testing.assert_array_equal(planned.frame, frame.frame)
 
 

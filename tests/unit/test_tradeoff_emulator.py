@@ -18,9 +18,9 @@ from nscc.source import Source
 from nscc.target.load import builtin_target, target_toml
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
+from nscc_runtime.execution.program import Program
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.planner.program import Program
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.sensor import default_sensor
 from nscc_runtime.tradeoff import naive

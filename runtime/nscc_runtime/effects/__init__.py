@@ -14,26 +14,18 @@ leaving one out changes no draw.
 from __future__ import annotations
 
 from nscc_runtime.effects.effect import (
-    AfterExposure,
-    ByParts,
-    ByWords,
     CannotHave,
     Effect,
     InLoop,
 )
-from nscc_runtime.effects.field import Field
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.registry import effects_json, marks, optional, register, registered
 from nscc_runtime.effects.selection import Selection, everything, named, selected
 
 __all__ = [
-    "AfterExposure",
-    "ByParts",
-    "ByWords",
     "CannotHave",
     "Effect",
-    "Field",
     "InLoop",
     "Mark",
     "Selection",

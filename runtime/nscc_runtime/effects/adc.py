@@ -7,12 +7,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from nscc.target.target import Target
-from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Codes
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Values
 
 
 def _of_all_codes(target: Target, values: Mapping[str, float]) -> float:
@@ -51,13 +51,9 @@ ADC = Effect(
     absent="it is always there",
     parameters=(ELECTRONS_PER_LSB, OFFSET),
     reference={"codes": _codes},
-    field=AfterExposure(
-        "rms = electrons_per_lsb / sqrt(12) where the noise before it is 0.5 codes or more; in "
-        "`frame` only",
-        lambda sensor: ELECTRONS_PER_LSB(sensor) / 12**0.5,
-    ),
+    size="rms = electrons_per_lsb / sqrt(12) where the noise before it is 0.5 codes or more; "
+    "in `frame` only",
     sums=(Codes(ELECTRONS_PER_LSB, OFFSET),),
-    fused=ByParts(),
     words=InLoop(),
     always=True,
     marks={"codes": Mark(4, "converter")},

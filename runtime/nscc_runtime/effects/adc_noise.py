@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Converter
 
@@ -25,11 +25,7 @@ ADC_NOISE = Effect(
     absent="this sensor has none",
     parameters=(SIGMA, ELECTRONS_PER_LSB),
     reference={"converter": SIGMA},
-    field=AfterExposure(
-        "rms = sigma electrons_per_lsb, in `frame` only",
-        lambda sensor: SIGMA(sensor) * ELECTRONS_PER_LSB(sensor),
-    ),
+    size="rms = sigma electrons_per_lsb, in `frame` only",
     sums=(Converter(SIGMA),),
-    fused=ByParts(),
     words=InLoop(),
 )

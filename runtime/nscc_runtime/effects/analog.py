@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import Parameter, parameter
 from nscc_runtime.effects.parts import Errors, OfSensor, WordGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.effects.views import Pixels, Places, Values, Word
 from nscc_runtime.noise import key, normals
 
 _MEASURED = "fit to the errors of a 9-word kernel measured by Guillard 2019"
@@ -49,16 +48,6 @@ def _written(pixels: Pixels, value: Values, word: Word, destination: int, sign: 
     return GAIN(pixels.sensor) * value + sign * (pixels.fixed(pattern_e) + random)
 
 
-def _field(sample: Sampled) -> Field:
-    """bias = mean of (b + pattern) sum c - gain loss, rms = sqrt(mean of its square + sigma^2 sum
-    c^2), c the words' signed coefficients"""
-    return Field(
-        sample.charge - sample.without("analog") + sample.pattern,
-        variance=sample.errors("words", _noise(sample.sensor)),
-        behind_well=sample.pattern,
-    )
-
-
 ANALOG = Effect(
     name="analog",
     stream=7,
@@ -73,9 +62,9 @@ ANALOG = Effect(
     absent="this sensor has none",
     parameters=(GAIN, NOISE, PATTERN, BIAS, ELECTRONS_PER_LSB),
     reference={"words": _written},
-    field=_field,
+    size="bias = mean of (b + pattern) sum c - gain loss, rms = sqrt(mean of its square + "
+    "sigma^2 sum c^2), c the words' signed coefficients",
     sums=(WordGain(GAIN, pattern_e, _bias, _spread), Errors("words", _noise)),
-    fused=ByParts(),
     words=InLoop(
         "word_errors",
         {"gain": GAIN, "word_error": _noise, "pattern": _spread, "bias": _bias},

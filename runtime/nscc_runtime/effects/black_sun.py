@@ -2,26 +2,15 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import LitLevel
-from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.effects.views import Pixels, Values, Word
 
 
 def _found(_pixels: Pixels, charge: Values, _word: Word) -> Values:
     return charge
-
-
-def _field(sample: Sampled) -> Field:
-    """rms and mean of what falls between a reset and the word that reads its level, which is
-    subtracted; at most a full well"""
-    full_e = FULL(sample.sensor)
-    lit = sample.charge - sample.without("black_sun")
-    return Field(np.clip(lit, -full_e, full_e))
 
 
 BLACK_SUN = Effect(
@@ -37,9 +26,9 @@ BLACK_SUN = Effect(
     absent="no word reads the level of a reset at its boundary, or there is no charge",
     parameters=(FULL,),
     reference={"level": _found},
-    field=_field,
+    size="rms and mean of what falls between a reset and the word that reads its level, which "
+    "is subtracted; at most a full well",
     sums=(LitLevel(),),
-    fused=ByParts(),
     words=InLoop("lit_level"),
     marks={"level": Mark(16, "black sun")},
 )

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from nscc_runtime.effects.comparator_offset import NO_LOOK, ONLY_LOOKS
 from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.parameters import parameter
-from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.effects.views import Pixels, Values, Word
 
 SIGMA = parameter(
     "comparator_noise_fraction", "comparator", 0.02, "1", 0, 1,
@@ -18,12 +17,6 @@ SIGMA = parameter(
 def _seen(pixels: Pixels, total: Values, word: Word) -> Values:
     size_e = SIGMA(pixels.sensor) * FULL(pixels.sensor)
     return total + size_e * pixels.error("comparator_noise", word)
-
-
-def _field(sample: Sampled) -> Field:
-    """the part of the pixels that end in other states, of tiles that run through their words with
-    the noise and without; nothing in programs that do not look"""
-    return Field()
 
 
 COMPARATOR_NOISE = Effect(
@@ -38,9 +31,8 @@ COMPARATOR_NOISE = Effect(
     absent=NO_LOOK,
     parameters=(SIGMA, FULL),
     reference={"compare": _seen},
-    field=_field,
+    size="the part of the pixels that it takes to other states; nothing where no pixel looks",
     sums=CannotHave(ONLY_LOOKS),
-    fused=CannotHave(ONLY_LOOKS),
     words=InLoop(
         "compares_noisy",
         {"compare_noise": lambda sensor: SIGMA(sensor) * FULL(sensor)},

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
-from nscc_runtime.effects.field import Field, Places, Sampled, Values
 from nscc_runtime.effects.full_well import FULL
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.effects.views import Pixels, Places, Values, Word
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
@@ -30,12 +29,6 @@ def _seen(pixels: Pixels, total: Values, word: Word) -> Values:
     return total + pixels.fixed(offset_e)
 
 
-def _field(sample: Sampled) -> Field:
-    """the part of the pixels that end in other states, of tiles that run through their words with
-    the offset and without; nothing in programs that do not look"""
-    return Field()
-
-
 COMPARATOR_OFFSET = Effect(
     name="comparator_offset",
     stream=17,
@@ -48,9 +41,8 @@ COMPARATOR_OFFSET = Effect(
     absent=NO_LOOK,
     parameters=(SPREAD, FULL),
     reference={"compare": _seen},
-    field=_field,
+    size="the part of the pixels that it takes to other states; nothing where no pixel looks",
     sums=CannotHave(ONLY_LOOKS),
-    fused=CannotHave(ONLY_LOOKS),
     words=InLoop(
         "compares_off",
         {"compare_offset": lambda sensor: SPREAD(sensor) * FULL(sensor)},

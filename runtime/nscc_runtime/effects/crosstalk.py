@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Exchange
-from nscc_runtime.effects.views import Slots
+from nscc_runtime.effects.views import Slots, Values
 
 FRACTION = parameter(
     "crosstalk_fraction", "light", 0.005, "1", 0, 0.2,
@@ -32,24 +31,6 @@ def _smear(slots: Slots, charge: Values) -> Values:
     return smeared(charge, FRACTION(slots.sensor))
 
 
-def _field(sample: Sampled) -> Field:
-    """rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the counts
-    that pass between pixels; worst at saturated and moving edges"""
-    part = FRACTION(sample.sensor)
-    if part == 0:
-        return Field()
-    # Of dark charge four neighbours' counts, and four parts of the pixel's own.
-    counts = sample.counted(moved=True) + 20 * (sample.dark_2_s * sample.dark)
-    # Charge that is shared is less noisy: dark charge keeps (1 - 4c)^2 + 4c^2 of its variance.
-    noise = sample.counted() - sample.counted_alone()
-    noise = noise + (20 * part**2 - 8 * part) * sample.dark_2_s * sample.dark
-    return Field(
-        sample.base - sample.alone + sample.dark_s * sample.spilt,
-        variance=part**2 * counts,
-        noise=noise,
-    )
-
-
 CROSSTALK = Effect(
     name="crosstalk",
     stream=14,
@@ -62,9 +43,9 @@ CROSSTALK = Effect(
     applied="to the charge of every slot, drawn, before it falls on PIX",
     parameters=(FRACTION,),
     reference={"neighbours": _smear},
-    field=_field,
+    size="rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the "
+    "counts that pass between pixels; worst at saturated and moving edges",
     sums=(Exchange(FRACTION, smeared),),
-    fused=CannotHave("it goes through pixels one by one"),
     # Neighbours multiply what has to be counted.
     words=InLoop("exchanges", {"exchanged": FRACTION}),
     cost_ns=3.0,

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.counts import WITHOUT_LIGHT
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
-from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import CountedDark
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal, log_variance
-from nscc_runtime.effects.views import Slots
+from nscc_runtime.effects.views import Places, Slots, Values
 from nscc_runtime.noise import key, normals
 
 CURRENT = parameter(
@@ -32,12 +31,6 @@ def _fall(slots: Slots, charge: Values) -> Values:
     return charge + slots.counted(DARK.stream, WITHOUT_LIGHT, rates)
 
 
-def _field(sample: Sampled) -> Field:
-    """bias = mean of D t, t the open time by weight, D of each pixel and what its neighbours spill;
-    rms = sqrt(mean (D t)^2 + counts of variance D t)"""
-    return Field(sample.dark_e, variance=sample.dark_2_s * sample.dark)
-
-
 DARK = Effect(
     name="dark",
     stream=3,
@@ -52,9 +45,9 @@ DARK = Effect(
     absent="this sensor has none",
     parameters=(CURRENT, SPREAD),
     reference={"charge": _fall},
-    field=_field,
+    size="bias = mean of D t, t the open time by weight, D of each pixel and what its "
+    "neighbours spill; rms = sqrt(mean (D t)^2 + counts of variance D t)",
     sums=(CountedDark(current_e_per_s),),
-    fused=CannotHave("it counts light only"),
     words=InLoop(
         "counts_dark",
         {

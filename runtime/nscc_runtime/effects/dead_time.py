@@ -2,23 +2,13 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import SlowWords
 from nscc_runtime.effects.views import Word
 
 
 def _ends(word: Word) -> float:
     return word.after_us
-
-
-def _field(sample: Sampled) -> Field:
-    """rms and mean of what falls meanwhile, and of its counts: read and reset every slot: lost
-    fraction x rms L; edges: each moves by its words' time; without that in the level of a reset"""
-    moved = sample.without("black_sun") - sample.without("dead_time")
-    return Field(moved, variance=sample.moved("dead_time"), noise=np.zeros(1))
 
 
 DEAD_TIME = Effect(
@@ -32,9 +22,10 @@ DEAD_TIME = Effect(
     cost="a factor for each code; a slot loop in the reference",
     applied="between the words of a boundary",
     reference={"time": _ends},
-    field=_field,
+    size="rms and mean of what falls meanwhile, and of its counts: read and reset every slot: "
+    "lost fraction x rms L; edges: each moves by its words' time; without that in the "
+    "level of a reset",
     sums=(SlowWords(),),
-    fused=ByParts(),
     words=InLoop("slow_words"),
     cost_ns=1.5,
 )

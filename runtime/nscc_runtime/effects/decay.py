@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import TARGET, parameter
 from nscc_runtime.effects.parts import Fading
 
@@ -11,12 +10,6 @@ RETENTION = parameter(
     "digital_retention_us", "memory", None, "us", 0, 1e15,
     "a digital register reads 0 when it was not written for longer", TARGET, low_excluded=True,
 )  # fmt: skip
-
-
-def _field(sample: Sampled) -> Field:
-    """rms and mean of the difference that wrong bits make, found by running the words with them and
-    without"""
-    return Field(sample.by_words("decay"))
 
 
 DECAY = Effect(
@@ -31,8 +24,8 @@ DECAY = Effect(
     absent="every register is written again in time",
     parameters=(RETENTION,),
     reference={"digital": RETENTION},
-    field=_field,
+    size="rms and mean of the difference that wrong bits make, found by running the words with "
+    "them and without",
     sums=(Fading(),),
-    fused=CannotHave("it takes shutters as they were meant"),
     words=InLoop(),
 )

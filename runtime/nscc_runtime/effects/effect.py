@@ -1,10 +1,10 @@
 """What an effect is: one declaration, from which every part of the emulator takes what it needs.
 
 The reference runs an effect's functions at the stages of a frame where it acts (`STAGES`). The
-planner asks it for its field (`nscc_runtime.effects.field`). The fast paths know the parts of
-`nscc_runtime.effects.parts` and simulate an effect by those it is made of. One that is made of
-something else says that a path cannot have it, and a run that keeps it takes a slower path: in the
-end the reference.
+fast paths know the parts of `nscc_runtime.effects.parts` and simulate an effect by those it is made
+of. One that is made of something else says that a path cannot have it, and a run that keeps it
+takes a slower path: in the end the reference. Nothing here foresees what an effect does to a scene:
+planning measures that.
 """
 
 from __future__ import annotations
@@ -16,7 +16,6 @@ from dataclasses import dataclass
 from dataclasses import field as field_of
 from typing import Any, Literal, TypeVar, get_args
 
-from nscc_runtime.effects.field import Field, Sampled
 from nscc_runtime.effects.marks import MARKED, Mark
 from nscc_runtime.effects.parameters import HEADINGS, Parameter
 from nscc_runtime.effects.parts import Part
@@ -64,14 +63,9 @@ class CannotHave:
 
 
 @dataclass(frozen=True)
-class ByParts:
-    """The loop that does a simple plan in one go simulates the effect by its parts in sums."""
-
-
-@dataclass(frozen=True)
 class InLoop:
     """What the loops over words are told of an effect, by their own names (of single pixels:
-    `nscc_runtime.planner.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
+    `nscc_runtime.execution.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
     turns it on, `numbers` are its figures, `device_key` is that of its stream on the device,
     `draws_key` of its draws at words, where it has no `Errors`, `function` what is called.
     """
@@ -83,21 +77,6 @@ class InLoop:
     function: Callable[..., float] | None = None
 
 
-@dataclass(frozen=True)
-class ByWords:
-    """A field that the words make of pixels near saturation, run with the effect and without."""
-
-    text: str
-
-
-@dataclass(frozen=True)
-class AfterExposure:
-    """Of the readout: nothing in the exposure, `rms_e` in the frame."""
-
-    text: str
-    rms_e: Callable[[Sensor], float]
-
-
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Effect:
     """One effect of the sensor, whole; `nscc_runtime.effects.registry.register` takes no less.
@@ -105,14 +84,12 @@ class Effect:
     `stream` is its number in the keys of random numbers and never changes. `kind`: the same in
     every frame; new in every frame; both; after the exposure, in the readout only. `model` is the
     effect in words with its formula, `cost` what simulating it takes, `applied` where the reference
-    does, `absent` why it does nothing where its field is nothing. `parameters`: the sensor's that
-    it depends on. `reference`: its functions by stage. `field`: what it does to exposures, for the
-    planner and, by its docstring, for people. `sums`: its parts in sums over slots; `fused`: in the
-    loop that does a simple plan in one go; `words`: in the loops over the words of single pixels
-    and of pixels that look.
+    does, `size` how much it changes exposures, `absent` why it may change nothing. `parameters`:
+    the sensor's that it depends on. `reference`: its functions by stage. `sums`: its parts in sums
+    over slots; `words`: in the loops over the words of single pixels and of pixels that look.
     `cost_ns`: nanoseconds a pixel that leaving it out of sums saves, measured, to a factor of about
     two, and `light_ns` as many more for each frame of light; what it costs elsewhere follows from
-    its parts (`nscc_runtime.planner.prices`).
+    its parts (`nscc_runtime.planning.prices`).
     `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
     is marked (`nscc_runtime.effects.marks`).
     """
@@ -125,10 +102,9 @@ class Effect:
     cost: str
     applied: str
     reference: Mapping[str, Callable[..., Any]]
-    field: Callable[[Sampled], Field] | ByWords | AfterExposure
     sums: tuple[Part, ...] | CannotHave
-    fused: ByParts | CannotHave
     words: InLoop | CannotHave
+    size: str = ""
     absent: str = "exactly nothing with this sensor, scene and program"
     parameters: tuple[Parameter, ...] = ()
     cost_ns: float = 0.0
@@ -140,13 +116,6 @@ class Effect:
         """Nanoseconds a pixel that leaving it out of sums over so many frames of light saves."""
         return self.cost_ns + self.light_ns * frames
 
-    @property
-    def predicted(self) -> str:
-        """What the planner takes it to contribute, in words."""
-        told = isinstance(self.field, ByWords | AfterExposure)
-        text = getattr(self.field, "text" if told else "__doc__", None)
-        return " ".join((text or "").split())
-
     def parts(self, kind: type[P]) -> list[P]:
         """Its parts of that kind in sums over slots."""
         if isinstance(self.sums, CannotHave):
@@ -157,7 +126,7 @@ class Effect:
         """What this declaration lacks, in words."""
         found = [
             f"`{name}`, a text"
-            for name in ("name", "title", "model", "cost", "applied", "absent")
+            for name in ("name", "title", "model", "size", "cost", "applied", "absent")
             if not (isinstance(getattr(self, name), str) and getattr(self, name).strip())
         ]
         if not re.fullmatch(r"[a-z][a-z0-9_]*", str(self.name)) or self.name in RESERVED:
@@ -175,14 +144,6 @@ class Effect:
             stage in STAGES and callable(call) for stage, call in self.reference.items()
         ):
             found.append(f"`reference`, a function at one of the stages {', '.join(STAGES)}")
-        if not (callable(self.field) or isinstance(self.field, ByWords | AfterExposure)):
-            found.append("`field`, a function that tells the planner what it does")
-        elif not self.predicted:
-            found.append("a text that says what `field` is: its docstring")
-        elif (self.kind == "after") != isinstance(self.field, AfterExposure):
-            found.append(
-                "a `field` that goes with its `kind`: AfterExposure(..) for after, else not"
-            )
         if not isinstance(self.sums, tuple | CannotHave):
             found.append("`sums`, its parts in sums over slots, or CannotHave(reason)")
         elif not isinstance(self.sums, CannotHave):
@@ -193,12 +154,6 @@ class Effect:
             if not strange and bare:
                 text = "`sums` that go with `reference`: one of them has no "
                 found.append(text + ", ".join(sorted(bare)))
-        if not isinstance(self.fused, ByParts | CannotHave):
-            found.append("`fused`, ByParts() or CannotHave(reason)")
-        elif isinstance(self.fused, ByParts) and not all(part.fused for part in self.parts(Part)):
-            found.append("`fused` that is CannotHave: that loop does not know all of its parts")
-        elif isinstance(self.fused, ByParts) and isinstance(self.sums, CannotHave):
-            found.append("`fused` that is CannotHave, as `sums` is")
         if not isinstance(self.words, InLoop | CannotHave):
             found.append("`words`, InLoop(..) or CannotHave(reason)")
         if not isinstance(self.marks, Mapping) or not all(

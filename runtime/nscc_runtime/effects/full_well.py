@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
-from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Well
-from nscc_runtime.effects.views import Pixels
+from nscc_runtime.effects.views import Pixels, Values
 
 FULL = parameter(
     "full_well_e", "range", None, "e", 0, MOST_E, "charge that PIX holds above its reset level",
@@ -34,9 +33,8 @@ FULL_WELL = Effect(
     absent="no pixel comes near it",
     parameters=(FULL,),
     reference={"well": _held},
-    field=ByWords("rms and mean of the charge that is lost, of pixels that come near the well"),
+    size="rms and mean of the charge that is lost, of pixels that come near the well",
     sums=(Well(FULL),),
-    fused=ByParts(),
     words=InLoop("holds", {"well": FULL}),
     marks={"well": Mark(1, "well"), "subtracted": Mark(8, "reset level")},
 )

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Echo
-from nscc_runtime.effects.views import Slots
+from nscc_runtime.effects.views import Slots, Values
 
 FRACTION = parameter(
     "lag_fraction", "light", 0.002, "1", 0, 1,
@@ -16,12 +15,6 @@ FRACTION = parameter(
 
 def _again(slots: Slots, light: Values) -> Values:
     return light + FRACTION(slots.sensor) * slots.electrons(slots.scene.previous)
-
-
-def _field(sample: Sampled) -> Field:
-    """rms and mean of l times the light of the frame before, the same scene"""
-    part = FRACTION(sample.sensor)
-    return Field(sample.light * part, shift=sample.alone * (part / sample.echo))
 
 
 LAG = Effect(
@@ -35,8 +28,7 @@ LAG = Effect(
     applied="to the light of every slot",
     parameters=(FRACTION,),
     reference={"light": _again},
-    field=_field,
+    size="rms and mean of l times the light of the frame before, the same scene",
     sums=(Echo(FRACTION),),
-    fused=ByParts(),
     words=InLoop(numbers={"echo": FRACTION}),
 )

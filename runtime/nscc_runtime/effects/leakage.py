@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import CannotHave, Effect, InLoop
-from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Leak
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.spread import log_normal, log_variance
-from nscc_runtime.effects.views import Pixels
+from nscc_runtime.effects.views import Pixels, Places, Values
 from nscc_runtime.noise import key, normals
 
 TAU = parameter(
@@ -33,16 +32,6 @@ def _kept(pixels: Pixels, seconds: float) -> Values:
     return np.asarray(np.exp(-pixels.fixed(leak_per_s) * seconds))
 
 
-def _field(sample: Sampled) -> Field:
-    """rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts"""
-    leaked = sample.charge - sample.without("leakage") + sample.by_rate()
-    # A plan that leaves leakage out still takes errors as at its mean.
-    return Field(
-        leaked + sample.by_rate(pattern=True), variance=sample.moved("leakage"),
-        behind_well=0.0, noise=np.zeros(1),
-    )  # fmt: skip
-
-
 LEAKAGE = Effect(
     name="leakage",
     stream=9,
@@ -55,9 +44,8 @@ LEAKAGE = Effect(
     applied="to every analog register at the end of each slot and before its readout",
     parameters=(TAU, SPREAD),
     reference={"hold": _kept},
-    field=_field,
+    size="rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts",
     sums=(Leak(leak_per_s, TAU, SPREAD),),
-    fused=CannotHave("it weighs slots 1 or 0"),
     words=InLoop(
         "leaks",
         {

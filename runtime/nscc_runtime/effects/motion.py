@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import Moving
 from nscc_runtime.effects.views import Scene
 
@@ -13,14 +12,6 @@ from nscc_runtime.effects.views import Scene
 def _moving(scene: Scene) -> Scene:
     light, previous = (each.motion or each for each in (scene.light, scene.previous))
     return replace(scene, light=light, previous=previous)
-
-
-def _field(sample: Sampled) -> Field:
-    """rms and mean of sum S (integral - sample), about 1/2 rms of sum S dE"""
-    if sample.still is None:
-        return Field()
-    moved = sample.base - sample.still
-    return Field(moved, shift=moved)
 
 
 MOTION = Effect(
@@ -35,9 +26,8 @@ MOTION = Effect(
     applied="to the light of every slot",
     absent="the scene's frames are the slots' integrals",
     reference={"scene": _moving},
-    field=_field,
+    size="rms and mean of sum S (integral - sample), about 1/2 rms of sum S dE",
     sums=(Moving(),),
-    fused=ByParts(),
     words=InLoop(),
     cost_ns=0.5,
 )

@@ -14,39 +14,36 @@ from typing import ClassVar, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import OnDevice
 
 OfSensor = Callable[[Sensor], float]
 Values = NDArray[np.float64]
 
 
 class Part:
-    """A part of an effect, for what it does at a `stage` of the reference. `fused`: the loop that
-    does a simple plan in one go has it too.
-    """
+    """A part of an effect, for what it does at a `stage` of the reference."""
 
     stage: ClassVar[str] = ""
-    fused: ClassVar[bool] = False
 
-    def __init_subclass__(cls, stage: str = "", fused: bool = False) -> None:
-        cls.stage, cls.fused = stage, fused
+    def __init_subclass__(cls, stage: str = "") -> None:
+        cls.stage = stage
 
 
 @dataclass(frozen=True)
-class Moving(Part, stage="scene", fused=True):
+class Moving(Part, stage="scene"):
     """Light is that with motion inside slots, where a scene has any."""
 
 
 @dataclass(frozen=True)
-class Echo(Part, stage="light", fused=True):
+class Echo(Part, stage="light"):
     """A part of the light of the frame before, the same scene, comes again."""
 
     fraction: OfSensor
 
 
 @dataclass(frozen=True)
-class Response(Part, stage="response", fused=True):
+class Response(Part, stage="response"):
     """A factor of each pixel on its light."""
 
     factor: OnDevice
@@ -57,7 +54,7 @@ class Counted(Part):
 
 
 @dataclass(frozen=True)
-class CountedLight(Counted, stage="count", fused=True):
+class CountedLight(Counted, stage="count"):
     """Of light."""
 
 
@@ -82,14 +79,14 @@ class Saturates(Part):
 
 
 @dataclass(frozen=True)
-class Well(Saturates, stage="well", fused=True):
+class Well(Saturates, stage="well"):
     """PIX holds `full_e`, exactly: sums of one read may be clipped."""
 
     full_e: OfSensor
 
 
 @dataclass(frozen=True)
-class Soft(Saturates, stage="registers", fused=True):
+class Soft(Saturates, stage="registers"):
     """Registers are linear up to `linear_e`; of a value of this size they lose `lost_e`."""
 
     linear_e: OfSensor
@@ -97,7 +94,7 @@ class Soft(Saturates, stage="registers", fused=True):
 
 
 @dataclass(frozen=True)
-class Errors(Part, fused=True):
+class Errors(Part):
     """Many small errors that are one draw a bucket: `sigma_e` `at` every read or reset of PIX, or
     at every word."""
 
@@ -106,7 +103,7 @@ class Errors(Part, fused=True):
 
 
 @dataclass(frozen=True)
-class WordGain(Part, stage="words", fused=True):
+class WordGain(Part, stage="words"):
     """A word multiplies with `gain` and adds a fixed error: of mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
@@ -127,12 +124,12 @@ class Leak(Part, stage="hold"):
 
 
 @dataclass(frozen=True)
-class SlowWords(Part, stage="time", fused=True):
+class SlowWords(Part, stage="time"):
     """Light falls while words run."""
 
 
 @dataclass(frozen=True)
-class LitLevel(Part, stage="level", fused=True):
+class LitLevel(Part, stage="level"):
     """Where light falls while words run, the level of a reset is read with what fell since."""
 
 
@@ -142,7 +139,7 @@ class Fading(Part, stage="digital"):
 
 
 @dataclass(frozen=True)
-class Converter(Part, stage="converter", fused=True):
+class Converter(Part, stage="converter"):
     """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket, once for all
     effects with such a part."""
 
@@ -150,7 +147,7 @@ class Converter(Part, stage="converter", fused=True):
 
 
 @dataclass(frozen=True)
-class Codes(Part, stage="codes", fused=True):
+class Codes(Part, stage="codes"):
     """The converter's codes: electrons a code, and the code of no electrons."""
 
     electrons: OfSensor

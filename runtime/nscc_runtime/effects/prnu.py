@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Places, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Response
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Slots
+from nscc_runtime.effects.views import Places, Slots, Values
 from nscc_runtime.noise import key, normals
 
 SPREAD = parameter(
@@ -28,12 +27,6 @@ def _uneven(slots: Slots, light: Values) -> Values:
     return light * slots.fixed(response)
 
 
-def _field(sample: Sampled) -> Field:
-    """rms and mean of the light that the pixels' own factors add or take, about p rms(L)"""
-    factor = np.maximum(sample.on_device(response), 1e-3)
-    return Field(sample.base - sample.alike, shift=sample.alone * (1.0 - 1.0 / factor))
-
-
 PRNU = Effect(
     name="prnu",
     stream=2,
@@ -45,9 +38,8 @@ PRNU = Effect(
     applied="to the light of every slot, before it is counted",
     parameters=(SPREAD,),
     reference={"response": _uneven},
-    field=_field,
+    size="rms and mean of the light that the pixels' own factors add or take, about p rms(L)",
     sums=(Response(response),),
-    fused=ByParts(),
     words=InLoop("uneven", {"uneven": SPREAD}, "uneven"),
     cost_ns=1.0,
 )

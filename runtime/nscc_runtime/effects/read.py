@@ -2,23 +2,16 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.effects.views import Pixels, Values, Word
 
 SIGMA = parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX")
 
 
 def _found(pixels: Pixels, level: Values, word: Word) -> Values:
     return level + SIGMA(pixels.sensor) * pixels.error("read", word)
-
-
-def _field(sample: Sampled) -> Field:
-    """rms = sigma sqrt(reads), reads weighted with their squared coefficients: a reset level that
-    is subtracted k times counts k^2"""
-    return Field(variance=sample.errors("reads", SIGMA(sample.sensor)), behind_well=0.0)
 
 
 READ = Effect(
@@ -33,9 +26,9 @@ READ = Effect(
     absent="this sensor has none",
     parameters=(SIGMA,),
     reference={"reads": _found},
-    field=_field,
+    size="rms = sigma sqrt(reads), reads weighted with their squared coefficients: a reset "
+    "level that is subtracted k times counts k^2",
     sums=(Errors("reads", SIGMA),),
-    fused=ByParts(),
     words=InLoop("read_errors", {"read_error": SIGMA}),
     cost_ns=5.0,
 )

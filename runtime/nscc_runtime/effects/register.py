@@ -6,13 +6,12 @@ import math
 
 import numpy as np
 
-from nscc_runtime.effects.effect import ByParts, ByWords, Effect, InLoop
-from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parameters import MOST_E, TARGET, parameter
 from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels
+from nscc_runtime.effects.views import Pixels, Values
 from nscc_runtime.loop import compiled
 
 LOWEST = parameter(
@@ -92,12 +91,9 @@ REGISTER = Effect(
     absent="no pixel comes near it",
     parameters=(LOWEST, HIGHEST, KNEE),
     reference={"registers": _held},
-    field=ByWords(
-        "rms and mean of what is lost by the largest partial sums, of pixels that come near the "
-        "knee; of those that noise alone takes there, what a frame loses to it"
-    ),
+    size="rms and mean of what is lost by the largest partial sums, of pixels that come near "
+    "the knee; of those that noise alone takes there, what a frame loses to it",
     sums=(Soft(_linear, _lost),),
-    fused=ByParts(),
     words=InLoop(
         "bends",
         {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE},

@@ -154,7 +154,7 @@ def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
             "title": effect.title,
             "kind": effect.kind,
             "model": effect.model,
-            "predicted": effect.predicted,
+            "predicted": effect.size,
             "cost": effect.cost,
             "applied": effect.applied,
             "always": effect.always,

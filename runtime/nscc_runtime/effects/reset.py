@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import MOST_E, parameter
 from nscc_runtime.effects.parts import Errors
-from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.effects.views import Pixels, Values, Word
 
 SIGMA = parameter(
     "reset_noise_e", "noise", 40.0, "e", 0, MOST_E,
@@ -16,11 +15,6 @@ SIGMA = parameter(
 
 def _left(pixels: Pixels, level: Values, word: Word) -> Values:
     return level + SIGMA(pixels.sensor) * pixels.error("reset", word)
-
-
-def _field(sample: Sampled) -> Field:
-    """rms = sigma sqrt(resets), resets weighted with their squared coefficients"""
-    return Field(variance=sample.errors("resets", SIGMA(sample.sensor)), behind_well=0.0)
 
 
 RESET = Effect(
@@ -35,9 +29,8 @@ RESET = Effect(
     absent="this sensor has none",
     parameters=(SIGMA,),
     reference={"resets": _left},
-    field=_field,
+    size="rms = sigma sqrt(resets), resets weighted with their squared coefficients",
     sums=(Errors("resets", SIGMA),),
-    fused=ByParts(),
     words=InLoop("reset_errors", {"reset_error": SIGMA}),
     cost_ns=5.0,
 )

@@ -90,8 +90,14 @@ class Selection:
         return hypot(*(part.sigma_lsb(sensor) for _, part in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
-        """The same without some effects."""
-        return Selection(self.on.difference(names), self.forced, self.auto)
+        """The same without some effects; one for all who ask, as selections remember their
+        parts."""
+        return _without(self, frozenset(names))
+
+
+@lru_cache(4096)
+def _without(selection: Selection, names: frozenset[str]) -> Selection:
+    return Selection(selection.on - names, selection.forced, selection.auto)
 
 
 def everything() -> Selection:

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 from nscc_runtime.effects.counts import LIGHT
-from nscc_runtime.effects.effect import ByParts, Effect, InLoop
-from nscc_runtime.effects.field import Field, Sampled, Values
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parts import CountedLight
-from nscc_runtime.effects.views import Slots
+from nscc_runtime.effects.views import Slots, Values
 
 
 def _count(slots: Slots, light: Values) -> Values:
     return slots.counted(SHOT.stream, LIGHT, light)
-
-
-def _field(sample: Sampled) -> Field:
-    """rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included"""
-    return Field(variance=sample.counted(), noise=sample.counted_alone())
 
 
 SHOT = Effect(
@@ -29,9 +23,8 @@ SHOT = Effect(
     cost="one Poisson number a pixel and group of slots; the reference adds one binomial a slot",
     applied="when the charge of the slots is drawn, before it falls on PIX",
     reference={"count": _count},
-    field=_field,
+    size="rms = sqrt(mean sum of w^2 E), w the weights of the slots' light E, neighbours' included",
     sums=(CountedLight(),),
-    fused=ByParts(),
     words=InLoop(switch="counts_light"),
     cost_ns=10.0,
 )

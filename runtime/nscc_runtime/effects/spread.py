@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from nscc_runtime.effects.field import Values
+from nscc_runtime.effects.views import Values
 from nscc_runtime.loop import compiled
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from nscc.target.target import Target
 from nscc.words.readout import SPREADING_ERRORS
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
-from nscc_runtime.effects.effect import AfterExposure, ByParts, Effect, InLoop
+from nscc_runtime.effects.effect import Effect, InLoop
 from nscc_runtime.effects.parameters import parameter
 from nscc_runtime.effects.parts import Converter
 
@@ -36,11 +36,7 @@ SPREADING = Effect(
     absent="exposures are converted as they are, or their words make no error",
     parameters=(SIGMA, ELECTRONS_PER_LSB),
     reference={"converter": SIGMA},
-    field=AfterExposure(
-        "rms = sigma electrons_per_lsb, in `frame` only",
-        lambda sensor: SIGMA(sensor) * ELECTRONS_PER_LSB(sensor),
-    ),
+    size="rms = sigma electrons_per_lsb, in `frame` only",
     sums=(Converter(SIGMA),),
-    fused=ByParts(),
     words=InLoop(),
 )

@@ -4,16 +4,21 @@ slots, and as words run over them."""
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.effects.field import OnDevice, Places, Values
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
 from nscc_runtime.remembered import remembered
+
+Values = NDArray[np.float64]
+Places = NDArray[np.int64]
+OnDevice = Callable[[Sensor, int, Places], Values]
+"""What is fixed on a chip: of a sensor, the device's seed and places row * cols + col."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,6 +20,7 @@ _LIMITS = {"seed": 64, "effect": 32, "source": 32, "frame": 64, "group": 64}
 _START = 0x243F_6A88, 0x85A3_08D3
 
 
+@lru_cache(maxsize=1024)
 def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0) -> np.uint64:
     """64 bits that name a stream.
 

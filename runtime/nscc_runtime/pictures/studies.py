@@ -21,8 +21,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from nscc_runtime.planner.plan import Plan
-    from nscc_runtime.planner.plan_parts import Decision
+    from nscc_runtime.planning.plan import Plan
+    from nscc_runtime.planning.plan_parts import Decision
 
 _LOWEST = 30.0
 """Errors so many times below the least tolerance are drawn at the edge, with their number."""
@@ -55,7 +55,11 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
             )
             panels.append(Panel(study.scene, error, points, guides))
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
-    plain = all(each.plan.allowed.in_electrons for study in studies for each in study.asked)
+    plain = all(
+        each.plan.allowed is None or each.plan.allowed.in_electrons
+        for study in studies
+        for each in study.asked
+    )
     unit = " in e" if plain else ""
     return precision_diagram(
         panels, "What the emulator's time buys",
@@ -76,7 +80,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
     from matplotlib.lines import Line2D
 
     plans = [
-        (study.scene, each.tolerance_e, each.plan.predicted_e, each.measured_e)
+        (study.scene, each.tolerance_e, each.predicted_e, each.measured_e)
         for study in studies
         for each in study.asked
     ]
@@ -134,7 +138,7 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
     kept, dropped, *_ = look().series
     budgets = [study.budget for study in studies]
     values = [each.predicted_rms_e for plan in budgets for each in plan.decisions]
-    known = [e for e in values if e] + [plan.tolerance_e for plan in budgets]
+    known = [e for e in (*values, *(plan.tolerance_e for plan in budgets)) if e]
     span = (max(min(known), max(known) * 1e-6) / 2, max(known) * 2)
     bars = max(len(_decisions(plan)) for plan in budgets)
     figure, grid = sheet.panels(len(studies), (sheet.WIDTH / _COLUMNS, _BAR * bars + 0.8), _COLUMNS)
@@ -163,7 +167,8 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     kept, dropped, *_ = look().series
     colours = {"kept": kept, "dropped": dropped, "absent": look().faint}
     axes.set(xscale="log", xlim=span, ylim=(len(decisions) - 0.4, -0.6))
-    axes.set_xlabel(f"RMS, e; {plan.tolerance_e:g} asked, {plan.predicted_e:.3g} predicted")
+    tolerance_e, predicted_e = plan.tolerance_e or 0.0, plan.predicted_e or 0.0
+    axes.set_xlabel(f"RMS, e; {tolerance_e:g} asked, {predicted_e:.3g} predicted")
     axes.grid(False, axis="y")
     sheet.round_ticks(axes.xaxis, most=4)
     costs = axes.secondary_yaxis("right")
@@ -178,8 +183,8 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
         elif rms_e is not None and rms_e > span[0]:
             face = colour if each.decision == "kept" else look().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)
-    axes.axvline(plan.tolerance_e, color=look().ink)
-    axes.axvline(plan.predicted_e, color=look().ink, linestyle="--")
+    axes.axvline(tolerance_e, color=look().ink)
+    axes.axvline(predicted_e, color=look().ink, linestyle="--")
     axes.set_yticks(range(len(decisions)), [each.name for each in decisions])
     costs.set_yticks(range(len(decisions)), [_saves(each) for each in decisions])
     for side in (axes, costs):

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
-from nscc_runtime.scenes.colour import LUMINANCE
 
 Field = NDArray[np.float64]
 
@@ -112,8 +111,3 @@ TONES: dict[str, Callable[[Field], Callable[[Field], Field]]] = {
     "linear": lambda _relative: lambda light: light,
 }
 """Each is fitted to light over white."""
-
-
-def grey_of(light: NDArray[Any]) -> Field:
-    """Luminance (.., rows, cols) of light in colours (.., rows, cols, 3)."""
-    return np.asarray(light @ np.array(LUMINANCE), np.float64)

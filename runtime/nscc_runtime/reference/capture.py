@@ -123,10 +123,10 @@ class Reference:
                 scene, self.groups, self.sensor, self.effects, (seed, device_seed), frame, part
             )
             chunk = slice(part.start - rows.start, part.stop - rows.start)
-            places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
             pixels = _Pixels(
-                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame, places=places,
-                program=self,
+                sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame,
+                places=self.groups.places_of(part), program=self,
+                lanes=self.groups.lane[part.start : part.stop].reshape(-1),
             )  # fmt: skip
             found, marked = pixels.run(fallen.charge.reshape(container.slots, -1))
             exposure[:, chunk] = found.reshape(-1, len(part), cols)
@@ -209,12 +209,12 @@ class _Pixels(Pixels):
     """Some pixels while the words of one frame run. All arrays are (pixels,)."""
 
     program: Reference
+    lanes: NDArray[np.intp]
 
     def __post_init__(self) -> None:
         self.at = self.program.effects.at
         self.container = self.program.container
         self.most = most_destinations(self.container.target)
-        self.lanes = self.program.groups.lane.reshape(-1)[self.places]
         names = ("PIX", *self.container.target.analog_registers)
         start = {
             name: uniforms(key(self.device_seed, START, group=i), self.places)

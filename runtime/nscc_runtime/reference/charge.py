@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.counts import count_key, thinning_key
-from nscc_runtime.effects.field import OnDevice
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Scene, Slots
+from nscc_runtime.effects.views import OnDevice, Scene, Slots
 from nscc_runtime.light import Light
 from nscc_runtime.noise import RATE_CAP, poisson, thin
 from nscc_runtime.reference.light_loop import LitSizes, add_light
@@ -26,11 +25,20 @@ class Groups:
     """The groups of slots: slots that are open in the same buckets.
 
     `of_slot` int64 (lanes, N): bit b is set where the slot is open in bucket b. `lane` intp
-    (rows, cols): the lane of every pixel.
+    (rows, cols): the lane of every pixel. `places` int64 (rows * cols,): where each lies on the
+    chip, by default one after the other.
     """
 
     of_slot: NDArray[np.int64]
     lane: NDArray[np.intp]
+    places: NDArray[np.int64] | None = None
+
+    def places_of(self, rows: range) -> NDArray[np.int64]:
+        """The places of the pixels of some rows."""
+        cols = self.lane.shape[1]
+        if self.places is not None:
+            return self.places[rows.start * cols : rows.stop * cols]
+        return np.arange(rows.start * cols, rows.stop * cols, dtype=np.int64)
 
 
 class Fallen(NamedTuple):
@@ -67,10 +75,13 @@ def charge_of_rows(
     begin, end = max(rows.start - halo, 0), min(rows.stop + halo, height)
     for choose in effects.at("scene"):
         scene = choose(scene)
+    places = np.arange(begin * cols, end * cols, dtype=np.int64)
+    if groups is not None:
+        places = groups.places_of(range(begin, end))
     slots = _Slots(
         sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-        places=np.arange(begin * cols, end * cols, dtype=np.int64),
-        scene=scene, rows=slice(begin, end), of_slot=None if groups is None else groups.of_slot,
+        places=places, scene=scene, rows=slice(begin, end),
+        of_slot=None if groups is None else groups.of_slot,
         lanes=None if groups is None else groups.lane[begin:end].reshape(-1),
     )  # fmt: skip
     charge = light = slots.electrons(scene.light)

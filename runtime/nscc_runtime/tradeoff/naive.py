@@ -10,10 +10,10 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.execution.program import Program
 from nscc_runtime.frame_file import Frame, read_out
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
-from nscc_runtime.planner.program import Program
 
 _MOST_BYTES = 1 << 28
 """Up to here light and shutters of all slots lie ready as arrays, which costs these ways no time;

@@ -15,13 +15,13 @@ from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.effects.parts import CountedLight
+from nscc_runtime.execution.program import Program
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.planner.choose import Chooser, plan_for
-from nscc_runtime.planner.frames import planned_frames
-from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.program import Program
-from nscc_runtime.planner.tolerance import Tolerance
+from nscc_runtime.planning.make import PlanRequest, allowed_on, make_plan
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.scenes import FixedShutters
+from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.tradeoff.naive import Naive, floor_ms
@@ -81,7 +81,12 @@ class Asked:
     @property
     def tolerance_e(self) -> float:
         """What was asked."""
-        return self.plan.tolerance_e
+        return self.plan.tolerance_e or 0.0
+
+    @property
+    def predicted_e(self) -> float:
+        """What was measured on a sample of the scene."""
+        return self.plan.predicted_e or 0.0
 
 
 @dataclass(frozen=True)
@@ -167,8 +172,12 @@ class _Bench:
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
 
     def _allowed(self, given: str | float) -> Tolerance:
-        seed, auto = self.settings.device_seed, selected("auto")
-        return Chooser(self.program, self.scene.light, seed, 1, given, None, auto).allowed
+        return allowed_on(self._on(self.scene.light), given, None)[0]
+
+    def _on(self, light: Light) -> FixedShutters:
+        """The program on a scene."""
+        program, seed = self.program, self.settings.device_seed
+        return FixedShutters(program.container, program.sensor, light, seed, threads=1)
 
     def compare(self) -> None:
         """The errors of all methods, and the times of the reference's frames."""
@@ -259,16 +268,16 @@ class _Bench:
         )
 
     def _plan(self, tolerance: Tolerance) -> Plan:
-        light, seed = unknown(self.scene.light), self.settings.device_seed
-        return plan_for(self.program, light, tolerance, None, seed)
+        light = unknown(self.scene.light)
+        return make_plan(self._on(light), PlanRequest(selected("auto"), tolerance, figures=True))
 
     def _first(self, plan: Plan) -> Frame:
         return next(iter(self._planned(plan, 1)))
 
     def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
         """Frames of a scene that is made ready anew: sums over the slots are part of the first."""
-        light, settings = unknown(self.scene.light), self.settings
-        return planned_frames(self.program, light, plan, settings.seed, settings.device_seed, count)
+        light = unknown(self.scene.light)
+        return self._on(light).frames(plan, self.settings.seed, count)
 
 
 def unknown(light: Light) -> Light:

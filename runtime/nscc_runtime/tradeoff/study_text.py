@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from nscc.columns import columns
 from nscc.tradeoff.points import Point, dominated
-from nscc_runtime.planner.plan import Plan
-from nscc_runtime.planner.plan_parts import Decision
+from nscc_runtime.planning.plan import Plan, approximation_lines
+from nscc_runtime.planning.plan_parts import Decision
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
 
 SLACK = 1.1
@@ -43,7 +43,7 @@ def _methods_text(study: Study) -> str:
             (
                 point.method if point.method != before else "",
                 point.setting if mine is None else _setting(mine),
-                "" if mine is None else f"{mine.plan.predicted_e:.3g}",
+                "" if mine is None else f"{mine.predicted_e:.3g}",
                 f"{point.error:.3g}",
                 f"{lsb[point.method, point.setting]:.3g}",
                 _ms(point.time_ms),
@@ -63,7 +63,7 @@ def _methods_text(study: Study) -> str:
 
 def _setting(asked: Asked) -> str:
     """What was asked, with its electrons where it was asked for in another unit."""
-    plain = asked.plan.allowed.in_electrons
+    plain = asked.plan.allowed is None or asked.plan.allowed.in_electrons
     return asked.setting if plain else f"{asked.setting}, {asked.tolerance_e:.3g}e"
 
 
@@ -78,7 +78,7 @@ def _budget_text(plan: Plan) -> str:
     rows = [_BUDGET_HEAD, *(_decision(each) for each in plan.decisions)]
     rows += [(name, "", "", "", "", _ms(cost_ms), what) for name, what, cost_ms in plan.costs]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
-    cuts = [f"short cut: {each.name}, {each.error_e:.2g} e" for each in plan.approximations]
+    cuts = approximation_lines(plan)
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
     saved = [] if plan.cost is None else [plan.cost.said]
     return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words, *saved])

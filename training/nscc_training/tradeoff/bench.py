@@ -28,8 +28,8 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.planner.tolerance import LEAST_E, Follows, Tolerance, mean_signal_e, tolerance_of
-from nscc_runtime.planning import planning_of
+from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.tolerance import LEAST_E, Follows, Tolerance, mean_signal_e, tolerance_of
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import load_sensor

@@ -15,9 +15,10 @@ from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.planless import planless
-from nscc_runtime.planner.audit import bands, compared_rows
-from nscc_runtime.planner.tolerance import LEAST_E
-from nscc_runtime.planning import planning_of
+from nscc_runtime.planning.audit import bands, compared_rows
+from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.planning.tolerance import LEAST_E
 from nscc_runtime.reference.capture import Reference, scene_of
 from nscc_runtime.simulate import Request, simulate
 from nscc_runtime.tradeoff.study import unknown
@@ -52,7 +53,7 @@ def effects(bench: Bench) -> Found:
             # A scene that nothing has been found out about yet: its sums are part of a frame.
             begin, light = perf_counter(), unknown(bench.light)
             planning = planning_of(container, bench.sensor, light, asked.device_seed)
-            plan = planning.plan(tolerance, selected(chosen))
+            plan = make_plan(planning, PlanRequest(selected(chosen), tolerance))
             plan_ms = (perf_counter() - begin) * 1e3
             return next(iter(planning.frames(plan, asked.seed, 1))), plan_ms
 

@@ -1,0 +1,247 @@
+"""What all scenes under a set of effects have in common on some pixels of a chip."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects.counts import LIGHT, WITHOUT_LIGHT
+from nscc_runtime.effects.parts import (
+    Counted,
+    CountedDark,
+    CountedLight,
+    Echo,
+    Errors,
+    Exchange,
+    Leak,
+    Response,
+    Soft,
+    Well,
+    WordGain,
+)
+from nscc_runtime.effects.selection import Selection
+from nscc_runtime.effects.views import Device
+from nscc_runtime.execution.overlap import weights_beside
+from nscc_runtime.execution.pixel_array import PixelArray
+from nscc_runtime.execution.program import Program
+from nscc_runtime.remembered import remembered
+
+T = TypeVar("T")
+Values = NDArray[np.float64]
+
+_LEAK_SIGMAS = 4.0
+"""The rates of leakage lie about as far apart as those of all but one pixel in ten thousand."""
+
+
+@dataclass(frozen=True, eq=False)
+class Chip:
+    """A program on some pixels of one chip under the effects in `kept`.
+
+    `wanted` also has the effects that are left out by choice: noise and patterns of words are
+    weighed as with all of these, so that leaving out what weighs them changes them least. Arrays
+    are made when they are asked for, and not to be written to.
+    """
+
+    program: Program
+    array: PixelArray
+    device_seed: int
+    kept: Selection
+    wanted: Selection
+
+    @property
+    def device(self) -> Device:
+        """What is fixed on the chip."""
+        return self.array.device(self.program.sensor, self.device_seed)
+
+    @property
+    def factor(self) -> float:
+        """The factor on the light of every pixel: the previous frame's is the same."""
+        echo = self.kept.part(Echo)
+        return 1.0 + (0.0 if echo is None else echo.fraction(self.program.sensor))
+
+    @cached_property
+    def scale(self) -> Values:
+        """The factor on the light of each pixel before it is counted."""
+        response = self.kept.part(Response)
+        if response is not None:
+            return self.factor * self.device.fixed(response.factor)
+        return np.full(self.array.lanes.size, self.factor)
+
+    @cached_property
+    def scale_32(self) -> NDArray[np.float32]:
+        """The same in float32, for light that is smeared."""
+        return self.scale.astype(np.float32)
+
+    @cached_property
+    def exchanged(self) -> float:
+        """The part of a pixel's charge that goes to each of its neighbours."""
+        exchange = self.kept.part(Exchange)
+        return 0.0 if exchange is None else exchange.fraction(self.program.sensor)
+
+    @cached_property
+    def current(self) -> Values:
+        """The dark current of each pixel, 0 where there is none."""
+        part = self.kept.part(CountedDark)
+        if part is None:
+            return np.zeros(self.array.lanes.size)
+        return self.device.fixed(part.per_s)
+
+    @cached_property
+    def counted(self) -> tuple[int, ...]:
+        """The groups of slots whose charge is counted: the open ones."""
+        return () if self.kept.part(Counted) is None else self.program.open_groups
+
+    @cached_property
+    def dark_rates(self) -> Values:
+        """The dark charge (counted groups, pixels)."""
+        seconds = map(self.program.group_seconds, self.counted)
+        return np.array([self.current * each[self.array.flat_lanes] for each in seconds])
+
+    @cached_property
+    def leak_rates(self) -> tuple[float, ...]:
+        """The rates of leakage in 1/s at which sums are made: two, where it differs from pixel to
+        pixel, at the Chebyshev nodes of what pixels have. Frames are short beside the time in which
+        registers leak: a line between the sums leaves out the square of the spread of rate times
+        age, a few parts in a million for the default sensor."""
+        leak, sensor = self.kept.part(Leak), self.program.sensor
+        if leak is None:
+            return (0.0,)
+        mean, spread = 1.0 / leak.tau_s(sensor), leak.spread(sensor)
+        if spread == 0.0:
+            return (mean,)
+        sigma = math.sqrt(math.log1p(spread**2))
+        low, high = (
+            mean * math.exp(side * _LEAK_SIGMAS * sigma - sigma**2 / 2) for side in (-1, 1)
+        )
+        away = (high - low) / 2 * math.sqrt(0.5)
+        return (low + high) / 2 - away, (low + high) / 2 + away
+
+    @cached_property
+    def leak_weights(self) -> Values:
+        """The weights (rates, pixels) with which these sums give that of each pixel."""
+        leak = self.kept.part(Leak)
+        if leak is None or len(self.leak_rates) == 1:
+            return np.ones((1, 1))
+        low, high = self.leak_rates
+        upper = (self.device.fixed(leak.per_s) - low) / (high - low)
+        return np.stack([1.0 - upper, upper])
+
+    @cached_property
+    def dark_e(self) -> Values | None:
+        """What dark current adds to exposures (buckets, pixels), nothing saturated."""
+        if self.kept.part(CountedDark) is None:
+            return None
+        exchange, model = self.kept.part(Exchange), self.program.model(self.kept)
+
+        def make() -> Values:
+            current = self.current
+            if exchange is not None:
+                by_row = current.reshape(self.array.shape)
+                current = exchange.smeared(by_row, self.exchanged).reshape(-1)
+            seconds = self.program.open_seconds(model)[:, self.array.flat_lanes]
+            return np.asarray(current * seconds)
+
+        key = "dark", self.device_seed, model, exchange is not None
+        return self.array.recent.of(key, make)
+
+    @cached_property
+    def patterns(self) -> Values:
+        """The fixed errors (buckets, pixels) of the analog words."""
+        program, wanted = self.program, self.program.model(self.wanted)
+
+        def make() -> Values:
+            total: Values | float = 0.0
+            for rate, weights in zip(self.leak_rates, self.leak_weights, strict=True):
+                model = replace(wanted, leak_per_s=rate) if rate else wanted
+                by_lane = program.tables.pattern(model).T
+                total = total + by_lane[:, self.array.flat_lanes] * weights
+            return np.ascontiguousarray(total * self.device.fixed(self.kept.the(WordGain).error_e))
+
+        key = "patterns", self.device_seed, wanted, self.leak_rates
+        return self.array.recent.of(key, make)
+
+    @cached_property
+    def own_weights(self) -> NDArray[np.float32]:
+        """The mean weights (counted groups, buckets, pixels) of a pixel's own counts."""
+        program, model = self.program, self.program.model(self.kept)
+
+        def make() -> NDArray[np.float32]:
+            means = program.mean_weights(model)
+            lanes, buckets = self.array.flat_lanes, len(program.container.buckets)
+            weights = [means[group].T.astype(np.float32)[:, lanes] for group in self.counted]
+            return np.array(weights, np.float32).reshape(-1, buckets, lanes.size)
+
+        return self.array.recent.of(("own", model, self.counted), make)
+
+    @cached_property
+    def beside_weights(self) -> NDArray[np.float32]:
+        """The weights (counted groups, 4, buckets, pixels) of the counts of the neighbours above,
+        below, left and right, where pixels exchange counts."""
+        program, model = self.program, self.program.model(self.kept)
+        buckets = len(program.container.buckets)
+        return self.array.recent.of(
+            ("beside", model),
+            lambda: weights_beside(program.overlaps(model), buckets, self.array.lanes),
+        )
+
+    @cached_property
+    def sources(self) -> list[tuple[int, int]]:
+        """What counts charge: the effect's stream, and the source."""
+        lit = [(effect.stream, LIGHT) for effect, _ in self.kept.having(CountedLight)]
+        dark = [(effect.stream, WITHOUT_LIGHT) for effect, _ in self.kept.having(CountedDark)]
+        return lit + dark
+
+    @cached_property
+    def noise(self) -> tuple[list[tuple[int, int]], Values]:
+        """The streams and draws of small errors, and the standard deviation (draws, buckets, lanes)
+        of each."""
+        program, wanted = self.program, self.program.model(self.wanted)
+
+        def make() -> tuple[list[tuple[int, int]], Values]:
+            draws, sigmas = [], []
+            for effect, part in self.kept.errors():
+                factor = part.sigma_e(program.sensor) * program.tables.noise(part.at, wanted)[0]
+                for draw in range(factor.shape[2]):
+                    if factor[:, :, draw].any():
+                        draws.append((effect.stream, draw))
+                        sigmas.append(factor[:, :, draw].T)
+            shape = len(draws), len(program.container.buckets), len(program.container.encoding)
+            return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
+
+        return program.recent.of(("noise", wanted, self.kept.names(Errors)), make)
+
+    @cached_property
+    def saturation_e(self) -> Values:
+        """The least charge (kinds, lanes) with which a pixel may saturate, infinite where none
+        does: of what PIX sees, and of each kind of what registers hold
+        (`nscc_runtime.execution.reach`)."""
+        program, reach = self.program, self.program.reach
+        well, soft = self.kept.part(Well), self.kept.part(Soft)
+        kinds = 1 if reach.held is None else 1 + len(reach.held)
+        least_e = np.full((kinds, len(program.container.encoding)), np.inf)
+        if well is not None:
+            least_e[0] = well.full_e(program.sensor)
+        if soft is not None and reach.held is None:
+            np.minimum(least_e, reach.least_e, out=least_e)
+        elif soft is not None:
+            least_e[1:] = reach.least_e
+        return least_e
+
+    @remembered
+    def own(self, make: Callable[[Chip], T]) -> T:
+        """What else scenes have in common here, `make(self)`: made once."""
+        return make(self)
+
+
+def chip_of(program: Program, device_seed: int, kept: Selection, wanted: Selection) -> Chip:
+    """The whole chip with these effects, kept with the program for a while."""
+    return program.recent_chips.of(
+        (Chip, device_seed, kept.on, wanted.on),
+        lambda: Chip(program, program.array, device_seed, kept, wanted),
+    )

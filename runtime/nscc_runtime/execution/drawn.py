@@ -1,0 +1,222 @@
+"""What is drawn for a block of pixels at a time: counts, and codes of the converter.
+
+Parts of the loops over the pixels of a frame. Numbers are keyed by the places of pixels on the
+chip; `scratch`, `few` and `few_at` are rooms that the loops lend.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from nscc_runtime.loop import Bytes, Floats, Ints, compiled, inlined
+from nscc_runtime.noise.counter import bits, unit
+from nscc_runtime.noise.gaussian_fast import normal_fast
+from nscc_runtime.noise.poisson_law import SEARCH_BELOW, SETTLED_ABOVE, quantile
+
+BLOCK = 1024
+"""Pixels that go through all steps together."""
+
+ROOM = 5 * BLOCK
+"""Numbers that `scratch` has room for where counts are drawn."""
+
+MOST_COUNTED = 80
+_NOTHING = 1e-17
+
+FORMULA_FROM = 2.0
+"""Below this rate the formula is too often near a whole number to be asked."""
+MARGIN = 0.02
+"""A formula's value that is nearer to a whole number than this times (1 + |z|**5) / rate**1.5 does
+not decide: its error, 0.016 of the same from FORMULA_FROM to SEARCH_BELOW, could have moved it
+across."""
+_UNSURE = -1.0
+_FEW = 8
+"""So small a part of a block's pixels is searched without asking the formula first."""
+
+FIRST_LANE = np.uint64(0)
+
+
+@inlined
+def _exp_minus(x: float) -> float:
+    """exp(-x) for x in [0, 16], to 2e-16: without branches, so that LLVM makes vectors."""
+    n = np.floor(0.5 - x * 1.4426950408889634)
+    r = -x - n * 0.6931471803691238 - n * 1.9082149292705877e-10
+    p = 1.0 / 6227020800.0
+    p = p * r + 1.0 / 479001600.0
+    p = p * r + 1.0 / 39916800.0
+    p = p * r + 1.0 / 3628800.0
+    p = p * r + 1.0 / 362880.0
+    p = p * r + 1.0 / 40320.0
+    p = p * r + 1.0 / 5040.0
+    p = p * r + 1.0 / 720.0
+    p = p * r + 1.0 / 120.0
+    p = p * r + 1.0 / 24.0
+    p = p * r + 1.0 / 6.0
+    p = p * r + 0.5
+    p = p * r + 1.0
+    p = p * r + 1.0
+    power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
+    found: float = p * power
+    return found
+
+
+@compiled
+def _searched(
+    count: int, few: Floats, places: Ints, rest: int, mass: int, found: int, scratch: Floats,
+    out: int,
+) -> None:  # fmt: skip
+    """scratch[out + places[j]] := `nscc_runtime.noise.poisson_law.search` for the rate few[j], at
+    most SEARCH_BELOW; `scratch` holds uniform numbers from `rest` on. Step by step for all at once;
+    those that have their count leave now and then.
+    """
+    for j in range(count):
+        start = _exp_minus(few[j])
+        scratch[mass + j] = start
+        scratch[rest + j] -= start
+        scratch[found + j] = 0.0
+    step, together = 1, 4
+    while count:
+        end = min(step + together, MOST_COUNTED)
+        for k in range(step, end):
+            inverse = 1.0 / k
+            for j in range(count):
+                next_mass = scratch[mass + j] * (few[j] * inverse)
+                left = scratch[rest + j]
+                scratch[mass + j] = next_mass
+                scratch[rest + j] = left - next_mass
+                scratch[found + j] += 1.0 if left > 0.0 and next_mass > _NOTHING else 0.0
+        going = 0
+        for j in range(count):
+            place = places[j]
+            scratch[out + place] = scratch[found + j]
+            scratch[rest + going] = scratch[rest + j]
+            scratch[mass + going] = scratch[mass + j]
+            scratch[found + going] = scratch[found + j]
+            few[going], places[going] = few[j], place
+            on = scratch[rest + j] > 0.0 and scratch[mass + j] > _NOTHING
+            going += 1 if on else 0
+        count = going if end < MOST_COUNTED else 0
+        step, together = end, 2 * together
+
+
+@compiled
+def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
+    """scratch[out + i] := the smallest count whose distribution function reaches the probability of
+    scratch[i], a normal number, at the rate rates[i], or at SEARCH_BELOW if that is less; _UNSURE
+    where the formula cannot say. 0 where the rate is so great that nobody asks.
+    """
+    for i in range(count):
+        rate, z = rates[i], scratch[i]
+        known = rate if rate > FORMULA_FROM else FORMULA_FROM
+        known = known if known < SEARCH_BELOW else SEARCH_BELOW
+        x = quantile(z, known)
+        whole, square = np.floor(x), z * z
+        margin = MARGIN * (1.0 + abs(z) * square * square) / (known * math.sqrt(known))
+        sure = rate >= FORMULA_FROM and x - whole > margin and x - whole < 1.0 - margin
+        decided = (whole if whole > 0.0 else 0.0) if sure else _UNSURE
+        scratch[out + i] = 0.0 if rate >= SETTLED_ABOVE else decided
+
+
+@compiled
+def _raised(count: int, rates: Floats, scratch: Floats, out: int) -> None:
+    """scratch[out + i] := the formula's count at the normal number scratch[i] and the rate rates[i]
+    if that is more and the rate is not below SEARCH_BELOW.
+
+    Up to SETTLED_ABOVE, what is there is the count at SEARCH_BELOW: the formula's error must not
+    let a greater rate give a smaller count.
+    """
+    for i in range(count):
+        rate = rates[i]
+        x = np.floor(quantile(scratch[i], rate if rate > SEARCH_BELOW else SEARCH_BELOW))
+        x = x if rate >= SEARCH_BELOW else 0.0
+        least = scratch[out + i]
+        scratch[out + i] = x if x > least else least
+
+
+@inlined
+def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: Floats) -> None:
+    """out[i] := the normal number at places[first + i]: step by step, as a loop that does both at
+    once runs out of registers."""
+    for i in range(count):
+        out[i] = unit(bits(stream, places[first + i], FIRST_LANE))
+    for i in range(count):
+        out[i] = float(normal_fast(out[i]))
+
+
+@compiled
+def counted(
+    stream: np.uint64, top: float, places: Ints, first: int, stop: int, values: Floats,
+    scratch: Floats, few: Floats, few_at: Ints,
+) -> None:  # fmt: skip
+    """values[i] := a count of the rate values[i] at places[first + i], as
+    `nscc_runtime.noise.poisson_law.poisson_fast` finds it from the same uniform number.
+    """
+    count, low, middle, high = stop - first, 0, 0, 0
+    for i in range(count):
+        rate = values[i] if values[i] > 0.0 else 0.0
+        values[i] = rate if rate < top else top
+    for i in range(count):
+        low += 1 if values[i] < SETTLED_ABOVE else 0
+        middle += 1 if values[i] >= FORMULA_FROM and values[i] < SETTLED_ABOVE else 0
+        high += 1 if values[i] >= SEARCH_BELOW else 0
+    if not low:
+        drawn_normals(stream, places, first, count, scratch)
+        for i in range(count):
+            x = np.floor(quantile(scratch[i], values[i]))
+            values[i] = x if x > 0.0 else 0.0
+        return
+    uniforms, normals, counts = BLOCK, 0, 2 * BLOCK
+    for i in range(count):
+        scratch[uniforms + i] = unit(bits(stream, places[first + i], FIRST_LANE))
+    asked = middle > count // _FEW
+    if asked or high:
+        for i in range(count):
+            scratch[normals + i] = float(normal_fast(scratch[uniforms + i]))
+    if asked:
+        _decided(count, values, scratch, counts)
+    else:
+        for i in range(count):
+            # exp(-rate) is not below 1 - rate, so where u is not above that the count is 0.
+            more = values[i] < SETTLED_ABOVE and scratch[uniforms + i] > 1.0 - values[i]
+            scratch[counts + i] = _UNSURE if more else 0.0
+    unsure = 0
+    for i in range(count):
+        few_at[unsure] = i
+        unsure += 1 if scratch[counts + i] < 0.0 else 0
+    for j in range(unsure):
+        rate = values[few_at[j]]
+        few[j] = rate if rate < SEARCH_BELOW else SEARCH_BELOW
+        scratch[uniforms + j] = scratch[uniforms + few_at[j]]
+    _searched(unsure, few, few_at, uniforms, 3 * BLOCK, 4 * BLOCK, scratch, counts)
+    if high:
+        _raised(count, values, scratch, counts)
+    for i in range(count):
+        values[i] = scratch[counts + i]
+
+
+@inlined
+def _code(value: float, noise: float, lsb: float, offset: float, top: float) -> float:
+    """What the ADC makes of an exposure."""
+    code = np.rint(value / lsb + noise) + offset
+    code = code if code > 0.0 else 0.0
+    return float(np.rint(code if code < top else top))
+
+
+@inlined
+def read_out(
+    noisy: int, noise: float, stream: np.uint64, lsb: float, offset: float, top: float,
+    places: Ints, first: int, count: int, values: Floats, at: int, scratch: Floats, codes: Bytes,
+    out: int,
+) -> None:  # fmt: skip
+    """codes[out + i] := the code of values[at + i], the exposure of the pixel at places[first + i];
+    0 where that is no number."""
+    if noisy:
+        drawn_normals(stream, places, first, count, scratch)
+        for i in range(count):
+            scratch[i] *= noise
+    else:
+        for i in range(count):
+            scratch[i] = 0.0
+    for i in range(count):
+        codes[out + i] = np.uint8(np.int32(_code(values[at + i], scratch[i], lsb, offset, top)))

@@ -1,0 +1,230 @@
+"""The loops for frames by weighted sums: counts, what they and the noise of words make of the mean
+exposures, and the converter's codes.
+
+What all frames of a scene have in common comes ready made (`nscc_runtime.execution.summed`).
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from nscc_runtime.execution.drawn import BLOCK, counted, drawn_normals, read_out
+from nscc_runtime.loop import (
+    Bytes,
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Words,
+    Written,
+    compiled,
+    loop,
+    record,
+)
+
+UP, DOWN, LEFT, RIGHT = range(4)
+"""Neighbours, in the order of `nscc_runtime.execution.overlap`."""
+
+
+@record
+class Counting:
+    """Which of all `pixels` are counted; `more`: beside what another source has left in `away`."""
+
+    begin: int
+    end: int
+    pixels: int
+    groups: int
+    more: int
+    rate_cap: float
+
+
+@loop
+def draw_counts(
+    counting: Counting,
+    keys: Annotated[Words, "groups"],
+    rates: Annotated[Floats, "groups pixels"],
+    places: Annotated[Ints, "pixels"],
+    values: Written[Floats],
+    scratch: Written[Floats],
+    few: Written[Floats],
+    few_at: Written[Ints],
+    away: Written[Annotated[Floats, "groups pixels"]],
+) -> None:
+    """away[g, p] := how far a count of rates[g, p] is from its mean, or so much more.
+
+    `values`, `few`, `few_at`: scratch for `BLOCK` pixels; `scratch` for five times as many.
+    """
+    for first in range(counting.begin, counting.end, BLOCK):
+        stop = min(first + BLOCK, counting.end)
+        for group in range(counting.groups):
+            at = group * counting.pixels + first
+            for i in range(stop - first):
+                values[i] = rates[at + i]
+            counted(
+                keys[group], counting.rate_cap, places, first, stop, values, scratch, few, few_at
+            )  # fmt: skip
+            for i in range(stop - first):
+                # No count is beyond the cap, and sums have that of light: it is no error there.
+                mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
+                before = away[at + i] if counting.more else 0.0
+                away[at + i] = before + (values[i] - mean)
+
+
+@record
+class Adding:
+    """The rows from `begin` to `end` - 1, and what is added up there."""
+
+    begin: int
+    end: int
+    rows: int
+    cols: int
+    pixels: int
+    buckets: int
+    lane_count: int
+    groups: int
+    """Whose charge is counted; 0: of none."""
+    sources: int
+    """Of small errors."""
+    exchanges: int
+    """Whether neighbours exchange counts."""
+    fraction: float
+
+
+@compiled
+def _beside(
+    adding: Adding, direction: int, group: int, bucket: int, first: int, stop: int,
+    own: Floats32, neighbours: Floats32, away: Floats, total: Floats,
+) -> None:  # fmt: skip
+    """total[b, i] += what neighbours in one direction give, less what goes to them."""
+    rows, cols, pixels = adding.rows, adding.cols, adding.pixels
+    row, begin, end = first // cols, first, stop
+    step = -cols
+    if direction == UP:
+        end = stop if row > 0 else first
+    elif direction == DOWN:
+        step, end = cols, stop if row + 1 < rows else first
+    elif direction == LEFT:
+        step, begin = -1, first if first % cols else first + 1
+    else:
+        step, end = 1, stop if stop % cols else stop - 1
+    here = group * adding.pixels
+    mine = (group * adding.buckets + bucket) * pixels
+    other = ((group * 4 + direction) * adding.buckets + bucket) * pixels
+    at = bucket * BLOCK - first
+    for p in range(begin, end):
+        given = own[mine + p] * away[here + p]
+        taken = neighbours[other + p] * away[here + p + step]
+        total[at + p] += adding.fraction * (taken - given)
+
+
+@compiled
+def _counted(
+    adding: Adding, first: int, stop: int, own: Floats32, neighbours: Floats32, away: Floats,
+    total: Floats,
+) -> None:  # fmt: skip
+    """total[b, i] := what the groups' deviations make of the exposures at pixel first + i."""
+    for bucket in range(adding.buckets):
+        at = bucket * BLOCK - first
+        for p in range(first, stop):
+            total[at + p] = 0.0
+        for group in range(adding.groups):
+            mine = (group * adding.buckets + bucket) * adding.pixels
+            here = group * adding.pixels
+            for p in range(first, stop):
+                total[at + p] += own[mine + p] * away[here + p]
+            for direction in range(4 if adding.exchanges else 0):
+                _beside(adding, direction, group, bucket, first, stop, own, neighbours, away, total)
+
+
+@loop
+def add_up(
+    adding: Adding,
+    noise_keys: Annotated[Words, "sources"],
+    lanes: Annotated[Ints32, "pixels"],
+    places: Annotated[Ints, "pixels"],
+    expected: Annotated[Floats, "buckets pixels"],
+    away: Annotated[Floats, "groups pixels"],
+    own: Annotated[Floats32, "groups buckets pixels"],
+    neighbours: Floats32,
+    sigma: Annotated[Floats, "sources buckets lane_count"],
+    total: Written[Floats],
+    drawn: Written[Floats],
+    exposure: Written[Annotated[Floats, "buckets pixels"]],
+) -> None:
+    """Exposures of some rows of a frame from their means and from deviations of counts.
+
+    `own`: weights of a pixel's deviations; `neighbours` (groups, 4, buckets, pixels): those of its
+    neighbours', where these exchange counts. Scratch: `total` for `BLOCK` pixels a bucket, `drawn`
+    for `BLOCK`.
+    """
+    pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
+    first = adding.begin * cols
+    while first < end:
+        # Rows one by one only where what is beside a pixel matters.
+        last = (first // cols + 1) * cols if adding.exchanges else end
+        stop = min(first + BLOCK, last)
+        _counted(adding, first, stop, own, neighbours, away, total)
+        for bucket in range(adding.buckets):
+            at, here = bucket * BLOCK, bucket * pixels + first
+            for i in range(stop - first):
+                total[at + i] += expected[here + i]
+        for source in range(adding.sources):
+            drawn_normals(noise_keys[source], places, first, stop - first, drawn)
+            for bucket in range(adding.buckets):
+                at = bucket * BLOCK
+                size = (source * adding.buckets + bucket) * adding.lane_count
+                for i in range(stop - first):
+                    total[at + i] += sigma[size + lanes[first + i]] * drawn[i]
+        for bucket in range(adding.buckets):
+            at, here = bucket * BLOCK, bucket * pixels + first
+            for i in range(stop - first):
+                exposure[here + i] = total[at + i] + 0.0
+        first = stop
+
+
+@record
+class Reading:
+    """Which of all `pixels` are read out, and the converter: see `read_out`. `last_bit` marks the
+    codes that are the last of the scale.
+    """
+
+    begin: int
+    end: int
+    pixels: int
+    buckets: int
+    noisy: int
+    last_bit: int
+    electrons_per_code: float
+    offset: float
+    top: float
+    readout_noise: float
+
+
+@loop
+def convert(
+    reading: Reading,
+    keys: Annotated[Words, "buckets"],
+    places: Annotated[Ints, "pixels"],
+    exposure: Annotated[Floats, "buckets pixels"],
+    scratch: Written[Floats],
+    frame: Written[Annotated[Bytes, "buckets pixels"]],
+    valid: Written[Annotated[Bytes, "buckets pixels"]],
+    marked: Written[Annotated[Bytes, "buckets pixels"]],
+) -> None:
+    """frame := the codes of exposures, 0 of what is no number; valid := whether they are finite.
+
+    `scratch` is room for `BLOCK` pixels.
+    """
+    for first in range(reading.begin, reading.end, BLOCK):
+        stop = min(first + BLOCK, reading.end)
+        for bucket in range(reading.buckets):
+            at = bucket * reading.pixels
+            read_out(
+                reading.noisy, reading.readout_noise, keys[bucket], reading.electrons_per_code,
+                reading.offset, reading.top, places, first, stop - first, exposure, at + first,
+                scratch, frame, at + first,
+            )  # fmt: skip
+            for p in range(at + first, at + stop):
+                value = exposure[p]
+                valid[p] = 1 if value - value == 0.0 else 0
+                marked[p] |= reading.last_bit if frame[p] == reading.top else 0

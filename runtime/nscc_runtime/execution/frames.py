@@ -1,0 +1,211 @@
+"""Frames of a scene under an execution: by sums with single pixels through their words, by the
+words of all pixels, or by the reference.
+
+Draws are those of the reference (`nscc_runtime.effects`): effects that are left out and the
+approximations of sums are the only differences from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Counted, Saturates
+from nscc_runtime.emulator.capture import check_size
+from nscc_runtime.execution.chip import Chip, chip_of
+from nscc_runtime.execution.near import near_saturation
+from nscc_runtime.execution.pixels import Given, Running, Wired
+from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.summed import Readout, SummedScene
+from nscc_runtime.frame_file import Frame, check_adc, converted
+from nscc_runtime.interface import Exposure
+from nscc_runtime.light import Light
+from nscc_runtime.pool import threads_of
+from nscc_runtime.reference.capture import Reference, scene_of
+
+Values = NDArray[np.float64]
+Marked = NDArray[np.uint8]
+Path = Literal["sums", "words", "reference"]
+
+
+@dataclass(frozen=True)
+class Execution:
+    """How a frame is exposed, and with which effects.
+
+    Attributes
+    ----------
+    path : {"sums", "words", "reference"}
+        Weighted sums over slots, where pixels near saturation run through their words; all pixels
+        through their words; or the reference, slot by slot.
+    kept : Selection
+        The effects that are simulated.
+    near : Selection
+        Those of pixels near saturation, on the path "sums". No pixel runs through its words where
+        `kept` has nothing that saturates.
+    wanted : Selection
+        All effects that the user did not force off: they decide which pixels are near saturation,
+        and weigh the noise of words.
+    exact : bool
+        Whether pixels near saturation draw their neighbours' counts and spread their own over the
+        slots, as the reference does, instead of sharing out those of sums.
+    """
+
+    path: Path
+    kept: Selection
+    near: Selection
+    wanted: Selection
+    exact: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class ExecutedScene:
+    """A scene made ready under an execution, to be exposed frame by frame.
+
+    `threads` change no bit; `torch_device`: where sums are drawn and added up, None for the
+    processor.
+    """
+
+    program: Program
+    light: Light
+    execution: Execution
+    device_seed: int
+    threads: int
+    torch_device: str | None = None
+
+    @cached_property
+    def chip(self) -> Chip:
+        """What the chip does to any scene under these effects."""
+        execution = self.execution
+        return chip_of(self.program, self.device_seed, execution.kept, execution.wanted)
+
+    def expose(self, seed: int, frame: int) -> Exposure:
+        """Frame number `frame`, before the converter."""
+        if self.execution.path == "reference":
+            scene = scene_of(self.program.container, self.light)
+            return self._reference.expose(scene, seed, self.device_seed, frame, self.threads)
+        return self._exposure(*self._exposed(seed, frame))
+
+    def frame(self, seed: int, frame: int) -> Frame:
+        """Frame number `frame`, read out."""
+        if self.execution.path == "reference":
+            return self._converted(self.expose(seed, frame), seed, frame)
+        return self._read_out(*self._exposed(seed, frame), seed, frame)
+
+    def frames(self, seed: int, count: int) -> Iterator[Frame]:
+        """Frames 0 .. `count` - 1, read out; ValueError for fewer than one."""
+        if count < 1:
+            raise ValueError(f"{count} frames")
+        check_adc(self.program.container.target)
+        if self.torch_device is None or self.execution.path != "sums":
+            yield from (self.frame(seed, number) for number in range(count))
+            return
+        import torch
+
+        from nscc_runtime.execution.torch_frames import OnTorch
+
+        on_torch = OnTorch(self.summed, torch.device(self.torch_device))
+        step = on_torch.together
+        for first in range(0, count, step):
+            numbers = range(first, min(first + step, count))
+            for number, exposure in zip(numbers, on_torch.expose(seed, numbers), strict=True):
+                marked = np.zeros(exposure.shape, np.uint8)
+                if self._near is not None:
+                    self._run_near(exposure, marked, self.summed.away(seed, number), seed, number)
+                yield self._read_out(exposure, marked, seed, number)
+
+    @cached_property
+    def summed(self) -> SummedScene:
+        """The scene by weighted sums."""
+        return SummedScene(self.chip, self.light, self.threads)
+
+    def _exposed(self, seed: int, frame: int) -> tuple[Values, Marked]:
+        """Exposures (buckets, pixels) of frame number `frame` by sums and by the loop over words,
+        and what cut them off."""
+        if self.execution.path == "words":
+            return self._all_by_words.expose(seed, frame)
+        away = self.summed.away(seed, frame)
+        exposure = self.summed.expose(seed, frame, away)
+        marked = np.zeros(exposure.shape, np.uint8)
+        if self._near is not None:
+            self._run_near(exposure, marked, away, seed, frame)
+        return exposure, marked
+
+    def _run_near(
+        self, exposure: Values, marked: Marked, away: Values, seed: int, frame: int
+    ) -> None:
+        """Have pixels near saturation run through their words; sums have their neighbours'
+        counts."""
+        assert self._near is not None
+        running, places = self._near, self._near.chosen
+        given = Given(self.chip.counted, away) if counts_agree(self.execution) else None
+        exposure[:, places], marked[:, places] = running.expose(seed, frame, given)
+
+    @cached_property
+    def _near(self) -> Running | None:
+        near = near_pixels(self.program, self.light, self.device_seed, self.execution)
+        if not len(near):
+            return None
+        return Running(self._wired(self.execution.near), self.light, near, self.threads)
+
+    @cached_property
+    def _all_by_words(self) -> Running:
+        wired = self._wired(self.execution.kept)
+        return Running(wired, self.light, self.program.array.places, self.threads)
+
+    def _wired(self, effects: Selection) -> Wired:
+        return self.program.wired(effects, self.device_seed)
+
+    def _exposure(self, exposure: Values, marked: Marked) -> Exposure:
+        shape = len(exposure), *self.light.shape
+        valid = np.isfinite(exposure)
+        return Exposure(exposure.reshape(shape), valid.reshape(shape), marked.reshape(shape))
+
+    def _read_out(self, exposure: Values, marked: Marked, seed: int, frame: int) -> Frame:
+        readout = self.chip.own(Readout.of)
+        if readout is None:
+            return self._converted(self._exposure(exposure, marked), seed, frame)
+        return readout.frame(exposure, marked, self.light.shape, (seed, frame), self.threads)
+
+    def _converted(self, exposure: Exposure, seed: int, frame: int) -> Frame:
+        target, seeds = self.program.container.target, (seed, self.device_seed)
+        kept = self.execution.kept
+        return converted(exposure, target, self.program.sensor, kept, seeds, frame)
+
+    @cached_property
+    def _reference(self) -> Reference:
+        return Reference.of(self.program.container, self.program.sensor, self.execution.kept)
+
+
+def near_pixels(
+    program: Program, light: Light, device_seed: int, execution: Execution
+) -> NDArray[np.int64]:
+    """The places of the pixels near saturation that run through their words under an execution."""
+    if execution.path != "sums" or not execution.kept.names(Saturates):
+        return np.empty(0, np.int64)
+    return near_saturation(program, light, device_seed, execution.wanted).places
+
+
+def counts_agree(execution: Execution) -> bool:
+    """Whether pixels near saturation can take the counts of sums."""
+    counted = (effects.names(Counted) for effects in (execution.kept, execution.near))
+    return not execution.exact and len({*counted}) == 1
+
+
+def executed(
+    program: Program,
+    light: Light,
+    execution: Execution,
+    *,
+    device_seed: int = 0,
+    threads: int | None = None,
+    torch_device: str | None = None,
+) -> ExecutedScene:
+    """A scene made ready; raises Rejected as `nscc_runtime.emulator.expose` does."""
+    check_size(program.container, light)
+    return ExecutedScene(program, light, execution, device_seed, threads_of(threads), torch_device)

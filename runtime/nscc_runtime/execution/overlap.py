@@ -1,0 +1,75 @@
+"""Crosstalk of counts: how much of a neighbour's counted charge falls on a pixel's open slots.
+
+A neighbour's charge is counted for its own groups of slots. The part of a group's count that lies
+in the slots that another pixel has open is taken as that part of the group's time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+Values = NDArray[np.float64]
+Weights = NDArray[np.float32]
+
+_MOST_PAIRS = 1 << 20
+"""Pairs of lanes up to which a table of all pairs is made; else each pixel's pair is computed."""
+_CHUNK = 4096
+_ALL, _FIRST, _LAST = slice(None), slice(None, -1), slice(1, None)
+NEIGHBOURS = (
+    ((_LAST, _ALL), (_FIRST, _ALL)), ((_FIRST, _ALL), (_LAST, _ALL)),
+    ((_ALL, _LAST), (_ALL, _FIRST)), ((_ALL, _FIRST), (_ALL, _LAST)),
+)  # fmt: skip
+"""Above, below, left and right: the pixels (rows, cols) that have such a neighbour, and those."""
+
+
+@dataclass(frozen=True, eq=False)
+class Overlap:
+    """The counts of one group of slots in the exposures of other pixels.
+
+    Attributes
+    ----------
+    seconds : float64, shape (N, lanes, buckets)
+        The slots' lengths times their weights.
+    parts : float64, shape (N, lanes)
+        Where the group has slots, as one over the seconds that all of these take.
+    """
+
+    seconds: Values
+    parts: Values
+
+    def between(self, mine: NDArray[np.int32], other: NDArray[np.int32]) -> Weights:
+        """The weights (buckets, pairs) in pixels of the lanes `mine` of neighbours' counts."""
+        if self._table is not None:
+            return self._table[:, mine, other]
+        weights = np.empty((self.seconds.shape[2], mine.size), np.float32)
+        for first in range(0, mine.size, _CHUNK):
+            chunk = slice(first, first + _CHUNK)
+            weights[:, chunk] = np.einsum(
+                "npb,np->bp", self.seconds[:, mine[chunk]], self.parts[:, other[chunk]]
+            )
+        return weights
+
+    @cached_property
+    def _table(self) -> Weights | None:
+        """The same (buckets, lanes, lanes) of all pairs."""
+        _, lanes, buckets = self.seconds.shape
+        if lanes**2 > _MOST_PAIRS:
+            return None
+        by_bucket = (self.seconds[:, :, bucket].T @ self.parts for bucket in range(buckets))
+        return np.stack([*by_bucket]).astype(np.float32)
+
+
+def weights_beside(overlaps: Sequence[Overlap], buckets: int, lanes: NDArray[np.int32]) -> Weights:
+    """The weights (groups, 4, buckets, pixels) of the counts of the neighbours above, below, left
+    and right in the exposures of pixels with these lanes (rows, cols); 0 where there is none."""
+    found = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
+    for number, overlap in enumerate(overlaps):
+        for side, (to, source) in enumerate(NEIGHBOURS):
+            weights = overlap.between(lanes[to].reshape(-1), lanes[source].reshape(-1))
+            found[(number, side, slice(None), *to)] = weights.reshape(buckets, *lanes[to].shape)
+    return found.reshape(*found.shape[:3], lanes.size)

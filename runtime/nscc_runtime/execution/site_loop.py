@@ -1,0 +1,135 @@
+"""The loop that lays out the light of sites, pixels and those beside them, for `charge_loop`: what
+no frame changes."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+
+from nscc_runtime.effects.spread import log_normal_in_loop
+from nscc_runtime.execution.charge_loop import DARK, LIT
+from nscc_runtime.execution.layout import Keys, Numbers
+from nscc_runtime.loop import (
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Written,
+    compiled,
+    loop,
+    record,
+)
+from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.loops import uniform
+
+_TOGETHER = 16
+"""Sites that go through the slots together: a line of the cache of each frame, where they touch."""
+
+
+@record
+class Laying:
+    """Which of the sites are laid out, and how; the last three are switches."""
+
+    begin: int
+    end: int
+    pixels: int
+    slots: int
+    groups: int
+    even: int
+    """Whether all slots have the same light."""
+    uneven: int
+    """Whether pixels differ in their response."""
+    counts_dark: int
+
+
+@compiled
+def _rate(numbers: Numbers, total: float, response: float) -> float:
+    """The rate of a slot whose light, in float64, is `total`."""
+    rate = float(np.float32(total))
+    rate = (rate + numbers.echo * rate) * response
+    rate = rate if rate > 0.0 else 0.0
+    return rate if rate < numbers.rate_cap else numbers.rate_cap
+
+
+@compiled
+def _light(
+    frames: Floats32, row_start: Ints, frame_index: Ints32, weight: Floats, n: int, pixels: int,
+    place: int,
+) -> float:  # fmt: skip
+    """The light of slot n at a place."""
+    total = 0.0
+    for k in range(row_start[n], row_start[n + 1]):
+        total += float(frames[frame_index[k] * pixels + place]) * weight[k]
+    return total
+
+
+@compiled
+def _draw(laying: Laying, key: np.uint64, places: Ints, at: int, scales: Floats) -> None:
+    """scales[i, at] := the normal number of places[i]; nothing else, so LLVM makes vectors."""
+    for i in range(laying.begin, laying.end):
+        scales[2 * i + at] = normal(uniform(key, places[i]))
+
+
+@loop
+def lay_out(
+    laying: Laying,
+    numbers: Numbers,
+    keys: Keys,
+    places: Annotated[Ints, "sites"],
+    lanes: Annotated[Ints32, "pixels"],
+    frames: Annotated[Floats32, "frames pixels"],
+    row_start: Annotated[Ints, "slots+1"],
+    frame_index: Annotated[Ints32, "shares"],
+    weight: Annotated[Floats, "shares"],
+    of_slot: Annotated[Ints32, "lanes slots"],
+    of_lane: Annotated[Ints, "lanes 2"],
+    number: Written[Annotated[Ints32, "pixels"]],
+    rows: Written[Annotated[Ints, "sites 2"]],
+    scales: Written[Annotated[Floats, "sites 2"]],
+    sums: Written[Floats],
+) -> None:
+    """number[places[i]] := i; rows[i] := where in `sums` the light and the dark charge of the site
+    begin; scales[i] := the light of a slot there, and its dark current.
+
+    `of_lane`: where those of each lane begin. Where slots are not even, each site has a row of its
+    own for light and its scale is 1: the first of `sums` (sites, groups, N + 1) are the light of
+    each group, added up from slot to slot. `of_slot`: the group of each.
+    """
+    pixels, slots, count = laying.pixels, laying.slots, laying.groups
+    for i in range(laying.begin, laying.end):
+        place = places[i]
+        lane = lanes[place]
+        number[place] = i
+        rows[2 * i + LIT] = of_lane[2 * lane + LIT] if laying.even else i * count * (slots + 1)
+        rows[2 * i + DARK] = of_lane[2 * lane + DARK]
+        scales[2 * i + LIT], scales[2 * i + DARK] = 1.0, 0.0
+    if laying.uneven:
+        _draw(laying, keys.uneven, places, LIT, scales)
+        for i in range(laying.begin, laying.end):
+            response = 1.0 + numbers.uneven * scales[2 * i + LIT]
+            scales[2 * i + LIT] = response if response > 0.0 else 0.0
+    if laying.even:
+        for i in range(laying.begin, laying.end):
+            total = _light(frames, row_start, frame_index, weight, 0, pixels, places[i])
+            scales[2 * i + LIT] = _rate(numbers, total, scales[2 * i + LIT])
+    if laying.counts_dark:
+        _draw(laying, keys.dark, places, DARK, scales)
+        for i in range(laying.begin, laying.end):
+            z = scales[2 * i + DARK]
+            scales[2 * i + DARK] = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)
+    for first in range(laying.begin, laying.begin if laying.even else laying.end, _TOGETHER):
+        stop = min(first + _TOGETHER, laying.end)
+        for n in range(slots):
+            for i in range(first, stop):
+                place = places[i]
+                total = _light(frames, row_start, frame_index, weight, n, pixels, place)
+                rate = _rate(numbers, total, scales[2 * i + LIT])
+                mine = of_slot[lanes[place] * slots + n]
+                for group in range(count):
+                    at = (i * count + group) * (slots + 1) + n
+                    if n == 0:
+                        sums[at] = 0.0
+                    sums[at + 1] = sums[at] + rate if group == mine else sums[at]
+        for i in range(first, stop):
+            scales[2 * i + LIT] = 1.0

@@ -1,0 +1,187 @@
+"""The loop that adds up light, each frame weighted by the pixel's lane, and smears it.
+
+`nscc_runtime.execution.sums` has checked what it is given.
+"""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+
+from nscc_runtime.loop import (
+    Bytes,
+    Floats,
+    Floats32,
+    Ints,
+    Ints32,
+    Written,
+    compiled,
+    inlined,
+    loop,
+    record,
+)
+
+BLOCK = 512
+"""Pixels whose sums stay in the cache while the frames go by."""
+
+TOGETHER = 4
+"""Frames that are added for one time through the sums."""
+
+
+@record
+class SceneSizes:
+    """The size of the frames, of which the rows from `begin` to `end` - 1 are to be done.
+
+    Sums from number `smeared` on are of light that neighbours have exchanged `fraction` of.
+    """
+
+    begin: int
+    end: int
+    rows: int
+    cols: int
+    count: int
+    lane_count: int
+    sums: int
+    smeared: int
+    fraction: float
+
+
+@inlined
+def _moved(
+    frames: Floats32, share: Floats32, frame: int, p: int, up: int, down: int, left: int,
+    right: int, c: np.float32,
+) -> np.float32:  # fmt: skip
+    """The light of pixel p of a frame once its neighbours, so many places away, have exchanged."""
+    own = share[p] * frames[frame + p]
+    four = (
+        share[p + up] * frames[frame + p + up]
+        + share[p + down] * frames[frame + p + down]
+        + share[p + left] * frames[frame + p + left]
+        + share[p + right] * frames[frame + p + right]
+    )
+    found: np.float32 = own + c * (four - np.float32(4.0) * own)
+    return found
+
+
+@compiled
+def _smear(
+    sizes: SceneSizes, frames: Floats32, share: Floats32, frame: int, first: int, stop: int,
+    lit: Floats32, at: int,
+) -> None:  # fmt: skip
+    """lit[at + i] := q + fraction laplacian(q) at pixel first + i, q = share * frame; the border
+    reflects. The pixels are of one row.
+    """
+    cols, c = sizes.cols, np.float32(sizes.fraction)
+    row = first // cols
+    up = -cols if row > 0 else 0
+    down = cols if row + 1 < sizes.rows else 0
+    # Those inside have all neighbours: no branch, so LLVM makes vectors.
+    for p in range(first + 1, stop - 1):
+        lit[at + p - first] = _moved(frames, share, frame, p, up, down, -1, 1, c)
+    left, right = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
+    lit[at] = _moved(frames, share, frame, first, up, down, left, right, c)
+    left, right = -1 if (stop - 1) % cols else 0, 1 if stop % cols else 0
+    lit[at + stop - 1 - first] = _moved(frames, share, frame, stop - 1, up, down, left, right, c)
+
+
+@compiled
+def _gather(
+    source: Floats32, at: int, step: int, count: int, first: int, stop: int, gathered: Floats
+) -> None:
+    """gathered[i] += what `count` frames, `step` apart, have at first + i."""
+    for k in range(0, count - count % TOGETHER, TOGETHER):
+        frame = at + k * step
+        for p in range(first, stop):
+            total = gathered[p - first] + source[frame + p]
+            total += source[frame + step + p]
+            total += source[frame + 2 * step + p]
+            gathered[p - first] = total + source[frame + 3 * step + p]
+    for k in range(count - count % TOGETHER, count):
+        frame = at + k * step
+        for p in range(first, stop):
+            gathered[p - first] += source[frame + p]
+
+
+@compiled
+def _gather_smeared(
+    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, count: int, first: int,
+    stop: int, lit: Floats32, gathered: Floats,
+) -> None:  # fmt: skip
+    """As `_gather`, of frames k .. k + count - 1 once neighbours have exchanged their light."""
+    pixels = sizes.rows * sizes.cols
+    for near in range(0, count, TOGETHER):
+        together = min(TOGETHER, count - near)
+        for each in range(together):
+            frame = (k + near + each) * pixels
+            _smear(sizes, frames, share, frame, first, stop, lit, each * BLOCK)
+        _gather(lit, -first, BLOCK, together, first, stop, gathered)
+
+
+@compiled
+def _add_alike(
+    sizes: SceneSizes, frames: Floats32, share: Floats32, k: int, alike: int, table: Floats,
+    lit_sums: Bytes, lanes: Ints32, first: int, stop: int, lit: Floats32, gathered: Floats,
+    out: Floats,
+) -> None:  # fmt: skip
+    """Add the frames from k on, whose weights are alike, to all sums."""
+    pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
+    for smeared in range(2):
+        begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
+        some = 0
+        for j in range(begin, end):
+            some |= lit_sums[j * count + k]
+        if not some:
+            continue
+        for i in range(stop - first):
+            gathered[i] = 0.0
+        if smeared:
+            _gather_smeared(sizes, frames, share, k, alike, first, stop, lit, gathered)
+        else:
+            _gather(frames, k * pixels, pixels, alike, first, stop, gathered)
+        for j in range(begin, end):
+            if lit_sums[j * count + k]:
+                row = (j * count + k) * lane_count
+                for p in range(first, stop):
+                    out[j * pixels + p] += table[row + lanes[p]] * gathered[p - first]
+
+
+@loop
+def scene_sums(
+    sizes: SceneSizes,
+    frames: Annotated[Floats32, "count rows cols"],
+    scale: Annotated[Floats, "rows cols"],
+    share: Floats32,
+    lanes: Annotated[Ints32, "rows cols"],
+    table: Annotated[Floats, "sums count lane_count"],
+    lit_sums: Annotated[Bytes, "sums count"],
+    alike: Annotated[Ints, "count"],
+    lit: Written[Floats32],
+    gathered: Written[Floats],
+    out: Written[Annotated[Floats, "sums rows cols"]],
+) -> None:
+    """out[j, p] := the sum over k of table[j, k, lanes[p]] * scale[p] * frames[k, p].
+
+    The frames pass once, for all sums. Products and sums in float64; smeared light in float32.
+    `share`: the scale in float32 where light is smeared. `lit_sums`: whether any lane has a weight
+    of a frame in a sum. `alike`: with how many after it each frame has all its weights in common,
+    itself included: they are added up before they are weighted. `lit`, `gathered`: scratch for
+    `TOGETHER` times `BLOCK` pixels, and for `BLOCK`.
+    """
+    cols, count, pixels = sizes.cols, sizes.count, sizes.rows * sizes.cols
+    for row in range(sizes.begin, sizes.end):
+        for first in range(row * cols, (row + 1) * cols, BLOCK):
+            stop = min(first + BLOCK, (row + 1) * cols)
+            for j in range(sizes.sums):
+                for p in range(first, stop):
+                    out[j * pixels + p] = 0.0
+            k = 0
+            while k < count:
+                _add_alike(
+                    sizes, frames, share, k, alike[k], table, lit_sums, lanes, first, stop, lit,
+                    gathered, out,
+                )  # fmt: skip
+                k += alike[k]
+            for j in range(sizes.smeared):
+                for p in range(first, stop):
+                    out[j * pixels + p] *= scale[p]

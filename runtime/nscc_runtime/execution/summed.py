@@ -1,0 +1,257 @@
+"""Frames by weighted sums: light added up with the weights of the pixel's code, counts drawn once
+for groups of slots, and codes made of the exposures."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.counts import LIGHT, count_key
+from nscc_runtime.effects.parts import (
+    Codes,
+    Converter,
+    CountedLight,
+    Echo,
+    Exchange,
+    Moving,
+    Response,
+    WordGain,
+)
+from nscc_runtime.execution.chip import Chip
+from nscc_runtime.execution.drawn import BLOCK, ROOM
+from nscc_runtime.execution.frame_loop import (
+    Adding,
+    Counting,
+    Reading,
+    add_up,
+    convert,
+    draw_counts,
+)
+from nscc_runtime.execution.sums import scene_sums
+from nscc_runtime.execution.tables import Model
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.loop import Bound
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.pool import in_parts
+from nscc_runtime.reference.noise import SUM
+
+Values = NDArray[np.float64]
+
+APPROXIMATIONS: Sequence[str] = (
+    "photons are counted once for all slots that a group of buckets shares",
+    "charge of closed slots is not counted",
+    "counts exchanged with neighbours are spread evenly over the slots of their group",
+    "counts from a rate of 10 on follow a formula",
+    "noise of words is weighed at the mean leakage, and leakage is linear between two rates",
+)
+"""How sums differ from the reference with the same effects."""
+
+
+@dataclass(frozen=True, eq=False)
+class SummedScene:
+    """The light of a scene on the pixels of a chip, whose frames are weighted sums with noise.
+
+    `known` are sums of this light by what they depend on: planning tries sets of effects that have
+    them in common.
+    """
+
+    chip: Chip
+    light: Light
+    threads: int
+    known: dict[Hashable, tuple[Values, Values]] = field(default_factory=dict)
+
+    @cached_property
+    def source(self) -> Light:
+        """The scene's light, with or without motion inside its slots."""
+        return (self.chip.kept.part(Moving) and self.light.motion) or self.light
+
+    @cached_property
+    def _sums(self) -> tuple[Values, Values]:
+        """All sums over the scene in one go: the light (counted groups, pixels) of each group of
+        slots that is counted, and of each bucket (buckets, pixels)."""
+        chip, kept = self.chip, self.chip.kept
+        lit = len(chip.counted) if kept.part(CountedLight) is not None else 0
+        model = chip.program.model(kept)
+        of_light = (kept.names(part) for part in (Moving, Echo, Response, Exchange))
+        key = chip.array, lit, model, chip.leak_rates, frozenset[str]().union(*of_light)
+        if key not in self.known:
+            self.known[key] = self._added_up(lit, model)
+        return self.known[key]
+
+    def _added_up(self, lit: int, model: Model) -> tuple[Values, Values]:
+        chip = self.chip
+        groups = chip.counted if lit else ()
+        weights = chip.program.sum_weights(model, chip.leak_rates, groups)
+        exchanges = chip.kept.part(Exchange) is not None
+        sums = scene_sums(
+            self.source, chip.array.flat_lanes, (chip.scale, chip.scale_32), weights,
+            lit if exchanges else len(weights.slots), chip.exchanged, self.threads,
+        )  # fmt: skip
+        by_rate = sums[lit:].reshape(-1, len(chip.leak_rates), sums.shape[1])
+        exposure = by_rate[:, 0]
+        if len(chip.leak_rates) > 1:
+            np.multiply(by_rate, chip.leak_weights, out=by_rate)
+            exposure = by_rate.sum(axis=1)
+        return sums[:lit], exposure
+
+    @cached_property
+    def expected(self) -> Values:
+        """The exposures (buckets, pixels) of the mean charge and of words with their fixed errors,
+        nothing saturated."""
+        exposure, dark_e = self._sums[1], self.chip.dark_e
+        if dark_e is not None:
+            exposure = exposure + dark_e
+        if self.chip.kept.part(WordGain) is not None:
+            exposure = exposure + self.chip.patterns
+        return np.ascontiguousarray(exposure)
+
+    @cached_property
+    def rates(self) -> list[Values]:
+        """The mean counts (counted groups, pixels) of each source of charge."""
+        return [
+            self._sums[0] if source == LIGHT else self.chip.dark_rates
+            for _, source in self.chip.sources
+        ]
+
+    def away(self, seed: int, frame: int) -> Values:
+        """How far the counts (counted groups, pixels) of frame `frame` are from their means."""
+        array, groups = self.chip.array, self.chip.counted
+        away = np.empty((len(groups), array.lanes.size))
+        # Made here: who makes them waits for the threads that run.
+        keys = self._keys(seed, frame) if groups else []
+        sources = [*zip(keys, self.rates, strict=bool(groups))]
+
+        def run(begin: int, end: int) -> None:
+            values, scratch, few = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
+            for number, (of_groups, rates) in enumerate(sources):
+                draw_counts(
+                    counting=Counting(
+                        begin=begin, end=end, pixels=array.lanes.size, groups=len(groups),
+                        more=int(number > 0), rate_cap=RATE_CAP,
+                    ),
+                    keys=of_groups, rates=rates, places=array.places, away=away, values=values,
+                    scratch=scratch, few=few, few_at=np.empty(BLOCK, np.int64),
+                )  # fmt: skip
+
+        in_parts(run, array.lanes.size, self.threads, BLOCK)
+        return away
+
+    def expose(self, seed: int, frame: int, away: Values) -> Values:
+        """Exposures (buckets, pixels) of frame number `frame`, whose counts are so far `away` from
+        their means."""
+        chip, (draws, _) = self.chip, self.chip.noise
+        (rows, cols), expected = chip.array.shape, self.expected
+        exposure = np.empty(expected.shape)
+        noise = [key(seed, stream, SUM, frame, draw) for stream, draw in draws]
+        noise_keys = np.array(noise, np.uint64)
+        sizes: dict[str, Any] = {
+            "rows": rows, "cols": cols, "pixels": rows * cols, "buckets": len(expected),
+            "lane_count": len(chip.program.container.encoding), "groups": len(chip.counted),
+            "sources": len(draws), "exchanges": bool(chip.sources) and chip.exchanged > 0,
+            "fraction": chip.exchanged,
+        }  # fmt: skip
+        adding = chip.own(_adding)
+
+        def run(begin: int, end: int) -> None:
+            adding(
+                adding=Adding(begin=begin, end=end, **sizes), noise_keys=noise_keys,
+                expected=expected, away=away, total=np.empty(BLOCK * len(expected)),
+                drawn=np.empty(BLOCK), exposure=exposure,
+            )  # fmt: skip
+
+        in_parts(run, rows, self.threads)
+        return exposure
+
+    def _keys(self, seed: int, frame: int) -> list[NDArray[np.uint64]]:
+        """The keys of the counted groups, of each source."""
+        groups = self.chip.counted
+        return [
+            np.array([count_key(seed, stream, source, frame, group) for group in groups], np.uint64)
+            for stream, source in self.chip.sources
+        ]
+
+
+def _adding(chip: Chip) -> Bound:
+    """The loop that adds up, with all that scenes have in common."""
+    return add_up.bound(
+        lanes=chip.array.flat_lanes,
+        places=chip.array.places,
+        own=chip.own_weights,
+        neighbours=chip.beside_weights if chip.exchanged > 0 else np.zeros(1, np.float32),
+        sigma=chip.noise[1],
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Readout:
+    """The converter as the loop knows it: `given` are its figures, `stream` is that of its noise,
+    0 where it has none.
+    """
+
+    given: dict[str, Any]
+    stream: int
+    places: NDArray[np.int64]
+
+    @classmethod
+    def of(cls, chip: Chip) -> Readout | None:
+        """None where an effect that is kept does something else after the exposure."""
+        kept, sensor = chip.kept, chip.program.sensor
+        target = chip.program.container.target
+        converters, codes = kept.having(Converter), kept.having(Codes)
+        known = {effect.name for effect, _ in (*converters, *codes)}
+        if not _after(kept) <= known:
+            return None
+        mark = kept.marking("codes")
+        ((_, code),) = codes
+        given = {
+            "noisy": len(converters),
+            "last_bit": mark.bit if mark else 0,
+            "electrons_per_code": code.electrons(sensor),
+            "offset": code.offset(sensor),
+            "top": float(target.top_code),
+            "readout_noise": kept.converter_lsb(sensor),
+        }
+        stream = converters[0][0].stream if converters else 0
+        return cls(given, stream, chip.array.places)
+
+    def frame(
+        self, values: Values, marked: NDArray[np.uint8], shape: tuple[int, int],
+        seed_and_number: tuple[int, int], threads: int,
+    ) -> Frame:  # fmt: skip
+        """The codes of exposures (buckets, pixels) of an array, in the frame of a seed with a
+        number; what they are marked with is added to."""
+        (buckets, pixels), (seed, number) = values.shape, seed_and_number
+        frame, valid = np.empty(values.shape, np.uint8), np.empty(values.shape, np.bool_)
+        keys = [key(seed, self.stream, frame=number, group=bucket) for bucket in range(buckets)]
+
+        def run(begin: int, end: int) -> None:
+            convert(
+                reading=Reading(
+                    begin=begin, end=end, pixels=pixels, buckets=buckets, **self.given
+                ),
+                keys=np.array(keys, np.uint64),
+                places=self.places,
+                exposure=values,
+                scratch=np.empty(BLOCK),
+                frame=frame,
+                valid=valid.view(np.uint8),
+                marked=marked,
+            )  # fmt: skip
+
+        in_parts(run, pixels, threads, BLOCK)
+        whole = buckets, *shape
+        return Frame(
+            frame.reshape(whole), values.reshape(whole), valid.reshape(whole), marked.reshape(whole)
+        )
+
+
+def _after(kept: Selection) -> set[str]:
+    """The effects that act after the exposure."""
+    return {effect.name for at in ("converter", "codes") for effect, _ in kept.acting(at)}

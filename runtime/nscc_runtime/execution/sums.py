@@ -1,0 +1,146 @@
+"""Weighted sums of a scene's frames, by the compiled loop."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.execution import sum_loop
+from nscc_runtime.execution.sum_loop import SceneSizes
+from nscc_runtime.light import Light
+from nscc_runtime.pool import in_parts
+
+_MOST_ENTRIES = 1 << 23
+"""Of tables in memory at once, unless a single one is larger."""
+_MOST_KEPT = 1 << 21
+"""Of tables that are kept from light to light."""
+
+
+@dataclass(frozen=True, eq=False)
+class OfFrames:
+    """Weights (J, T, lanes) of the frames of all lights with one timing, as
+    `nscc_runtime.execution.sum_loop.scene_sums` takes them."""
+
+    timing: Hashable
+    weights: NDArray[np.float64]
+    frame_weight: NDArray[np.float64]
+
+    @classmethod
+    def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> OfFrames:
+        """Of weights (N, lanes) of slots, for the frames of a light."""
+        flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
+        by_frame = light.on_frames(flat).reshape(-1, len(slots), slots[0].shape[1])
+        return cls(light.timing, np.ascontiguousarray(by_frame.swapaxes(0, 1)), light.frame_weight)
+
+    @cached_property
+    def lit_sums(self) -> NDArray[np.uint8]:
+        """Whether any lane has a weight of a frame (J, T)."""
+        return np.asarray(self.weights.any(axis=2), np.uint8)
+
+    @cached_property
+    def alike(self) -> NDArray[np.int64]:
+        """With how many after it each frame has all weights in common, itself included."""
+        count = self.weights.shape[1]
+        other = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
+        ends = np.append(np.flatnonzero(other) + 1, count)
+        frame = np.arange(count)
+        return np.asarray(ends[np.searchsorted(ends, frame, side="right")] - frame, np.int64)
+
+    @cached_property
+    def most_part(self) -> NDArray[np.float64]:
+        """The most (lanes,) of a frame's light that any of them is."""
+        found, whole = np.zeros(self.weights.shape), self.frame_weight[:, None]
+        np.divide(self.weights, whole, out=found, where=whole > 0)
+        return np.asarray(found.max(axis=(0, 1)))
+
+
+class Weights:
+    """Weights (N, lanes) of slots, to be those of frames; at least one.
+
+    What they are for the frames of the last light is kept: those of a film fall in the same slots.
+    """
+
+    def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
+        self.slots = [*slots]
+        self._last: OfFrames | None = None
+
+    @property
+    def lanes(self) -> int:
+        """How many lanes they have."""
+        return len(self.slots[0][0])
+
+    def of_frames(self, light: Light) -> OfFrames:
+        """Those of a light's frames."""
+        last = self._last  # threads may make it anew
+        if last is None or last.timing != light.timing:
+            last = OfFrames.of(light, self.slots)
+            if last.weights.size <= _MOST_KEPT:
+                self._last = last
+        return last
+
+    def parts(self, light: Light) -> Iterator[tuple[slice, OfFrames]]:
+        """The same, so many at once as memory has room for."""
+        room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
+        if room >= len(self.slots):
+            yield slice(0, len(self.slots)), self.of_frames(light)
+            return
+        for first in range(0, len(self.slots), room):
+            part = slice(first, min(first + room, len(self.slots)))
+            yield part, OfFrames.of(light, self.slots[part])
+
+
+def scene_sums(
+    light: Light,
+    lanes: NDArray[np.int32],
+    scale: tuple[NDArray[np.float64], NDArray[np.float32]],
+    weights: Weights,
+    smeared: int,
+    fraction: float,
+    threads: int = 1,
+) -> NDArray[np.float64]:
+    """The sums (of each of the weights, pixels) of a light's slots, each weighted by slot and lane.
+
+    `lanes` and `scale`, a factor on the light, also in float32, are (pixels,). Those from number
+    `smeared` on weigh what is there after `fraction` of each pixel's light has gone to each of its
+    neighbours. Threads change no bit.
+    """
+    shape, count = light.shape, len(weights.slots)
+    if lanes.view(np.uint32).max(initial=0) >= weights.lanes:
+        raise ValueError("a lane that the weights do not have")
+    out = np.empty((count, *shape))
+    frames = np.require(light.ended, np.float32, ["C", "A"])
+    for part, of_frames in weights.parts(light):
+        arrays: dict[str, Any] = {
+            "frames": frames,
+            "scale": np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
+            "lanes": np.require(lanes.reshape(shape), np.int32, ["C", "A"]),
+            "share": scale[1],
+            "table": of_frames.weights,
+            "lit_sums": of_frames.lit_sums,
+            "alike": of_frames.alike,
+            "out": out[part],
+        }
+        sums, _, lane_count = of_frames.weights.shape
+        sizes = {
+            "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": sums,
+            "lane_count": lane_count, "fraction": fraction,
+            "smeared": min(max(smeared - part.start, 0), sums),
+        }  # fmt: skip
+
+        def run(
+            begin: int, end: int, arrays: dict[str, Any] = arrays, sizes: dict[str, Any] = sizes
+        ) -> None:
+            lit = np.empty(sum_loop.TOGETHER * sum_loop.BLOCK, np.float32)
+            gathered = np.empty(sum_loop.BLOCK)
+            sum_loop.scene_sums(
+                sizes=SceneSizes(begin=begin, end=end, **sizes), lit=lit, gathered=gathered,
+                **arrays,
+            )  # fmt: skip
+
+        in_parts(run, shape[0], threads)
+    return out.reshape(count, -1)

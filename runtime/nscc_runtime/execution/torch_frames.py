@@ -1,0 +1,93 @@
+"""Frames by weighted sums on a device of torch, many at once.
+
+What `nscc_runtime.execution.frame_loop` does to one frame, with the same keyed numbers: exposures
+are the same to about 1e-3 electrons. Sums over the slots, and pixels that run through their words,
+stay on the processor.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+
+from nscc_runtime.effects.counts import count_key
+from nscc_runtime.execution.overlap import NEIGHBOURS
+from nscc_runtime.execution.summed import SummedScene
+from nscc_runtime.noise import RATE_CAP, key
+from nscc_runtime.noise.on_torch import key_tensor, normals, poisson
+from nscc_runtime.reference.noise import SUM
+
+_MOST_BYTES = 1 << 29
+"""Of the tensors of the frames in work together."""
+_ROOMS = 24
+"""Tensors of a frame's pixels that random numbers take."""
+
+
+@dataclass(frozen=True, eq=False)
+class OnTorch:
+    """A scene by weighted sums, laid out on a device."""
+
+    summed: SummedScene
+    device: torch.device
+
+    @property
+    def together(self) -> int:
+        """How many frames are worth exposing at once."""
+        groups, buckets = self.summed.chip.own_weights.shape[:2]
+        each = 8 * len(self._places) * (_ROOMS * max(1, groups) + 4 * buckets)
+        return int(max(1, _MOST_BYTES // each))
+
+    def expose(self, seed: int, frames: range) -> NDArray[np.float64]:
+        """Exposures (frames, buckets, pixels)."""
+        exposure = self._expected + self._deviations(seed, frames)
+        draws, sigmas = self.summed.chip.noise
+        for (stream, draw), sigma in zip(draws, sigmas, strict=True):
+            keys = [key(seed, stream, SUM, frame, draw) for frame in frames]
+            z = normals(key_tensor(keys, self.device), self._places)
+            exposure = exposure + self._tensor(sigma)[:, self._lanes] * z[:, None]
+        return exposure.cpu().numpy() + 0.0
+
+    def _deviations(self, seed: int, frames: range) -> torch.Tensor:
+        """What deviations of counts make of exposures (frames, buckets, pixels)."""
+        groups = self.summed.chip.counted
+        shape = len(frames), len(groups), len(self._places)
+        away = torch.zeros(shape, dtype=torch.float64, device=self.device)
+        sources = zip(self.summed.chip.sources, self.summed.rates, strict=True)
+        for (stream, source), rates in sources:
+            keys = [
+                count_key(seed, stream, source, frame, group)
+                for frame in frames for group in groups
+            ]  # fmt: skip
+            each, rate = key_tensor(keys, self.device).reshape(shape[:2]), self._tensor(rates)
+            away += poisson(each, self._places, rate, RATE_CAP) - rate
+        own, (rows, cols) = self.summed.chip.own_weights, self.summed.chip.array.shape
+        each = away.reshape(*away.shape[:2], 1, rows, cols)
+        mine = self._tensor(own).reshape(*own.shape[:2], rows, cols) * each
+        total = mine.sum(dim=1)
+        if groups and self.summed.chip.exchanged > 0:
+            beside, fraction = self.summed.chip.beside_weights, self.summed.chip.exchanged
+            for direction, pixels in enumerate(NEIGHBOURS):
+                here, there = ((..., *some) for some in pixels)
+                weight = self._tensor(beside[:, direction]).reshape(*own.shape[:2], rows, cols)
+                taken = weight[here] * each[there] - mine[here]
+                total[here] += fraction * taken.sum(dim=1)
+        return total.reshape(*total.shape[:2], -1)
+
+    def _tensor(self, values: NDArray[np.floating]) -> torch.Tensor:
+        return torch.from_numpy(np.ascontiguousarray(values)).to(self.device)
+
+    @cached_property
+    def _places(self) -> torch.Tensor:
+        return torch.from_numpy(self.summed.chip.array.places).to(self.device)
+
+    @cached_property
+    def _lanes(self) -> torch.Tensor:
+        return torch.from_numpy(self.summed.chip.array.flat_lanes).long().to(self.device)
+
+    @cached_property
+    def _expected(self) -> torch.Tensor:
+        return self._tensor(self.summed.expected)

@@ -1,1 +1,0 @@
-"""Plans: which effects of the sensor a run simulates, and how, to a tolerance."""

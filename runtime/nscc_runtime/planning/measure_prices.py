@@ -1,0 +1,131 @@
+"""Measuring what simulating takes on this machine, beside the prices that plans are chosen by."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import partial
+from time import process_time
+
+import numpy as np
+
+import nscc
+from nscc_runtime.effects import CannotHave, Effect, Selection, everything, selected
+from nscc_runtime.execution.frames import Execution, executed
+from nscc_runtime.execution.pixels import Running
+from nscc_runtime.execution.program import Program, analysed
+from nscc_runtime.light import Light
+from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.prices import SHIPPED, Work
+from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.sensor import default_sensor
+
+_TEXT = """nsl 1
+frame 16 slots of 1ms
+code stop : 1..16
+open when n < stop
+pixels stop = 1 + (5 * x + 3 * y) % 16
+"""
+_NEAR = 512
+"""Pixels that run through their words."""
+_ROUNDS = 5
+
+
+@dataclass(frozen=True)
+class Price:
+    """One line of the list: `here` as measured, `shipped` what plans are chosen by."""
+
+    name: str
+    what: str
+    unit: str
+    shipped: float
+    here: float
+
+
+def measure_prices() -> list[Price]:
+    """The prices of this machine, each the least of some rounds; some seconds."""
+    container = nscc.compile(_TEXT, level=1).container
+    program = analysed(container, default_sensor(container.target))
+    rows, cols = program.array.shape
+    # Waves of some ten pixels, at 30 to 470 electrons a slot: bright, and nothing saturates.
+    wave = np.sin(np.arange(rows) / 7.0)[:, None] * np.sin(np.arange(cols) / 5.0)
+    light = Light.of_still((250e3 + 220e3 * wave).astype(np.float32), program.slot_s)
+    pixels, request = program.array.lanes.size, PlanRequest(selected("auto"), 5.0, figures=True)
+
+    # `replace`: the same light, without what has been found out about it.
+    def planned() -> Plan:
+        return make_plan(planning_of(container, program.sensor, replace(light)), request)
+
+    plan = planned()
+    assert plan.cost is not None
+    words = everything()
+    words = words.without(*(e.name for e in words.effects if isinstance(e.words, CannotHave)))
+    chosen = np.linspace(0, pixels - 1, _NEAR).astype(np.int64)
+    wired, scene = program.wired(words, 0), scene_of(container, light)
+    planning_ms, exposing_ms = plan.cost.planning_ms, plan.cost.total_ms - plan.cost.planning_ms
+    return [
+        Price("planning", f"a plan for {rows} x {cols} pixels", "ms", planning_ms,
+              1e3 * _least_s(planned)),
+        Price("sums", "a pixel by sums over slots, to 5 e", "ns", exposing_ms * 1e6 / pixels,
+              1e9 / pixels * _least_s(lambda: _frame(program, light, plan.execution))),
+        Price("words", "a pixel through its words, all effects", "ns",
+              Work.of(program).words_ns(words, "nothing"),
+              1e9 / _NEAR * _least_s(lambda: Running(wired, light, chosen, 1).expose(0, 0))),
+        Price("reference", "a pixel and slot in the reference", "ns", SHIPPED.slot_of_reference,
+              1e9 / (pixels * light.slots)
+              * _least_s(lambda: program.reference.expose(scene, 0, 0, 0, 1), 1)),
+        *_of_effects(program, light),
+    ]  # fmt: skip
+
+
+def _of_effects(program: Program, still: Light) -> list[Price]:
+    """What leaving each effect out of sums saves: of a still, and of each frame of a film."""
+    every = everything()
+    every = every.without(*(e.name for e in every.effects if isinstance(e.sums, CannotHave)))
+    film = Light.of_clip(np.repeat(still.frames, still.slots, axis=0), float(program.slot_s[0]))
+    prices: list[Price] = []
+    for effect in every.effects:
+        if not (effect.cost_ns and effect.sums):
+            continue
+        of_still, of_film = (_saved_ns(program, light, every, effect) for light in (still, film))
+        prices.append(
+            Price(effect.name, "a pixel by sums over slots", "ns", effect.cost_ns, of_still)
+        )
+        if effect.light_ns:
+            of_light = max(0.0, of_film - of_still) / (film.slots - 1)
+            prices.append(
+                Price(effect.name, "a pixel and frame of light", "ns", effect.light_ns, of_light)
+            )
+    return prices
+
+
+def _saved_ns(program: Program, light: Light, every: Selection, effect: Effect) -> float:
+    """Nanoseconds a pixel of a frame with all effects less those of one without this one."""
+    executions = [
+        Execution("sums", kept, kept, every) for kept in (every, every.without(effect.name))
+    ]
+    seconds = [math.inf, math.inf]
+    for _ in range(_ROUNDS):
+        for number, execution in enumerate(executions):
+            run = partial(_frame, program, light, execution)
+            seconds[number] = min(seconds[number], _least_s(run, 2))
+    return max(0.0, 1e9 * (seconds[0] - seconds[1]) / program.array.lanes.size)
+
+
+def _frame(program: Program, light: Light, execution: Execution) -> None:
+    """One frame of a light of which nothing has been found out, on one core."""
+    executed(program, replace(light), execution, threads=1).frame(0, 0)
+
+
+def _least_s(run: Callable[[], object], rounds: int = _ROUNDS) -> float:
+    """Seconds of the fastest round, after one that is not counted."""
+    run()
+    seconds = []
+    for _ in range(rounds):
+        begin = process_time()
+        run()
+        seconds.append(process_time() - begin)
+    return min(seconds)

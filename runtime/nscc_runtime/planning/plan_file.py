@@ -1,0 +1,70 @@
+"""Plans outside the program: the file of `--plan`, and the table that a person reads."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.planning.audit import Audit
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.sensor import Sensor, sensor_sha256
+
+PLAN_SCHEMA = "nscc-plan-1"
+
+
+def plan_text(plan: Plan, program_sha256: str, sensor: Sensor) -> str:
+    """A plan's file, which says what it was made for."""
+    made_for = {"program_sha256": program_sha256, "sensor_sha256": sensor_sha256(sensor)}
+    values = {"schema": PLAN_SCHEMA, **made_for, "plan": plan.as_json()}
+    return json.dumps(values, indent=2) + "\n"
+
+
+def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
+    """A plan from its file; NS0747 where it is none, NS0748 where it was made for something else
+    (status 2).
+    """
+    try:
+        values = json.loads(path.read_bytes())
+        if values["schema"] != PLAN_SCHEMA:
+            raise ValueError(f"its schema is {str(values['schema'])[:40]!r}")
+        plan = Plan.from_json(values["plan"])
+        made_for = str(values["program_sha256"]), str(values["sensor_sha256"])
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise rejected(
+            "NS0747",
+            f"'{path}' is no plan of this version",
+            notes=(_reason(error),),
+            helps=("give --plan a name that does not exist: the plan made is written there",),
+        ) from error
+    is_for = program_sha256, sensor_sha256(sensor)
+    for found, here, what in zip(made_for, is_for, ("program", "sensor"), strict=True):
+        if found != here:
+            raise rejected(
+                "NS0748",
+                f"the plan '{path}' was made for another {what}",
+                notes=(f"its {what}_sha256 is {found[:12]}.., here it is {here[:12]}..",),
+                helps=("make a new plan: give --plan a name that does not exist",),
+            )
+    return plan
+
+
+def _reason(error: Exception) -> str:
+    """What is wrong with a file, in words."""
+    words = " ".join(str(error).split())[:120]
+    if isinstance(error, OSError):
+        return f"it cannot be read: {error.strerror}"
+    if isinstance(error, UnicodeDecodeError):
+        return "it is no text"
+    if isinstance(error, json.JSONDecodeError):
+        return f"it is not JSON: {words}"
+    if isinstance(error, KeyError):
+        return f"it lacks {words}"
+    if isinstance(error, (TypeError, AttributeError, RecursionError)):
+        return "its values are of other kinds than a plan's"
+    return words
+
+
+def plan_table(plan: Plan, report: Audit | None = None) -> str:
+    """The plan as a person reads it, and what an audit measured."""
+    return str(plan) if report is None else f"{plan}\n{report}"

@@ -1,0 +1,238 @@
+"""Step 1 of planning: a sample of the pixels of a scene, and how many pixels each stands for.
+
+Errors grow with light and with its differences between neighbours, and a few lamps may carry most
+of them. So tiles of 2 x 2 pixels are drawn in proportion to both, half of the sample, and evenly,
+the other half. Each lies in a tile of 4 x 4, so that its neighbours are there, too. Pixels near
+saturation are a stratum of their own, and so are those that only their neighbours' light brings
+there; they are drawn one by one, evenly over what they see.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.execution.near import NearSaturation
+from nscc_runtime.planning.differences import WeightedPixels
+
+Values = NDArray[np.float64]
+Places = NDArray[np.int64]
+
+TILES, _SIDE = 128, 2
+"""How many tiles are drawn, and how many pixels in each direction have all their neighbours."""
+_WHOLE = 2048
+"""Scenes of so few pixels are measured whole."""
+_ENOUGH, _MOST_FRAMES = 512, 16
+"""Scenes of fewer pixels are exposed several times."""
+_OWN, _SPILT = 48, 24
+"""Pixels near saturation that are measured by their own light, and by that of their neighbours."""
+NEAR = _OWN + _SPILT
+_EXTREMES = 8
+"""Of the former the brightest, the darkest and those nearest to a full well, for sure."""
+_GOLDEN = 0.6180339887498949
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Sample(WeightedPixels):
+    """The pixels of a scene that are measured.
+
+    Attributes
+    ----------
+    corners : int64, shape (tiles, 2)
+        Row and column of the upper left pixel of each tile of `side` x `side` pixels; `side` is 0
+        where the scene is taken whole.
+    places : int64, shape (pixels,)
+        Where the measured pixels lie on the chip: those far from saturation, tile by tile, then
+        those near it; each as often as it is exposed.
+    frame : int64, shape (pixels,)
+        In which of its `frames` exposures each is measured.
+    inner : int64, shape (far pixels,)
+        Where those far from saturation lie among the pixels of all tiles side by side.
+    even : int
+        How many pixels near saturation were drawn evenly, and stand for more than themselves.
+    """
+
+    side: int
+    corners: Places
+    places: Places
+    frame: Places
+    frames: int
+    inner: Places
+    even: int
+
+    @property
+    def fraction(self) -> float:
+        """The part of the scene's pixels that is measured."""
+        return len(self.places) / self.frames / self.scene_pixels
+
+    @property
+    def far(self) -> slice:
+        """The measured pixels far from saturation."""
+        return slice(0, self.frames * len(self.inner))
+
+    @property
+    def near(self) -> slice:
+        """The measured pixels near saturation."""
+        return slice(self.frames * len(self.inner), len(self.places))
+
+    @cached_property
+    def near_part(self) -> float:
+        """The part of the scene's pixels that is near saturation."""
+        return float(self.weight[self.near].sum()) / self.scene_pixels
+
+    @cached_property
+    def one_each(self) -> NDArray[np.intp]:
+        """One measured pixel of each tile, far from saturation: another one from tile to tile, as
+        codes may repeat from tile to tile."""
+        starts = self.cluster_starts
+        starts = starts[starts < len(self.inner)]
+        counts = np.diff(starts, append=len(self.inner))
+        turn = np.arange(len(starts)) * _GOLDEN % 1.0
+        return starts + (turn * counts).astype(np.intp)
+
+
+def sample_of(
+    total_e: Values, near: NearSaturation, full_well_e: float, tiles: int = TILES
+) -> Sample:
+    """Sample a scene; the same on every call.
+
+    Parameters
+    ----------
+    total_e : float64, shape (rows, cols)
+        All the charge of each pixel in a frame.
+    near : NearSaturation
+        The pixels that run through their words.
+    full_well_e : float
+        What PIX holds.
+    tiles : int
+        How many tiles are drawn.
+    """
+    rows, cols = total_e.shape
+    near_places, near_weight, even = _near_sample(near, full_well_e)
+    is_near = np.zeros(rows * cols, np.bool_)
+    is_near[near.places] = True
+    if rows * cols <= _WHOLE or min(rows, cols) < _SIDE + 2:
+        corners, side = np.empty((0, 2), np.int64), 0
+        inner = far_places = np.flatnonzero(~is_near)
+        far_weight, far_cluster = np.ones(len(inner)), np.arange(len(inner))
+    else:
+        corners, tile_weight = tile_corners(chances(total_e, near.places), tiles)
+        side = _SIDE + 2
+        inner, far_places, far_cluster = _inner_pixels(corners, side, cols, is_near)
+        far_weight = tile_weight[far_cluster]
+        far_weight *= (rows * cols - len(near.places)) / max(far_weight.sum(), 1e-300)
+    near_cluster = np.arange(len(near_places)) + (int(far_cluster.max(initial=-1)) + 1)
+    frames = min(-(-_ENOUGH // max(rows * cols, 1)), _MOST_FRAMES)
+    clusters = int(near_cluster.max(initial=far_cluster.max(initial=-1))) + 1
+
+    def again(far: NDArray[Any], near: NDArray[Any]) -> NDArray[Any]:
+        """As often as pixels are exposed."""
+        return np.concatenate([np.tile(far, frames), np.tile(near, frames)])
+
+    frame = np.concatenate(
+        [np.repeat(np.arange(frames), len(each)) for each in (far_places, near_places)]
+    )
+    return Sample(
+        weight=again(far_weight, near_weight) / frames,
+        cluster=again(far_cluster, near_cluster) + clusters * frame,
+        scene_pixels=rows * cols,
+        side=side,
+        corners=corners,
+        places=again(far_places, near_places),
+        frame=frame,
+        frames=frames,
+        inner=inner,
+        even=even,
+    )
+
+
+def _inner_pixels(
+    corners: Places, side: int, cols: int, is_near: NDArray[np.bool_]
+) -> tuple[Places, Places, Places]:
+    """The pixels inside tiles that are not near saturation: where they lie among those of all tiles
+    side by side, on the chip, and in which tile, tile by tile."""
+    tile, row, col = (
+        axis.reshape(-1) for axis in np.mgrid[: len(corners), 1 : side - 1, 1 : side - 1]
+    )
+    places = (corners[tile, 0] + row) * cols + corners[tile, 1] + col
+    inner = row * (side * len(corners)) + tile * side + col
+    far = ~is_near[places]
+    return inner[far], places[far], tile[far]
+
+
+def tile_corners(chance: Values, wanted: int) -> tuple[Places, Values]:
+    """Draw tiles with a chance that is the sum of that of their pixels (rows, cols): their upper
+    left corners (tiles, 2), and how much each pixel inside stands for, up to a factor."""
+    rows, cols = chance.shape
+    down, right = -(-rows // _SIDE), -(-cols // _SIDE)
+    if rows % _SIDE or cols % _SIDE:
+        chance = np.pad(chance, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
+    blocks = chance.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)
+    drawn, times = np.unique(drawn_by(blocks, min(wanted, len(blocks))), return_counts=True)
+    row = np.minimum(drawn // right * _SIDE, rows - _SIDE) - 1
+    col = np.minimum(drawn % right * _SIDE, cols - _SIDE) - 1
+    return np.stack([row, col], axis=1), times / np.maximum(blocks[drawn], 1e-300)
+
+
+def _near_sample(near: NearSaturation, full_well_e: float) -> tuple[Places, Values, int]:
+    """Places near saturation, how many pixels each stands for, and how many were drawn evenly."""
+    spilt, own = near.places[near.spilt], near.places[~near.spilt]
+    seen_e = near.most_e[~near.spilt]
+    sure = np.zeros(len(own), np.bool_)
+    if len(own) > _OWN:
+        for size in (seen_e, -seen_e, -np.abs(seen_e - full_well_e)):
+            sure[np.argpartition(size, -_EXTREMES)[-_EXTREMES:]] = True
+    rest = own[~sure][np.argsort(seen_e[~sure], kind="stable")]
+    drawn, drawn_spilt = (
+        _evenly(rest, _OWN - int(np.count_nonzero(sure))),
+        _evenly(spilt[np.argsort(near.most_e[near.spilt], kind="stable")], _SPILT),
+    )
+    places = np.concatenate([own[sure], drawn, drawn_spilt])
+    weight = np.concatenate(
+        [
+            np.ones(np.count_nonzero(sure)),
+            np.full(len(drawn), len(rest) / max(len(drawn), 1)),
+            np.full(len(drawn_spilt), len(spilt) / max(len(drawn_spilt), 1)),
+        ]
+    )
+    return places, weight, int(np.count_nonzero(weight > 1.0))
+
+
+def _evenly(ordered: Places, wanted: int) -> Places:
+    """About so many of these places, in equal steps of their order."""
+    if len(ordered) <= wanted:
+        return ordered
+    return ordered[((np.arange(wanted) + 0.5) * (len(ordered) / wanted)).astype(np.intp)]
+
+
+def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
+    """So many places, in order, as likely as `chance` (flat) has it; the same on every call.
+
+    The points that draw them lie one in each of so many equal strata, by an additive recurrence: in
+    step with no tile of codes.
+    """
+    points = np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
+    upto = np.cumsum(chance)
+    drawn = np.searchsorted(upto, points * (upto[-1] / wanted), side="right")
+    return np.asarray(np.minimum(drawn, len(chance) - 1))
+
+
+def chances(total_e: Values, never: Places) -> Values:
+    """How likely each pixel (rows, cols) is to be drawn, up to a factor: by its light and how much
+    that of its neighbours is more or less. Those of the places `never` are not, and the light of
+    suns among them does not make the others all alike."""
+    score = total_e.copy()
+    for axis in (0, 1):
+        step = np.abs(np.diff(total_e, axis=axis))
+        before, after = ((slice(None),) * axis + (part,) for part in (slice(-1), slice(1, None)))
+        score[before] += step
+        score[after] += step
+    flat = score.reshape(-1)
+    flat[never] = 0.0
+    flat += flat.sum() / max(flat.size - len(never), 1) or 1.0
+    flat[never] = 0.0
+    return score

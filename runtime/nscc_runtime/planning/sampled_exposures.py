@@ -1,0 +1,165 @@
+"""Exposures of a sample of a scene's pixels, of programs with fixed shutters: by sums, by words, by
+the reference.
+
+Pixels far from saturation are exposed on tiles that lie side by side as an array of their own, with
+the draws of their true places, so that they have the exposures of the whole frame; so are the
+neighbours of pixels near saturation. Words of single pixels run on the whole array.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Counted, Echo, Moving, Response, Saturates
+from nscc_runtime.execution.chip import Chip
+from nscc_runtime.execution.frames import Execution, counts_agree
+from nscc_runtime.execution.pixel_array import PixelArray, light_at, tile_places
+from nscc_runtime.execution.pixels import Given, Running
+from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.summed import SummedScene
+from nscc_runtime.light import Light
+from nscc_runtime.planning.sample import Sample
+from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.remembered import remembered
+
+Values = NDArray[np.float64]
+
+SEED = 0
+"""Of the draws of a trial: the same plan for every seed of a run."""
+_SIDE = 3
+"""Of the tiles of pixels near saturation: the pixel and its neighbours."""
+
+
+@dataclass(frozen=True, eq=False)
+class SampledExposures:
+    """The measured pixels of a scene; results are kept. Exposures are (buckets, pixels)."""
+
+    program: Program
+    light: Light
+    sample: Sample
+    device_seed: int
+    threads: int
+
+    @remembered
+    def expose(self, execution: Execution, frame: int) -> Values:
+        """Exposures of all measured pixels under an execution by sums or by words."""
+        if execution.path == "words":
+            return self.by_words(execution.kept, slice(None), frame)
+        far = self.by_sums(execution.kept, execution.wanted, "far", frame)
+        if execution.kept.names(Saturates):
+            near = self._near_by_words(execution, frame)
+        else:
+            near = self.by_sums(execution.kept, execution.wanted, "near", frame)
+        return np.concatenate([far, near], axis=1)
+
+    @remembered
+    def by_sums(self, kept: Selection, wanted: Selection, which: str, frame: int) -> Values:
+        """Exposures of the measured pixels "far" from saturation, or "near" it, by sums."""
+        inner = self._arrays[which][2]
+        if not len(inner):
+            return np.empty((len(self.program.container.buckets), 0))
+        summed = self._summed(kept, wanted, which)
+        exposures = [
+            summed.expose(SEED, number, self._away(summed, number))[:, inner]
+            for number in self._numbers(frame)
+        ]
+        return np.concatenate(exposures, axis=1)
+
+    def by_words(
+        self,
+        effects: Selection,
+        some: slice | NDArray[np.intp],
+        frame: int = 0,
+        given: Sequence[Given] | None = None,
+    ) -> Values:
+        """Exposures of some of the measured pixels, which run through their words."""
+        wired, places = self.program.wired(effects, self.device_seed), self.sample.places[some]
+        exposed = np.empty((len(self.program.container.buckets), len(places)))
+        for turn, number in enumerate(self._numbers(frame)):
+            here = np.flatnonzero(self.sample.frame[some] == turn)
+            running = Running(wired, self.light, places[here], self.threads)
+            counts = None if given is None else given[turn]
+            exposed[:, here] = running.expose(SEED, number, counts)[0]
+        return exposed
+
+    @remembered
+    def by_reference(self, effects: Selection) -> Values:
+        """Exposures of all measured pixels, slot by slot."""
+        exposures = [np.empty((len(self.program.container.buckets), 0))]
+        for array, light, inner in self._arrays.values():
+            if not len(inner):
+                continue
+            reference = self.program.reference_at(array, effects)
+            scene = scene_of(self.program.container, light)
+            for number in self._numbers(0):
+                exposed = reference.expose(scene, SEED, self.device_seed, number, self.threads)
+                by_place = exposed.exposure_e.reshape(len(exposed.exposure_e), -1)
+                exposures.append(by_place[:, inner])
+        return np.concatenate(exposures, axis=1)
+
+    def _numbers(self, frame: int) -> range:
+        """The numbers of the frames that pixels are exposed in, for the noise of frame `frame`."""
+        frames = self.sample.frames
+        return range(frame * frames, (frame + 1) * frames)
+
+    def _near_by_words(self, execution: Execution, frame: int) -> Values:
+        """Exposures of pixels near saturation, whose neighbours' counts are those of sums where
+        that serves."""
+        given = None
+        if counts_agree(execution) and len(self.sample.places[self.sample.near]):
+            summed = self._summed(execution.kept, execution.wanted, "near")
+            given = []
+            for number in self._numbers(frame):
+                away = np.zeros((len(summed.chip.counted), self.program.array.lanes.size))
+                away[:, summed.chip.array.places] = self._away(summed, number)
+                given.append(Given(summed.chip.counted, away))
+        return self.by_words(execution.near, self.sample.near, frame, given)
+
+    @cached_property
+    def _arrays(self) -> dict[str, tuple[PixelArray, Light, NDArray[np.int64]]]:
+        """The tiles of pixels far from saturation, and those of pixels near it: their pixels, the
+        light there, and which of them are measured."""
+        sample, whole, shape = self.sample, self.program.array, self.light.shape
+        near = sample.places[sample.near]
+        near = near[sample.frame[sample.near] == 0]
+        if not sample.side:
+            return {"far": (whole, self.light, sample.inner), "near": (whole, self.light, near)}
+        corners = np.stack(np.divmod(near, shape[1]), axis=1) - 1
+        centers = _SIDE * len(near) + np.arange(len(near)) * _SIDE + 1
+        arrays = {}
+        for which, tiles, side, inner in (
+            ("far", sample.corners, sample.side, sample.inner), ("near", corners, _SIDE, centers)
+        ):  # fmt: skip
+            places = tile_places(tiles, side, shape)
+            arrays[which] = whole.at(places), light_at(self.light, places), inner
+        return arrays
+
+    @remembered
+    def _summed(self, kept: Selection, wanted: Selection, which: str) -> SummedScene:
+        array, light, _ = self._arrays[which]
+        chip = Chip(self.program, array, self.device_seed, kept, wanted)
+        return SummedScene(chip, light, 1, self._sums)
+
+    def _away(self, summed: SummedScene, frame: int) -> Values:
+        """How far the counts of a frame are from their means, drawn once for all sets of effects
+        that give them the same rates."""
+        kept = summed.chip.kept
+        parts = Counted, Echo, Response, Moving
+        key = summed.chip.array, frame, frozenset[str]().union(*map(kept.names, parts))
+        if key not in self._counts:
+            self._counts[key] = summed.away(SEED, frame)
+        return self._counts[key]
+
+    @cached_property
+    def _sums(self) -> dict[Hashable, tuple[Values, Values]]:
+        return {}
+
+    @cached_property
+    def _counts(self) -> dict[Hashable, Values]:
+        return {}

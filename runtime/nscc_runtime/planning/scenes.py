@@ -1,0 +1,245 @@
+"""A program on a scene, as a run and planning need it: planned, exposed and audited."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection, everything, selected
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.emulator.capture import check_size
+from nscc_runtime.execution.chip import chip_of
+from nscc_runtime.execution.frames import ExecutedScene, Path, executed
+from nscc_runtime.execution.pixel_loop import run_pixels
+from nscc_runtime.execution.program import Program, analysed
+from nscc_runtime.execution.summed import SummedScene
+from nscc_runtime.frame_file import Frame
+from nscc_runtime.light import Light
+from nscc_runtime.looking.frames import Planes, exposer, frames, ways_of
+from nscc_runtime.looking.way_loop import run_ways
+from nscc_runtime.looking.ways import Ways
+from nscc_runtime.planning.audit import Audit, Compared, audit
+from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
+from nscc_runtime.planning.make import still_fits
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.planned_scene import PlannedScene
+from nscc_runtime.planning.prices import Work
+from nscc_runtime.planning.summed_trial import SummedTrial
+from nscc_runtime.planning.tolerance import Tolerance, mean_signal_e
+from nscc_runtime.planning.trial import NONE, Names, Trial
+from nscc_runtime.planning.word_trial import (
+    APPROXIMATE,
+    ReferenceTrial,
+    WordTrial,
+)
+from nscc_runtime.pool import threads_of
+from nscc_runtime.reference.capture import Reference, scene_of
+from nscc_runtime.reference.film import next_planes
+from nscc_runtime.reference.intervals import Intervals
+from nscc_runtime.reference.looks import LookingReference
+from nscc_runtime.remembered import remembered
+
+_SURELY = 0.4
+"""Where nothing is measured, the variance of counts that sums leave out may make this part of the
+tolerance: they approximate other things, too."""
+
+
+@dataclass(frozen=True, eq=False)
+class FixedShutters(PlannedScene):
+    """A program whose shutters are fixed."""
+
+    @property
+    def compiled(self) -> bool:
+        """See `PlannedScene`."""
+        return run_pixels.is_compiled()
+
+    def ready(self) -> None:
+        """See `PlannedScene`."""
+        if not run_pixels.is_compiled():  # at once, so that one run waits for all of them
+            run_pixels.load()
+        self.program  # noqa: B018  # made when it is asked for
+
+    @cached_property
+    def program(self) -> Program:
+        """The analysed program."""
+        return analysed(self.container, self.sensor)
+
+    def signal_e(self) -> float:
+        """See `PlannedScene`."""
+        check_size(self.container, self.light)
+        none = selected("none")
+        chip = chip_of(self.program, self.device_seed, none, none)
+        summed = SummedScene(chip, self.light, threads_of(self.threads))
+        return mean_signal_e(summed.expected, self.sensor)
+
+    @remembered
+    def trial(self, forced_off: Names) -> SummedTrial:
+        """The scene, to be measured by sums."""
+        check_size(self.container, self.light)
+        threads = threads_of(self.threads)
+        return SummedTrial(forced_off, self.program, self.light, self.device_seed, threads)
+
+    def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
+        """The words of all pixels, or the reference where only that has an effect, or is faster."""
+        if not isinstance(trial, SummedTrial) or isinstance(trial, WordTrial):
+            return None
+        values = trial.forced_off, self.program, self.light, self.device_seed, trial.threads
+        slow = trial.slow - trial.absent - trial.forced_off
+        if slow or self._reference_is_faster:
+            return ReferenceTrial(*values)
+        return WordTrial(*values, limit_e=tolerance_e)
+
+    @property
+    def _reference_is_faster(self) -> bool:
+        work = Work.of(self.program)
+        return work.reference_ns < work.words_ns(everything(), "all")
+
+    def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
+        """See `PlannedScene`: sums, unless they may approximate too much for a tolerance that is
+        known."""
+        if tolerance is None or self.approximates(tolerance.electrons, None):
+            return "sums", ""
+        return ("reference" if self._reference_is_faster else "words"), APPROXIMATE
+
+    def approximates(self, tolerance_e: float | None, noise_part: float | None) -> bool:
+        """Whether what sums approximate is small beside a tolerance, or a part of the noise, for
+        sure: the variance of counts by which slots of a group have other weights than their
+        mean."""
+        uneven, square = self.program.uneven_seconds(self.program.full)
+        if tolerance_e is None:
+            part = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
+            return math.sqrt(float(part.max(initial=0.0))) <= _SURELY * (noise_part or 0.0)
+        light_e_per_s = self.light.sum_e.reshape(-1) / max(self.program.slot_s.sum(), 1e-300)
+        square_e2 = (uneven[:, self.program.lanes] * light_e_per_s).mean(axis=1)
+        return math.sqrt(float(square_e2.max(initial=0.0))) <= _SURELY * tolerance_e
+
+    @property
+    def open_part(self) -> NDArray[np.float32]:
+        """See `PlannedScene`."""
+        return self.program.open_part
+
+    def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
+        """See `PlannedScene`."""
+        return self._executed(plan).frames(seed, count)
+
+    def _executed(self, plan: Plan) -> ExecutedScene:
+        return executed(
+            self.program, self.light, plan.execution, device_seed=self.device_seed,
+            threads=self.threads, torch_device=self.torch_device,
+        )  # fmt: skip
+
+    def audit(self, plan: Plan, seed: int, count: int) -> Audit:
+        """See `PlannedScene`."""
+        planned = self._executed(plan)
+        reference = Reference.of(self.container, self.sensor, everything())
+        scene, threads = scene_of(self.container, self.light), threads_of(self.threads)
+
+        def compare(frame: int, rows: Sequence[range]) -> Compared:
+            mine, seeds = planned.expose(seed, frame).exposure_e, (seed, self.device_seed)
+            full = [
+                reference.expose_rows(scene, band, *seeds, frame, threads).exposure_e
+                for band in rows
+            ]
+            mine = np.concatenate([mine[:, band.start : band.stop] for band in rows], axis=1)
+            return Compared(mine, np.concatenate(full, axis=1))
+
+        return audit(compare, self.light, self.container.slots, plan, count)
+
+
+@dataclass(frozen=True, eq=False)
+class LookingPixels(PlannedScene):
+    """A program whose pixels look at the light: its words approximate nothing."""
+
+    @property
+    def compiled(self) -> bool:
+        """See `PlannedScene`."""
+        return run_ways.is_compiled()
+
+    def ready(self) -> None:
+        """See `PlannedScene`."""
+        self._ways  # noqa: B018  # made when it is asked for
+
+    @cached_property
+    def _ways(self) -> Ways:
+        return ways_of(self.container, self.sensor)
+
+    def signal_e(self) -> float:
+        """See `PlannedScene`."""
+        [frame] = self._frames(selected("none"), 0, 1)
+        return mean_signal_e(frame.exposure_e, self.sensor)
+
+    @remembered
+    def trial(self, forced_off: Names) -> LookTrial:
+        """The scene, to be measured."""
+        return LookTrial(forced_off, self._ways, self.light)
+
+    def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
+        """See `PlannedScene`."""
+        lacking = self._ways.lacks(everything())
+        return ("reference", lacking[0]) if lacking else ("words", LOOKS)
+
+    def serves(self, plan: Plan) -> bool:
+        """See `PlannedScene`: all that the plan leaves out is left out of a sample of this scene at
+        once."""
+        dropped = everything().on - plan.kept.on
+        return not dropped or still_fits(self.trial(NONE), plan, dropped)
+
+    def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
+        """See `PlannedScene`."""
+        return self._frames(plan.kept, seed, count)
+
+    def _frames(self, effects: Selection, seed: int, count: int) -> Iterable[Frame]:
+        return frames(
+            self.container, self.light, self.sensor, effects, seed=seed,
+            device_seed=self.device_seed, count=count, threads=self.threads,
+        )  # fmt: skip
+
+    def audit(self, plan: Plan, seed: int, count: int) -> Audit:
+        """See `PlannedScene`: every frame begins with the kept states that the reference left."""
+        container = self.container
+        scene, seeds = scene_of(container, self.light), (seed, self.device_seed)
+        reference = LookingReference(container, self.sensor, everything()).expose
+        planned = exposer(self._ways, plan.kept, threads_of(self.threads))
+        loaded: Planes = container.planes()
+
+        def compare(frame: int, rows: Sequence[range]) -> Compared:
+            nonlocal loaded
+            left = {name: plane.copy() for name, plane in loaded.items()}
+            mine, full, same = [], [], []
+            for band in rows:
+                some = planned(scene, loaded, seeds, frame, band)
+                every = reference(scene, loaded, seeds, frame, band)
+                same.append(same_states(some, every))
+                mine.append(some.exposure.exposure_e)
+                full.append(every.exposure.exposure_e)
+                for name, plane in every.planes.items():
+                    whole = left.setdefault(name, np.zeros(self.light.shape, np.bool_))
+                    whole[band.start : band.stop] = plane
+            loaded = next_planes(container, loaded, left)
+            return Compared(
+                np.concatenate(mine, axis=1), np.concatenate(full, axis=1), np.concatenate(same)
+            )
+
+        intervals = Intervals.of(container, every_slot=False)
+        return audit(compare, self.light, len(intervals), plan, count)
+
+
+def planning_of(
+    container: Container,
+    sensor: Sensor,
+    light: Light,
+    device_seed: int = 0,
+    threads: int | None = None,
+    torch_device: str | None = None,
+) -> PlannedScene:
+    """A program on a scene, to be planned, exposed and audited. Pixels that look are exposed on the
+    processor, whatever device of torch is named."""
+    if container.machine is None:
+        return FixedShutters(container, sensor, light, device_seed, threads, torch_device)
+    return LookingPixels(container, sensor, light, device_seed, threads)

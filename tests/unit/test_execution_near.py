@@ -1,0 +1,64 @@
+"""Which pixels are found to be near saturation, beside sums over slots and neighbours in numpy."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from plan_cases import case, moving_light
+from reference_programs import sensor_of
+
+from nscc_runtime.effects import everything
+from nscc_runtime.effects.dark import current_e_per_s
+from nscc_runtime.effects.prnu import response
+from nscc_runtime.execution.near import near_saturation
+from nscc_runtime.execution.program import Program
+from nscc_runtime.light import Light
+
+SLOTS, DEVICE, SIGMAS = 8, 5, 6.0
+
+
+def beside(values: np.ndarray) -> np.ndarray:
+    """The sum of the four neighbours, nothing beyond the border."""
+    framed = np.pad(values, 1)
+    return framed[:-2, 1:-1] + framed[2:, 1:-1] + framed[1:-1, :-2] + framed[1:-1, 2:]
+
+
+def reach(mean: np.ndarray) -> np.ndarray:
+    return mean + SIGMAS * np.sqrt(mean)
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (1, 6), (5, 1), (2, 2), (7, 19)])
+@pytest.mark.parametrize("name", ["a", "b edges", "codebook"])
+def test_neighbours_give_a_part_and_the_border_gets_less(name: str, shape: tuple[int, int]) -> None:
+    """Charge that PIX sees, as the shutter is open, with all that neighbours give in a frame."""
+    container = case(name, SLOTS, "500us", *shape)
+    sensor = sensor_of(
+        container, full_well_e=2500.0, crosstalk_fraction=0.05, lag_fraction=0.1,
+        prnu_fraction=0.2, dark_current_e_per_s=2e4, register_max_e=1e9, register_min_e=-1e9,
+    )  # fmt: skip
+    light = moving_light((SLOTS, *shape), 300.0)
+    program = Program.of(container, sensor)
+    near = near_saturation(program, light, DEVICE, everything())
+    places = np.arange(shape[0] * shape[1])
+    scale = 1.1 * response(sensor, DEVICE, places).reshape(shape)
+    current = current_e_per_s(sensor, DEVICE, places).reshape(shape)
+    seen = program.tables.seen()[:, program.lanes].reshape(SLOTS, *shape)
+    own = (seen * light.dense()).sum(axis=0) * scale
+    given, taken = 0.05 * beside(light.sum_e * scale), 0.05 * beside(np.ones(shape))
+    dark = current * 0.5e-3 * seen.sum(axis=0)
+    most = reach(np.maximum(own, (1.0 - taken) * own + given) + dark)
+    # All that neighbours give in the frame, and all of its dark current, bound what a pixel sees.
+    wanted = np.flatnonzero(most >= 2500.0)
+    assert near.places.tolist() == wanted.tolist()
+    np.testing.assert_allclose(near.most_e, most.reshape(-1)[wanted], rtol=1e-6)
+    np.testing.assert_allclose(near.own_e, reach(own + dark).reshape(-1)[wanted], rtol=1e-6)
+    assert near.spilt.tolist() == (near.own_e < 2500.0).tolist()
+
+
+def test_without_what_saturates_no_pixel_is_near() -> None:
+    container = case("a", SLOTS, rows=6, cols=6)
+    program = Program.of(container, sensor_of(container))
+    light = Light.of_clip(np.full((SLOTS, 6, 6), 1e6, np.float32))
+    wanted = everything().without("full_well", "register")
+    assert not len(near_saturation(program, light, DEVICE, wanted).places)
+    assert len(near_saturation(program, light, DEVICE, everything()).places) == 36

@@ -1,0 +1,53 @@
+"""How much light takes registers out of their linear range, beside an oracle that runs words."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from plan_cases import CASES, case
+from reference_programs import sensor_of
+from saturation_oracle import lost_e
+
+from nscc_runtime.effects.parts import Soft
+from nscc_runtime.effects.selection import everything
+from nscc_runtime.execution.program import Program
+
+SHAPE = (6, 8)
+
+
+def program_of(name: str, **values: float) -> Program:
+    container = case(name, rows=SHAPE[0], cols=SHAPE[1])
+    quiet = {"reset_noise_e": 0.0, "read_noise_e": 0.0, "analog_noise_lsb": 0.0}
+    offsets = {"analog_bias_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_gain": 1.0}
+    return Program.of(container, sensor_of(container, **{**quiet, **offsets, **values}))
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
+    program = program_of(name)
+    linear_e = everything().the(Soft).linear_e(program.sensor)
+    light = np.random.default_rng(4).lognormal(0.0, 1.5, (program.container.slots, *SHAPE))
+    assert program.reach.held is not None
+    weights = program.reach.held[:, :, program.lanes].reshape(-1, len(light), *SHAPE)
+    least_e = program.reach.least_e[:, program.lanes].reshape(-1, *SHAPE)
+    part = ((weights * light).sum(axis=1) / least_e).max(axis=0)
+    whole = light / np.where(part > 0, part, 1.0)
+    limits = {"most_e": linear_e / 0.999, "knee": 0.999}
+    assert lost_e(program.container, 0.999 * whole, **limits).max() < 1e-6 * linear_e
+    opened = part > 0
+    assert opened.mean() > 0.5
+    # As a rule the light that is said is no more than it takes.
+    assert (lost_e(program.container, 1.3 * whole, **limits).max(axis=0) > 0)[opened].mean() > 0.5
+
+
+def test_noise_leaves_less_room() -> None:
+    quiet, noisy = program_of("codebook"), program_of("codebook", analog_noise_lsb=2.0)
+    finite = np.isfinite(quiet.reach.least_e)
+    assert finite.any()
+    assert np.array_equal(finite, np.isfinite(noisy.reach.least_e))
+    assert (noisy.reach.least_e < quiet.reach.least_e)[finite].all()
+
+
+def test_noise_alone_may_be_enough() -> None:
+    program = program_of("codebook", reset_noise_e=1e5)
+    assert (program.reach.least_e[0] == 0).all()

@@ -1,0 +1,207 @@
+"""A program's weights, its reach, its reads: against the reference probed slot by slot."""
+
+from __future__ import annotations
+
+import tracemalloc
+
+import numpy as np
+import pytest
+from plan_cases import CASES, case
+from reference_programs import program, sensor_of
+
+from nscc.words.container import Container
+from nscc_runtime.effects import named, selected
+from nscc_runtime.effects.parts import Errors
+from nscc_runtime.execution.program import Program
+from nscc_runtime.execution.reach import reach_of
+from nscc_runtime.execution.tables import Model, Tables
+from nscc_runtime.light import Light
+from nscc_runtime.reference import expose
+from nscc_runtime.reference.weights import ByName
+from nscc_runtime.sensor import Sensor
+
+ROWS, COLS = 6, 9
+QUIET = {
+    "analog_noise_lsb": 0.0, "analog_pattern_lsb": 0.0, "analog_bias_lsb": 0.0,
+    "leakage_spread_fraction": 0.0, "leakage_tau_s": 0.02, "electrons_per_lsb": 10.0,
+    "register_min_e": -1e9, "register_max_e": 1e9,
+}  # fmt: skip
+
+
+def probed(container: Container, sensor: Sensor, effects: str) -> np.ndarray:
+    """Weights (N, buckets, pixels): a thousand electrons in one slot of all pixels, and none."""
+    slots = container.slots
+    found = []
+    dark = Light.of_clip(np.zeros((slots, ROWS, COLS), np.float32))
+    nothing = expose(container, dark, sensor, selected(effects)).exposure_e
+    for n in range(slots):
+        frames = np.zeros((slots, ROWS, COLS), np.float32)
+        frames[n] = 1000.0
+        lit = expose(container, Light.of_clip(frames), sensor, selected(effects)).exposure_e
+        found.append(((lit - nothing) / 1000.0).reshape(len(lit), -1))
+    return np.stack(found)
+
+
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize(
+    ("effects", "model"),
+    [
+        ("none", Model()),
+        ("analog", Model(gain=0.996)),
+        ("leakage", Model(leak_per_s=50.0)),
+        ("dead_time", Model(dead_time=True)),
+        ("dead_time,black_sun", Model(dead_time=True, lit_level=True)),
+        ("decay", Model(decay=True)),
+        ("analog,leakage,dead_time,decay", Model(0.996, 50.0, True, True)),
+        ("analog,leakage,dead_time,black_sun", Model(0.996, 50.0, True, lit_level=True)),
+    ],
+)
+def test_weights_are_those_of_the_words(name: str, effects: str, model: Model) -> None:
+    container = case(name, rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, digital_retention_us=1600.0, **QUIET)
+    made = Program.of(container, sensor)
+    weights = made.tables.weights(model).slots[:, made.lanes].transpose(0, 2, 1)
+    np.testing.assert_allclose(weights, probed(container, sensor, effects), atol=1e-9)
+
+
+def test_weights_are_kept_and_decay_costs_nothing_where_nothing_decays() -> None:
+    container = case("b edges", rows=ROWS, cols=COLS)
+    tables = Program.of(container, sensor_of(container)).tables
+    assert not tables.decays
+    assert tables.weights(Model(decay=True)) is tables.weights(Model())
+    short = Program.of(container, sensor_of(container, digital_retention_us=600.0)).tables
+    assert short.decays
+    assert short.weights(Model(decay=True)) is not short.weights(Model())
+
+
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("effect", ["read", "reset", "analog"])
+def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
+    """Coefficients and what they leave out, against the variance of many pixels."""
+    rows, cols = 60, 128
+    container = case(name, rows=rows, cols=cols)
+    quiet = {**QUIET, "analog_noise_lsb": 0.75, "analog_gain": 1.0, "leakage_tau_s": 1e6}
+    sensor = sensor_of(container, **quiet)
+    (errors,) = named(effect).parts(Errors)
+    sigma = errors.sigma_e(sensor)
+    made = Program.of(container, sensor)
+    dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
+    found = expose(container, dark, sensor, selected(effect)).exposure_e.reshape(-1, rows * cols)
+    factor, rest = made.tables.noise(errors.at, Model())
+    variance = sigma**2 * ((factor**2).sum(axis=2) + rest)
+    assert np.all(rest <= 1e-9 * variance.max() / sigma**2 + 1e-12)
+    for lane in np.unique(made.lanes):
+        here = made.lanes == lane
+        for bucket in range(len(found)):
+            expected = variance[lane, bucket]
+            tolerance = 6 * expected * (2 / here.sum()) ** 0.5
+            assert (found[bucket, here] ** 2).mean() == pytest.approx(expected, abs=tolerance)
+
+
+def test_noise_of_other_weights_than_the_draws_is_split_in_drawn_and_left_out() -> None:
+    container = case("d accumulate", rows=ROWS, cols=COLS)
+    sensor = sensor_of(container, **{**QUIET, "leakage_tau_s": 0.002})
+    tables = Program.of(container, sensor).tables
+    full = tables.weights(Model())
+    factor, rest = tables.noise("reads", Model())
+    total = sum(weight**2 for weight in full.reads.values())
+    np.testing.assert_allclose((factor**2).sum(axis=2) + rest, total, rtol=1e-12)
+    assert rest.max() > 1e-3
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_seen_slots_are_those_on_pix_at_a_read(name: str) -> None:
+    container = case(name, rows=ROWS, cols=COLS)
+    tables = Program.of(container, sensor_of(container)).tables
+    expected = [[brute_force(tables, lane, slot) > 0 for lane in range(len(container.encoding))]
+                for slot in range(container.slots)]  # fmt: skip
+    np.testing.assert_array_equal(tables.seen(), expected)
+
+
+def brute_force(tables: Tables, lane: int, slot: int) -> float:
+    """The largest part of one electron in a slot that any register of a lane ever holds."""
+    held = dict.fromkeys((*tables.container.target.analog_registers, "PIX"), 0.0)
+    most, at = 0.0, 0
+    for word in tables.decayed:
+        held["PIX"] += at <= slot < word.boundary
+        at = word.boundary
+        if not word.lanes[lane]:
+            continue
+        if word.resets:
+            held["PIX"] = 0.0
+            continue
+        total = sum(held[name] for name in word.op.sources)
+        for name in word.op.destinations:
+            held[name] = -total / word.op.operation.divisor
+            most = max(most, abs(held[name]))
+    return most
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_reach_of_light_is_that_of_every_slot_and_lane(name: str) -> None:
+    container = case(name, rows=ROWS, cols=COLS)
+    made = Program.of(container, sensor_of(container))
+    lanes, slots = range(len(container.encoding)), range(container.slots)
+    most = [[brute_force(made.tables, lane, slot) for lane in lanes] for slot in slots]
+    assert made.reach.held is not None
+    np.testing.assert_array_equal(made.reach.held.max(axis=0), most)
+
+
+@pytest.mark.parametrize("name", CASES)
+@pytest.mark.parametrize("bias", [0.42, -3.0])
+def test_noise_and_offsets_alone_stay_within_their_reach(name: str, bias: float) -> None:
+    rows, cols = 60, 128
+    container = case(name, rows=rows, cols=cols)
+    sensor = sensor_of(container, analog_bias_lsb=bias, dark_current_e_per_s=0.0)
+    made = Program.of(container, sensor)
+    dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
+    names = selected("read,reset,analog")
+    found = np.abs(expose(container, dark, sensor, names).exposure_e).max(axis=0).reshape(-1)
+    for lane in np.unique(made.lanes):
+        most = found[made.lanes == lane].max()
+        tight, wide = (
+            reach_of(made.tables, selected("all"), linear_e).least_e[:, lane].min()
+            for linear_e in (most, 8 * most + 200)
+        )
+        assert tight == 0 < wide
+
+
+def test_many_lanes_share_the_reach_of_the_worst() -> None:
+    text = "nsl 1\nframe 128 slots of 500us\ncode stop : 0..N\nopen when n < stop\n"
+    container = program(text + "pixels stop = (x + 8 * y) % (N + 1)\n", "accumulate", 16, 16)
+    made = Program.of(container, sensor_of(container))
+    assert made.reach.held is None
+    assert made.reach.least_e.shape[1] == len(container.encoding) > 64
+    assert np.ptp(made.reach.least_e) == 0
+
+
+def test_a_program_made_ready_knows_its_groups() -> None:
+    container = case("two buckets", rows=ROWS, cols=COLS)
+    made = Program.of(container, sensor_of(container))
+    ids = made.group_ids.tolist()
+    assert ids == [1, 2]
+    total = sum(made.members(group) for group in ids)
+    np.testing.assert_array_equal(total, np.ones_like(total))
+    means = made.mean_weights(Model())
+    np.testing.assert_allclose(means[1], np.broadcast_to([1.0, 0.0], means[1].shape), atol=1e-12)
+    np.testing.assert_allclose(means[2], np.broadcast_to([0.0, 1.0], means[2].shape), atol=1e-12)
+    assert made.words(selected("all")) is made.pixels
+    short = made.sensor.changed(digital_retention_us=600.0)
+    other = Program.of(container, short)
+    assert other.words(selected("all")) is other.pixels
+    assert other.words(selected("all,-decay")) is not other.pixels
+
+
+def test_weights_of_words_in_few_lanes_are_held_by_lane() -> None:
+    """Of frames of many slots most words act in one lane of thousands."""
+    weights, found = np.eye(2000)[:, :, None] * -0.5, ByName[int]()
+    weights[7] = 0.25
+    weights[8] = 0.0
+    tracemalloc.start()
+    for number, weight in enumerate(weights):
+        found.keep(number, weight)
+    assert tracemalloc.get_traced_memory()[0] < weights.nbytes / 20
+    tracemalloc.stop()
+    assert list(found) == [n for n in range(2000) if n != 8]
+    for number, weight in found.items():
+        np.testing.assert_array_equal(weight, weights[number])

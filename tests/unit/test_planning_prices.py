@@ -1,0 +1,51 @@
+"""What this machine takes beside what plans are chosen by; it enters no product."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from nscc_command import invoke
+from plan_cases import CASES, case
+from reference_programs import sensor_of
+
+from nscc_runtime.effects import everything
+from nscc_runtime.execution.program import Program
+from nscc_runtime.planning import measure_prices
+from nscc_runtime.planning.measure_prices import Price
+from nscc_runtime.planning.prices import Work
+
+FOUND = [Price("sums", "a pixel", "ns", 137.5, 100.0)]
+
+
+def test_the_command_shows_them(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(measure_prices, "measure_prices", lambda: FOUND)
+    shown = invoke(["effects", "--cost"], tmp_path).out
+    assert "137.5" in shown
+    assert "100" in shown
+    assert "comparator_noise" in shown
+    assert invoke(["effects", "--cost", "--toml"], tmp_path).status == 2
+
+
+@pytest.mark.slow
+def test_measuring_finds_prices_of_every_way() -> None:
+    found = measure_prices.measure_prices()
+    ways = {"planning", "sums", "words", "reference"}
+    assert {e.name for e in found} > ways | {"shot", "dark", "read", "crosstalk"}
+    here = {each.name: each.here for each in found if each.name in ways}
+    assert all(value > 0 for value in here.values())
+    assert all(each.here >= 0 and each.shipped for each in found if each.name not in ways)
+    assert not {e.name for e in found} & {"comparator_offset", "comparator_noise"}
+    # A pixel through its words takes many times one by sums, whatever the machine.
+    assert here["words"] > 5 * here["sums"]
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_words_leave_out_and_are_given_saves_time(name: str) -> None:
+    container = case(name, rows=6, cols=9)
+    work, every = Work.of(Program.of(container, sensor_of(container))), everything()
+    assert 0 < work.boundaries <= work.words
+    alone = work.words_ns(every, "nothing")
+    assert work.words_ns(every, "sums") < work.words_ns(every, "all") < alone
+    for effect in ("shot", "crosstalk", "read"):
+        assert work.words_ns(every.without(effect), "nothing") < alone
