@@ -1,6 +1,7 @@
 """The emulator with sensor effects against numpy, side by side in one run.
 
     python tests/benchmarks/bench_emulator_effects.py [--rounds 15] [--slots 16]
+    python tests/benchmarks/bench_emulator_effects.py --approximations
 
 256 x 256 pixels, float32 light, through `nscc_runtime.capture`. Every line prints its goal beside
 what was measured; times are the best of several rounds, taken in turn, of light that may lie in the
@@ -16,6 +17,9 @@ cache, and CPU time where one thread works:
 * planning against a whole run of at least 20 ms (a batch of frames of one scene is one run);
 * peak memory of a capture, its scene included, beyond that of a process that has captured a tiny
   scene, against the scene as float32.
+
+`--approximations` prints instead what approximations of sums do: the root mean square of exposures
+with all effects by sums minus those by the reference, in electrons and as a part of the noise.
 """
 
 from __future__ import annotations
@@ -41,11 +45,13 @@ from nscc.pipeline import Options
 from nscc.words.container import Container
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
+from nscc_runtime.execution.frames import Execution, executed, near_pixels
+from nscc_runtime.execution.program import analysed
 from nscc_runtime.light import Light
-from nscc_runtime.planner.capture import prepared
-from nscc_runtime.planner.choose import plan_for
-from nscc_runtime.planner.frames import made_ready
-from nscc_runtime.planner.plan import Plan
+from nscc_runtime.planning.make import PlanRequest, make_plan
+from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.scenes import planning_of
+from nscc_runtime.reference import frames as reference_frames
 from nscc_runtime.scenes import light_of_array, load_scene
 from nscc_runtime.scenes.exposure import parse_exposure
 from nscc_runtime.sensor import default_sensor
@@ -61,6 +67,11 @@ MEMORY_GOAL = 4.0
 WHOLE_GOALS = {"auto, 5 e": 0.25, "all": 0.35}
 COPIES_GOAL = 10.0
 REPEATS, REPEAT_GOAL = 20, 0.4
+APPROXIMATED = (
+    ("class_e", "builtin:hdr", "30000"), ("codebook", "builtin:motion", "30000"),
+    ("class_c", "builtin:hdr", "30000"), ("hdr_doubling", "builtin:hdr", "30000"),
+    ("class_b", "builtin:motion", "10000"), ("two_buckets", "builtin:motion", "30000"),
+)  # fmt: skip
 SATURATING = (
     ("class_c", "builtin:hdr", "300000"), ("flutter", "builtin:hdr", "300000"),
     ("flutter", "builtin:motion", "30000"), ("hdr_2x2", "builtin:hdr", "300000"),
@@ -116,8 +127,8 @@ def verdict(holds: bool) -> str:
 
 def plan_of(program: Container, light: Light, effects: str, tolerance_e: float = 5.0) -> Plan:
     """The plan of these effects."""
-    made = made_ready(program, default_sensor(program.target))
-    return plan_for(made, unknown(light), tolerance_e, selected(effects))
+    scene = planning_of(program, default_sensor(program.target), unknown(light))
+    return make_plan(scene, PlanRequest(selected(effects), tolerance_e))
 
 
 def frames(name: str, slots: int, rounds: int) -> None:
@@ -217,9 +228,8 @@ def saturating(rounds: int) -> None:
             exposure=parse_exposure(exposure),
         )  # fmt: skip
         plan = plan_of(program, light, "all")
-        part = len(
-            prepared(made_ready(program, default_sensor(program.target)), light, plan).saturating
-        )
+        analysis = analysed(program, default_sensor(program.target))
+        part = len(near_pixels(analysis, light, 0, plan.execution))
         one = partial(_fresh, program, light, threads=1, effects="all")
         runs: dict[str, Callable[[], object]] = {"one": one, "many": partial(one, repeat=REPEATS)}
         found = times_ms(runs, min(3, rounds), process_time)
@@ -335,12 +345,38 @@ def memories(slots: int) -> None:
             )
 
 
+def approximations() -> None:
+    """Exposures with all effects by sums beside those of the reference, of two frames."""
+    print(f"{'program':<14}{'scene':<18}{'exposure':>10}{'rms e':>9}{'of noise':>10}")
+    for name, scene, exposure in (*APPROXIMATED, *SATURATING):
+        program: Container | None = compile_file(EXAMPLES / f"{name}.nsl", Options()).container
+        assert program is not None
+        sensor, every = default_sensor(program.target), selected("all")
+        light = load_scene(
+            scene, slot_us=program.slot_us, rows=program.target.rows, cols=program.target.cols,
+            exposure=parse_exposure(exposure),
+        )  # fmt: skip
+        by_sums = executed(analysed(program, sensor), light, Execution("sums", *[every] * 3))
+        exact = reference_frames(program, light, sensor, every, count=2)
+        squares = [
+            (by_sums.expose(0, number).exposure_e - frame.exposure_e) ** 2
+            for number, frame in enumerate(exact)
+        ]
+        rms_e = float(np.sqrt(np.mean(squares, axis=(0, 2, 3)).max()))
+        noise_e = planning_of(program, sensor, light).noise_e()
+        print(f"{name:<14}{scene:<18}{exposure:>10}{rms_e:>9.2f}{rms_e / noise_e:>10.4f}")
+
+
 def main() -> None:
     """Measure and print."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--rounds", type=int, default=15)
     parser.add_argument("--slots", type=int, default=16)
+    parser.add_argument("--approximations", action="store_true")
     arguments = parser.parse_args()
+    if arguments.approximations:
+        approximations()
+        return
     for name in PROGRAMS:
         frames(name, arguments.slots, arguments.rounds)
     whole(arguments.slots, arguments.rounds)
