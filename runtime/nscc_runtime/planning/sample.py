@@ -4,7 +4,7 @@ Errors grow with light and with its differences between neighbours, and a few la
 of them. So tiles of 2 x 2 pixels are drawn in proportion to both, half of the sample, and evenly,
 the other half. Each lies in a tile of 4 x 4, so that its neighbours are there, too. Pixels near
 saturation are a stratum of their own, and so are those that only their neighbours' light brings
-there; they are drawn one by one, evenly over what they see.
+there; they are drawn one by one, in the order of what they see, as likely as pixels of tiles.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ _WHOLE = 2048
 """Scenes of so few pixels are measured whole."""
 _ENOUGH, _MOST_FRAMES = 512, 16
 """Scenes of fewer pixels are exposed several times."""
-_OWN, _SPILT = 48, 24
-"""Pixels near saturation that are measured by their own light, and by that of their neighbours."""
-NEAR = _OWN + _SPILT
+_OWN, _SPILT, _MORE = 48, 24, 208
+"""Pixels near saturation that are measured by their own light, and by that of their neighbours;
+more of the former where a larger part of the scene is near."""
 _EXTREMES = 8
 """Of the former the brightest, the darkest and those nearest to a full well, for sure."""
 _GOLDEN = 0.6180339887498949
@@ -52,8 +52,8 @@ class Sample(WeightedPixels):
         In which of its `frames` exposures each is measured.
     inner : int64, shape (far pixels,)
         Where those far from saturation lie among the pixels of all tiles side by side.
-    even : int
-        How many pixels near saturation were drawn evenly, and stand for more than themselves.
+    drawn_near : int
+        How many pixels near saturation stand for more than themselves.
     """
 
     side: int
@@ -62,7 +62,7 @@ class Sample(WeightedPixels):
     frame: Places
     frames: int
     inner: Places
-    even: int
+    drawn_near: int
 
     @property
     def fraction(self) -> float:
@@ -95,6 +95,11 @@ class Sample(WeightedPixels):
         return starts + (turn * counts).astype(np.intp)
 
 
+def near_sampled(near: int, scene_pixels: int) -> int:
+    """At most how many of the pixels near saturation are measured."""
+    return min(near, _OWN + _SPILT + _MORE * near // scene_pixels)
+
+
 def sample_of(
     total_e: Values, near: NearSaturation, full_well_e: float, tiles: int = TILES
 ) -> Sample:
@@ -112,7 +117,9 @@ def sample_of(
         How many tiles are drawn.
     """
     rows, cols = total_e.shape
-    near_places, near_weight, even = _near_sample(near, full_well_e)
+    nobody = np.empty(0, np.int64)
+    near_chance = _chances(total_e, full_well_e, nobody).reshape(-1)
+    near_places, near_weight = _near_sample(near, near_chance, full_well_e)
     is_near = np.zeros(rows * cols, np.bool_)
     is_near[near.places] = True
     if rows * cols <= _WHOLE or min(rows, cols) < _SIDE + 2:
@@ -120,7 +127,7 @@ def sample_of(
         inner = far_places = np.flatnonzero(~is_near)
         far_weight, far_cluster = np.ones(len(inner)), np.arange(len(inner))
     else:
-        corners, tile_weight = tile_corners(chances(total_e, near.places), tiles)
+        corners, tile_weight = tile_corners(_chances(total_e, full_well_e, near.places), tiles)
         side = _SIDE + 2
         inner, far_places, far_cluster = _inner_pixels(corners, side, cols, is_near)
         far_weight = tile_weight[far_cluster]
@@ -146,7 +153,7 @@ def sample_of(
         frame=frame,
         frames=frames,
         inner=inner,
-        even=even,
+        drawn_near=int(np.count_nonzero(near_weight > 1.0)),
     )
 
 
@@ -178,35 +185,51 @@ def tile_corners(chance: Values, wanted: int) -> tuple[Places, Values]:
     return np.stack([row, col], axis=1), times / np.maximum(blocks[drawn], 1e-300)
 
 
-def _near_sample(near: NearSaturation, full_well_e: float) -> tuple[Places, Values, int]:
-    """Places near saturation, how many pixels each stands for, and how many were drawn evenly."""
-    spilt, own = near.places[near.spilt], near.places[~near.spilt]
+def _near_sample(near: NearSaturation, chance: Values, full_well_e: float) -> tuple[Places, Values]:
+    """Places near saturation, and how many pixels each stands for; `chance` (rows * cols): how
+    likely each is to be drawn."""
     seen_e = near.most_e[~near.spilt]
-    sure = np.zeros(len(own), np.bool_)
-    if len(own) > _OWN:
+    sure = np.zeros(len(seen_e), np.bool_)
+    own = _OWN + _MORE * len(near.places) // len(chance)
+    if len(seen_e) > own:
         for size in (seen_e, -seen_e, -np.abs(seen_e - full_well_e)):
             sure[np.argpartition(size, -_EXTREMES)[-_EXTREMES:]] = True
-    rest = own[~sure][np.argsort(seen_e[~sure], kind="stable")]
-    drawn, drawn_spilt = (
-        _evenly(rest, _OWN - int(np.count_nonzero(sure))),
-        _evenly(spilt[np.argsort(near.most_e[near.spilt], kind="stable")], _SPILT),
+    by_light, spilt = (
+        places[np.argsort(most_e, kind="stable")]
+        for places, most_e in (
+            (near.places[~near.spilt][~sure], seen_e[~sure]),
+            (near.places[near.spilt], near.most_e[near.spilt]),
+        )
     )
-    places = np.concatenate([own[sure], drawn, drawn_spilt])
-    weight = np.concatenate(
-        [
-            np.ones(np.count_nonzero(sure)),
-            np.full(len(drawn), len(rest) / max(len(drawn), 1)),
-            np.full(len(drawn_spilt), len(spilt) / max(len(drawn_spilt), 1)),
-        ]
-    )
-    return places, weight, int(np.count_nonzero(weight > 1.0))
+    places, weight = [near.places[~near.spilt][sure]], [np.ones(np.count_nonzero(sure))]
+    for ordered, wanted in ((by_light, own - len(places[0])), (spilt, _SPILT)):
+        some, stand_for = _some_of(ordered, chance, wanted)
+        places.append(some)
+        weight.append(stand_for)
+    return np.concatenate(places), np.concatenate(weight)
 
 
-def _evenly(ordered: Places, wanted: int) -> Places:
-    """About so many of these places, in equal steps of their order."""
+def _chances(total_e: Values, full_well_e: float, never: Places) -> Values:
+    """How likely each pixel (rows, cols) is to be drawn, up to a factor: by its light and its
+    neighbours' up to a full well, and by all of it, as neighbours of suns have most of the
+    crosstalk."""
+    within_well_e = np.minimum(total_e, full_well_e)
+    some, every = (chances(light_e, never) for light_e in (within_well_e, total_e))
+    return np.asarray(some / max(some.sum(), 1e-300) + every / max(every.sum(), 1e-300))
+
+
+def _some_of(ordered: Places, chance: Values, wanted: int) -> tuple[Places, Values]:
+    """At most so many of these places, and how many each stands for."""
     if len(ordered) <= wanted:
-        return ordered
-    return ordered[((np.arange(wanted) + 0.5) * (len(ordered) / wanted)).astype(np.intp)]
+        return ordered, np.ones(len(ordered))
+    drawn, times = np.unique(drawn_by(chance[ordered], wanted), return_counts=True)
+    weight = times / chance[ordered[drawn]]
+    weight *= len(ordered) / weight.sum()
+    # One that is sure to be drawn stands for itself, and the others for the rest.
+    others = weight > 1.0
+    weight[~others] = 1.0
+    weight[others] *= (len(ordered) - np.count_nonzero(~others)) / weight[others].sum()
+    return ordered[drawn], weight
 
 
 def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:

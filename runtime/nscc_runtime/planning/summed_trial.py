@@ -31,13 +31,15 @@ from nscc_runtime.execution.summed import APPROXIMATIONS
 from nscc_runtime.light import Light
 from nscc_runtime.planning.differences import Difference, Errors, WeightedPixels
 from nscc_runtime.planning.prices import SHIPPED, Work
-from nscc_runtime.planning.sample import NEAR, TILES, Sample, sample_of
+from nscc_runtime.planning.sample import TILES, Sample, near_sampled, sample_of
 from nscc_runtime.planning.sampled_exposures import SampledExposures
 from nscc_runtime.planning.trial import NONE, NOTHING, Move, Names, Setting, Trial
 from nscc_runtime.remembered import remembered
 
 Values = NDArray[np.float64]
 
+_FRAMES = 4
+"""In which pixels near saturation are measured where nothing of that is kept."""
 _UNSEEN = 3.0
 """Of so many of any number of pixels none is drawn in one sample of twenty."""
 
@@ -138,10 +140,10 @@ class SummedTrial(Trial):
         return self.exposures.by_words(self._every, self.sample.near)
 
     @cached_property
-    def _lacked_e(self) -> Values | float:
+    def _lacked_e(self) -> Values:
         """What leaving out the effects changes that only the reference has."""
         if not self.slow - self.absent:
-            return 0.0
+            return np.zeros(self._shape)
         by = self.exposures
         return by.by_reference(self._every) - by.by_reference(everything())
 
@@ -184,7 +186,7 @@ class SummedTrial(Trial):
         by_sums = self.exposures.by_sums(self._every, everything(), "far", 0)[:, some]
         truth = self.exposures.by_words(self._every, some)
         pixels = WeightedPixels(sample.weight[some], np.arange(len(some)), sample.scene_pixels)
-        part = math.sqrt(1.0 - sample.near_part)
+        part = math.sqrt(max(0.0, 1.0 - sample.near_part))
         return Difference(Errors.of(part * by_sums, part * truth), pixels)
 
     def forced(self) -> Errors:
@@ -197,10 +199,20 @@ class SummedTrial(Trial):
         return self.together(Setting(NONE, exact=True))
 
     def together(self, setting: Setting) -> Errors:
-        """Far from saturation beside sums with every effect, near it beside the truth."""
-        exposed = self.exposures.expose(self.execution(setting), 0)
-        every = self.exposures.by_sums(self._every, everything(), "far", 0)
-        return Errors.of(exposed + self._lacked_e, np.append(every, self._truth_near(), axis=1))
+        """Far from saturation beside sums with every effect, near it beside the truth. Where noise
+        decides how much is lost that saturates, one frame says little: each of several is an
+        output."""
+        execution, by, near = self.execution(setting), self.exposures, self.sample.near
+        every = by.by_sums(self._every, everything(), "far", 0)
+        exposed = [by.expose(execution, 0) + self._lacked_e]
+        truth = [np.append(every, self._truth_near(), axis=1)]
+        if execution.path == "sums" and setting.dropped >= self.saturation and self.running:
+            for frame in range(1, _FRAMES):
+                again_e = by.by_sums(execution.kept, execution.wanted, "near", frame)
+                exposed.append(exposed[0].copy())
+                exposed[-1][:, near] = again_e + self._lacked_e[:, near]
+                truth.append(np.append(every, by.by_words(self._every, near, frame), axis=1))
+        return Errors.of(np.concatenate(exposed), np.concatenate(truth))
 
     @remembered
     def square_e2(self, names: Names) -> float:
@@ -215,7 +227,7 @@ class SummedTrial(Trial):
         """Of pixels near saturation that differ from all that were measured: so few that none was
         drawn, each losing what a pixel would whose PIX is just full."""
         sample, lacking = self.sample, setting.near
-        if not lacking or not sample.even:
+        if not lacking or not sample.drawn_near:
             return 0.0
         kept = self._wanted.without(*self.saturation)
         some, every = (
@@ -225,7 +237,7 @@ class SummedTrial(Trial):
         order = np.searchsorted(self.near.places, sample.places[sample.near])
         just_full = np.minimum(1.0, self.sensor.full_well_e / self.near.most_e[order])
         weight = sample.weight[sample.near] * just_full / sample.weight[sample.near].sum()
-        part = sample.near_part * min(1.0, _UNSEEN / sample.even)
+        part = sample.near_part * min(1.0, _UNSEEN / sample.drawn_near)
         return float((np.nan_to_num(some - every) ** 2 * weight).sum(axis=1).max()) * part
 
     def noise_e(self) -> float:
@@ -265,7 +277,9 @@ class SummedTrial(Trial):
                     continue
                 names |= lit & free
             moves.append(Move(names, self.saved_ns(name), name))
-        if self.saturation and self.saturation <= free:
+        # Noise that takes any pixel out of the registers' range does so in few: too rare to see.
+        by_noise = (self.program.reach.least_e[:, self.program.lanes] <= 0).any()
+        if self.saturation and self.saturation <= free and not by_noise:
             moves.append(Move(self.saturation, self._near_ns(NOTHING), None))
         return [move for move in moves if move.saved_ns > 0]
 
@@ -355,8 +369,9 @@ class SummedTrial(Trial):
 
     def planning_ms(self) -> float:
         """Words of the measured pixels, sums of the tiles without each effect."""
-        measured = min(TILES + 4 * min(self.running, NEAR), self.pixels)
+        near = near_sampled(self.running, self.pixels)
+        measured = min(TILES + 4 * near, self.pixels)
         words_ns = self.work.words_ns(self._every, "nothing") * measured
-        tiles = min(16 * TILES + 9 * min(self.running, NEAR), self.pixels)
+        tiles = min(16 * TILES + 9 * near, self.pixels)
         summed_ns = (SHIPPED.tried + SHIPPED.tried_light * len(self.light.frames)) * tiles
         return SHIPPED.plan_ms + 1e-6 * (words_ns + summed_ns)
