@@ -156,11 +156,13 @@ def _decision(
 def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Together) -> float:
     """The error of the plan without one effect more: what was measured together, and what the
     products of the effects alone add to it."""
-    others, found = together.setting.dropped, together.difference.square_e2
+    others, square_e2 = together.setting.dropped, together.difference.square_e2
     more_e2 = together.unseen_e2 + measured.approximations_e**2
     if not dropped:
-        found = found + measured.squares_e2(others | {name}) - measured.squares_e2(others)
-    return math.sqrt(max(float(found.max(initial=0.0)) + more_e2, 0.0))
+        alone_e2 = measured.squares_e2(others | {name}) - measured.squares_e2(others)
+        # Outputs are buckets, or those of several frames.
+        square_e2 = square_e2.reshape(-1, len(alone_e2)) + alone_e2
+    return math.sqrt(max(float(square_e2.max(initial=0.0)) + more_e2, 0.0))
 
 
 def _why_kept(
@@ -184,7 +186,8 @@ def _why_kept(
     if told.most is not None:
         worst_e = math.hypot(alone.worst.max_e, together.worst.max_e)
         return f"left out, the worst pixel could be {worst_e:.3g} e off"
-    unsure_e2 = 2.0 * float((alone.unsure_e2 + together.difference.unsure_e2).max())
+    together_e2 = together.difference.unsure_e2.reshape(-1, len(alone.unsure_e2))
+    unsure_e2 = 2.0 * float((alone.unsure_e2 + together_e2).max())
     could_e = math.sqrt(then_e**2 + unsure_e2)
     return f"left out, the error could be {could_e:.3g} e: few pixels tell"
 
