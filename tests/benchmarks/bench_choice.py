@@ -153,7 +153,7 @@ def fixed(name: str, scene: str, exposure: str | None, rounds: int) -> list[Row]
     assert container is not None
     light = scene_for(container, scene, exposure)
     taken(container, light, DEFAULT, "all")
-    reference = partial(taken, container, light, DEFAULT, "all", fidelity="reference")
+    reference = partial(capture, container, light, effects="all", fidelity="reference", threads=1)
     [reference_s] = least_s([reference], 1)
     print(f"{name}, {scene}: reference {reference_s:.3f} s")
     found = []

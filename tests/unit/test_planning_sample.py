@@ -155,17 +155,20 @@ def test_places_are_drawn_where_the_sum_of_chances_passes_points_in_equal_strata
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 9), (9, 1), (6, 7)])
 def test_chances_are_light_and_its_differences_to_each_neighbour(shape: tuple[int, int]) -> None:
-    light = np.random.default_rng(2).exponential(50.0, shape)
-    wide = np.pad(light, 1, mode="edge")
-    score = light + sum(
-        np.abs(light - beside)
-        for beside in (wide[:-2, 1:-1], wide[2:, 1:-1], wide[1:-1, :-2], wide[1:-1, 2:])
-    )
+    light, well_e = np.random.default_rng(2).exponential(50.0, shape), 60.0
     never = np.arange(min(2, light.size - 1))
     drawn = np.ones(light.size, bool)
     drawn[never] = False
-    score = np.where(drawn.reshape(shape), score + score.reshape(-1)[drawn].mean(), 0.0)
-    assert chances(light, never) == pytest.approx(score)
+    drawn = drawn.reshape(shape)
+
+    def contrast(values: np.ndarray) -> np.ndarray:
+        wide = np.pad(values, 1, mode="edge")
+        beside = (wide[:-2, 1:-1], wide[2:, 1:-1], wide[1:-1, :-2], wide[1:-1, 2:])
+        return np.where(drawn, values + sum(np.abs(values - each) for each in beside), 0.0)
+
+    within, square = contrast(np.minimum(light, well_e)), contrast(light) ** 2
+    expected = 2.0 * drawn / drawn.sum() + within / within.sum() + square / square.sum()
+    assert chances(light, well_e, never) == pytest.approx(expected)
 
 
 def trial_of(name: str, electrons: float, shape: tuple[int, int] = (64, 80)) -> SummedTrial:

@@ -1,8 +1,8 @@
 """Step 1 of planning: a sample of the pixels of a scene, and how many pixels each stands for.
 
 Errors grow with light and with its differences between neighbours, and a few lamps may carry most
-of them. So tiles of 2 x 2 pixels are drawn in proportion to both, half of the sample, and evenly,
-the other half. Each lies in a tile of 4 x 4, so that its neighbours are there, too. Pixels near
+of them. So half of the tiles of 2 x 2 pixels are drawn evenly, and half by both (`chances`).
+Each lies in a tile of 4 x 4, so that its neighbours are there, too. Pixels near
 saturation are a stratum of their own, and so are those that only their neighbours' light brings
 there; they are drawn one by one, in the order of what they see, as likely as pixels of tiles.
 """
@@ -33,6 +33,8 @@ _OWN, _SPILT, _MORE = 48, 24, 208
 more of the former where a larger part of the scene is near."""
 _EXTREMES = 8
 """Of the former the brightest, the darkest and those nearest to a full well, for sure."""
+_SURE = 2.0
+"""What is expected to be drawn so often is drawn for sure."""
 _GOLDEN = 0.6180339887498949
 
 
@@ -118,7 +120,7 @@ def sample_of(
     """
     rows, cols = total_e.shape
     nobody = np.empty(0, np.int64)
-    near_chance = _chances(total_e, full_well_e, nobody).reshape(-1)
+    near_chance = chances(total_e, full_well_e, nobody).reshape(-1)
     near_places, near_weight = _near_sample(near, near_chance, full_well_e)
     is_near = np.zeros(rows * cols, np.bool_)
     is_near[near.places] = True
@@ -127,11 +129,10 @@ def sample_of(
         inner = far_places = np.flatnonzero(~is_near)
         far_weight, far_cluster = np.ones(len(inner)), np.arange(len(inner))
     else:
-        corners, tile_weight = tile_corners(_chances(total_e, full_well_e, near.places), tiles)
+        corners, tile_weight = tile_corners(chances(total_e, full_well_e, near.places), tiles)
         side = _SIDE + 2
         inner, far_places, far_cluster = _inner_pixels(corners, side, cols, is_near)
-        far_weight = tile_weight[far_cluster]
-        far_weight *= (rows * cols - len(near.places)) / max(far_weight.sum(), 1e-300)
+        far_weight = _standing_for(tile_weight[far_cluster], rows * cols - len(near.places))
     near_cluster = np.arange(len(near_places)) + (int(far_cluster.max(initial=-1)) + 1)
     frames = min(-(-_ENOUGH // max(rows * cols, 1)), _MOST_FRAMES)
     clusters = int(near_cluster.max(initial=far_cluster.max(initial=-1))) + 1
@@ -179,10 +180,10 @@ def tile_corners(chance: Values, wanted: int) -> tuple[Places, Values]:
     if rows % _SIDE or cols % _SIDE:
         chance = np.pad(chance, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
     blocks = chance.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)
-    drawn, times = np.unique(drawn_by(blocks, min(wanted, len(blocks))), return_counts=True)
+    drawn, weight = drawn_with_weights(blocks, min(wanted, len(blocks)))
     row = np.minimum(drawn // right * _SIDE, rows - _SIDE) - 1
     col = np.minimum(drawn % right * _SIDE, cols - _SIDE) - 1
-    return np.stack([row, col], axis=1), times / np.maximum(blocks[drawn], 1e-300)
+    return np.stack([row, col], axis=1), weight
 
 
 def _near_sample(near: NearSaturation, chance: Values, full_well_e: float) -> tuple[Places, Values]:
@@ -209,27 +210,27 @@ def _near_sample(near: NearSaturation, chance: Values, full_well_e: float) -> tu
     return np.concatenate(places), np.concatenate(weight)
 
 
-def _chances(total_e: Values, full_well_e: float, never: Places) -> Values:
-    """How likely each pixel (rows, cols) is to be drawn, up to a factor: by its light and its
-    neighbours' up to a full well, and by all of it, as neighbours of suns have most of the
-    crosstalk."""
-    within_well_e = np.minimum(total_e, full_well_e)
-    some, every = (chances(light_e, never) for light_e in (within_well_e, total_e))
-    return np.asarray(some / max(some.sum(), 1e-300) + every / max(every.sum(), 1e-300))
-
-
 def _some_of(ordered: Places, chance: Values, wanted: int) -> tuple[Places, Values]:
     """At most so many of these places, and how many each stands for."""
     if len(ordered) <= wanted:
         return ordered, np.ones(len(ordered))
-    drawn, times = np.unique(drawn_by(chance[ordered], wanted), return_counts=True)
-    weight = times / chance[ordered[drawn]]
-    weight *= len(ordered) / weight.sum()
-    # One that is sure to be drawn stands for itself, and the others for the rest.
-    others = weight > 1.0
-    weight[~others] = 1.0
-    weight[others] *= (len(ordered) - np.count_nonzero(~others)) / weight[others].sum()
-    return ordered[drawn], weight
+    drawn, weight = drawn_with_weights(chance[ordered], wanted)
+    return ordered[drawn], _standing_for(weight, len(ordered))
+
+
+def drawn_with_weights(chance: Values, wanted: int) -> tuple[NDArray[np.intp], Values]:
+    """Different places as `drawn_by` draws them, and how much each stands for: 1 where it is drawn
+    for sure, more or less than others up to a factor elsewhere."""
+    drawn, times = np.unique(drawn_by(chance, wanted), return_counts=True)
+    expected = chance[drawn] * (wanted / max(float(chance.sum()), 1e-300))
+    return drawn, np.where(expected >= _SURE, 1.0, times / np.maximum(expected, 1e-300))
+
+
+def _standing_for(weight: Values, count: int) -> Values:
+    """Weights that sum to `count`: those of 1 stay."""
+    sure = weight == 1.0
+    others = max(float(weight[~sure].sum()), 1e-300)
+    return np.where(sure, 1.0, weight * ((count - np.count_nonzero(sure)) / others))
 
 
 def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
@@ -244,18 +245,28 @@ def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
     return np.asarray(np.minimum(drawn, len(chance) - 1))
 
 
-def chances(total_e: Values, never: Places) -> Values:
-    """How likely each pixel (rows, cols) is to be drawn, up to a factor: by its light and how much
-    that of its neighbours is more or less. Those of the places `never` are not, and the light of
-    suns among them does not make the others all alike."""
-    score = total_e.copy()
+def chances(total_e: Values, full_well_e: float, never: Places) -> Values:
+    """How likely each pixel (rows, cols) is to be drawn, up to a factor; places `never` are not.
+
+    Half of the draws fall evenly, a quarter by light and its differences between neighbours up to
+    a full well, and a quarter by the square of all of both: neighbours of lamps and suns may have
+    most of the mean square error.
+    """
+    even = np.ones(total_e.shape)
+    within_well = _contrast(np.minimum(total_e, full_well_e))
+    chance = np.zeros(total_e.shape)
+    for share, part in ((2.0, even), (1.0, within_well), (1.0, _contrast(total_e) ** 2)):
+        part.reshape(-1)[never] = 0.0
+        chance += part * (share / max(float(part.sum()), 1e-300))
+    return chance
+
+
+def _contrast(light_e: Values) -> Values:
+    """The light of each pixel, and how much that of its four neighbours is more or less."""
+    score = light_e.copy()
     for axis in (0, 1):
-        step = np.abs(np.diff(total_e, axis=axis))
+        step = np.abs(np.diff(light_e, axis=axis))
         before, after = ((slice(None),) * axis + (part,) for part in (slice(-1), slice(1, None)))
         score[before] += step
         score[after] += step
-    flat = score.reshape(-1)
-    flat[never] = 0.0
-    flat += flat.sum() / max(flat.size - len(never), 1) or 1.0
-    flat[never] = 0.0
     return score
