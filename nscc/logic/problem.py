@@ -36,6 +36,10 @@ class Gate:
     sources: tuple[str, ...]
     mask: str | None = None
 
+    def __str__(self) -> str:
+        where = f" where {self.mask}" if self.mask is not None else ""
+        return f"{self.destination} = {self.name}({', '.join(self.sources)}){where}"
+
     @property
     def words(self) -> int:
         """How many ICWs the gate takes, before the masked register's rule.

@@ -52,7 +52,7 @@ def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
     registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
     for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
         if not _possible(gate, registers, machine) or not _masks_agree(gate, pair, machine):
-            raise _Wrong(f"the machine has no gate {_text(gate)}")
+            raise _Wrong(f"the machine has no gate {gate}")
 
 
 def _names(kind: str, count: int) -> list[str]:
@@ -86,11 +86,6 @@ def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> 
         and gate.destination != gate.mask
         and gate.mask[0] in "pt"
     )
-
-
-def _text(gate: Gate) -> str:
-    where = f" where {gate.mask}" if gate.mask is not None else ""
-    return f"{gate.destination} = {gate.name}({', '.join(gate.sources)}){where}"
 
 
 class _Frame:
@@ -136,7 +131,7 @@ class _Frame:
     def _known(self, name: str, gate: Gate) -> int:
         content = self.held[name]
         if content is None:
-            raise _Wrong(f"{_text(gate)} reads {name}, of which nothing is known")
+            raise _Wrong(f"{gate} reads {name}, of which nothing is known")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:
@@ -152,7 +147,7 @@ class _Frame:
                 held[gate.destination] = value
                 if gate.destination == masked:
                     if not self.scratch:
-                        raise _Wrong(f"{_text(gate)} writes the register that needs a free mask")
+                        raise _Wrong(f"{gate} writes the register that needs a free mask")
                     held["t0"] = None
 
 

@@ -105,6 +105,7 @@ class _Painter:
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # Which value a register holds; the first ones that nobody reads do not count.
         self.holds: list[int] = list(range(frame.flag))
+        self.masks_from = {value.first for value in values if value.masks}
         # Where the value is written that must be in a register at the end.
         self.homing = [-1] * frame.flag
         for value in values:
@@ -131,9 +132,7 @@ class _Painter:
                 self.holds[target] = number
             self.place[number] = target
             if not _copies(item) or sources != [target]:
-                out.append(
-                    self.frame.op(item.inverted, target, sources, item.place, item.segment)
-                )
+                out.append(self.frame.op(item.inverted, target, sources, item.place, item.segment))
         return self._bring_home(out)
 
     def _choose(self, k: int, item: Op, value: _Value, sources: Sequence[int]) -> int | None:
@@ -147,6 +146,8 @@ class _Painter:
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # nothing to do at all
+            # What a mask is made from would be read in place if it were in the mask's register.
+            in_place += register == mask and value.last in self.masks_from
             away = value.home >= 0 and register != value.home
             # A value in the way when a plane comes home makes that plane go elsewhere first.
             plane = register < self.frame.planes

@@ -1,0 +1,148 @@
+"""Bumps in groups of two slots, written into the masked register.
+
+Group and place of both ends are held in planes: the groups in a code in which one cube finds the
+bumps that start in a group and one cube those that end in it (`bump_cubes`), the places in a plane
+each. The masked register, which is empty at first, holds the bumps that go on after the group.
+
+In the first slot of a group, it is these that are open and those that start there. In the second
+slot all that start in the group are open too, but for those whose last slot was the first one; so
+the mask is set where a bump is active in the group, and where it is, the masked register gets
+"does not end in this group, or ends in its second slot", and then "does not end in this group".
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import Enum
+
+import numpy as np
+
+from nscc.logic.bump_cubes import BumpCubes
+from nscc.logic.bumps import Bumps, bumps_of
+from nscc.logic.cubes import Standing
+from nscc.logic.digits import binary_planes
+from nscc.logic.gates import Gates
+from nscc.logic.problem import Machine, Problem, Segment, Solution
+from nscc.logic.walk import Script, walk
+from nscc.truth import columns
+
+
+class _Form(Enum):
+    """Where the bumps are that go on after a group."""
+
+    MASKED = "masked writes"
+    TIGHT = "masked writes, no scratch but the mask"
+    REGISTER = "state in a register"
+    FLAG = "state in FLAG"
+
+
+# Registers beside the planes of the groups' code: two places, the state, and what is computed in.
+_BESIDE = {_Form.MASKED: 5, _Form.TIGHT: 4, _Form.REGISTER: 5, _Form.FLAG: 4}
+
+
+def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Every form for which cubes of so many groups and planes are known."""
+    bumps = bumps_of(problem)
+    for form in _Form:
+        cubes = BumpCubes.of(machine.registers - _BESIDE[form], -(-bumps.steps // 2))
+        if cubes is not None:
+            script = _Writer(bumps, cubes, form, Gates(machine)).script()
+            yield from walk(problem, machine, script, steps)
+
+
+class _Writer:
+    """Writes the gates of one frame down.
+
+    `on` holds the bumps that go on after a group, `scratch` is what anything may be computed in.
+    """
+
+    def __init__(self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates) -> None:
+        self.bumps, self.cubes, self.form, self.gates = bumps, cubes, form, gates
+        self.masked = form in (_Form.MASKED, _Form.TIGHT)
+        self.start_place, self.last_place, state = (f"p{cubes.planes + k}" for k in range(3))
+        self.on = state if form is not _Form.FLAG else "t1"
+        free = {_Form.MASKED: "t1", _Form.TIGHT: None}.get(form, "t0")
+        self.planes = Standing(gates, cubes.planes, free)
+
+    @property
+    def scratch(self) -> str:
+        """A register that holds nothing between the gates of a slot."""
+        return self.planes.free or "t0"
+
+    def script(self) -> Script:
+        """All planes and gates."""
+        bumps, cubes = self.bumps, self.cubes
+        # What never opens would start in the second slot of group 0 and end in the first one.
+        start = np.where(bumps.never, 1, bumps.start)
+        last = np.where(bumps.never, 0, bumps.stop - 1)
+        ends, number = np.unique(
+            np.stack([start // 2, last // 2], axis=1), axis=0, return_inverse=True
+        )
+        codes = np.array([cubes.code(int(i), int(j)) for i, j in ends])[number.reshape(-1)]
+        places = columns(np.stack([start % 2 == 1, (last % 2 == 1) == self.masked], axis=1))
+        planes = [
+            *binary_planes("groups of both ends, code bit", codes, cubes.planes),
+            (places[0], "start in the second slot of its group"),
+            (places[1], f"last slot the {'second' if self.masked else 'first'} one of its group"),
+        ]
+        if self.form is not _Form.FLAG:
+            planes.append((0, "open"))
+        before = {demand: self._slot(step) for step, demand in bumps.groups()}
+        name = f"both ends in groups of two, a cube each, {self.form.value}"
+        return Script(name, planes, before=before, closing=self.planes.restore())
+
+    def _slot(self, step: int) -> tuple[Segment, ...]:
+        """The gates of one slot."""
+        group, second = divmod(step, 2)
+        rises = self.cubes.rises[group]
+        falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
+        if second:
+            self._start(self.planes.read_by(rises))
+            segments = [self.gates.take(), *self.planes.turn(falls)]
+            self._end(self.planes.read_by(falls))
+        else:
+            segments = self.planes.turn(rises)
+            self._first(step, self.planes.read_by(rises))
+        return (*segments, self.gates.take())
+
+    def _first(self, step: int, starts: list[str]) -> None:
+        """In the first slot of a group, what goes on and what starts in the slot is open."""
+        gates = self.gates
+        gates.nor(self.scratch, [*starts, self.start_place])
+        gates.where([self.on, self.scratch] if step else [self.scratch], None)
+        if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
+            if self.masked:
+                gates.nor("t0", [])
+            gates.or_(self.on, [], "t0" if self.masked else None)
+
+    def _start(self, starts: list[str]) -> None:
+        """Takes in what starts in the group: t0, where it is a mask, holds what is active in the
+        group, t1 or FLAG what is not."""
+        gates = self.gates
+        gates.nor(self.scratch, starts)
+        match self.form:
+            case _Form.MASKED:
+                gates.or_("t0", [self.on, self.scratch])
+            case _Form.TIGHT:
+                gates.nor(self.on, [], "t0")
+                gates.or_("t0", [self.on])
+            case _Form.REGISTER:
+                gates.nor("t1", [self.on, self.scratch])
+            case _Form.FLAG:
+                gates.nor("t1", ["FLAG", self.scratch])
+                gates.where(["t1"], None)
+
+    def _end(self, ends: list[str]) -> None:
+        """In the second slot, what is active is open unless it ended in the first; then it leaves
+        out what ends in the group."""
+        gates, on, place, scratch = self.gates, self.on, self.last_place, self.scratch
+        if self.masked:
+            gates.or_(on, [*ends, place], "t0")
+            gates.where([on], None)
+            gates.or_(on, ends, "t0")
+            return
+        idle = "t1" if self.form is _Form.REGISTER else "FLAG"
+        gates.nor(scratch, ends)
+        gates.nor(on, [idle, scratch])
+        gates.nor(scratch, [idle, *ends, place])
+        gates.where([on, scratch], None)
