@@ -96,30 +96,35 @@ class _Writer:
         group, second = divmod(step, 2)
         rises = self.cubes.rises[group]
         falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
+        segments: list[Segment] = []
+        place = [] if second else [self.start_place]
+        for more in rises[:-1]:
+            segments += self.planes.turn(more)
+            self.gates.nor("t0", [*self.planes.read_by(more), *place])
+            self.gates.nor(self.on, [], "t0")
+        segments += self.planes.turn(rises[-1])
+        self.gates.nor(self.scratch, [*self.planes.read_by(rises[-1]), *place])
         if second:
-            self._start(self.planes.read_by(rises))
-            segments = [self.gates.take(), *self.planes.turn(falls)]
+            self._start()
+            segments += [self.gates.take(), *self.planes.turn(falls)]
             self._end(self.planes.read_by(falls))
         else:
-            segments = self.planes.turn(rises)
-            self._first(step, self.planes.read_by(rises))
+            self._first(step)
         return (*segments, self.gates.take())
 
-    def _first(self, step: int, starts: list[str]) -> None:
+    def _first(self, step: int) -> None:
         """In the first slot of a group, what goes on and what starts in the slot is open."""
         gates = self.gates
-        gates.nor(self.scratch, [*starts, self.start_place])
         gates.where([self.on, self.scratch] if step else [self.scratch], None)
         if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
             if self.masked:
                 gates.nor("t0", [])
             gates.or_(self.on, [], "t0" if self.masked else None)
 
-    def _start(self, starts: list[str]) -> None:
+    def _start(self) -> None:
         """Takes in what starts in the group: t0, where it is a mask, holds what is active in the
         group, t1 or FLAG what is not."""
         gates = self.gates
-        gates.nor(self.scratch, starts)
         match self.form:
             case _Form.MASKED:
                 gates.or_("t0", [self.on, self.scratch])
