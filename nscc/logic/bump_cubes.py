@@ -14,8 +14,15 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain
 
-from nscc.logic.cube_tables import codes_in, cube_of, cube_rows, standing_at_first
+from nscc.logic.cube_tables import (
+    codes_in,
+    cube_of,
+    cube_rows,
+    inverted,
+    standing_at_first,
+)
 from nscc.logic.cubes import Cube
 from nscc.truth import set_bits, union
 
@@ -30,7 +37,10 @@ class BumpCubes:
 
     @staticmethod
     def of(planes: int, groups: int) -> BumpCubes | None:
-        """Cubes of so many groups over as many planes as there are; None if none are known."""
+        """Cubes of so many groups over as many planes as there are; None if none are known.
+
+        Every plane is 0 in the first cube that reads it.
+        """
         windows = (
             BumpCubes(
                 table.planes,
@@ -41,14 +51,27 @@ class BumpCubes:
             for first in range(len(table.rises) - groups + 1)
             if table.planes <= planes
         )
-        return min(windows, key=lambda w: (-w.planes, w.words()), default=None)
+        best = min(windows, key=lambda w: (-w.planes, w._words()), default=None)
+        return best and best._upright()
 
-    def words(self) -> int:
+    def _in_order(self) -> list[Cube]:
+        """The cubes in the order in which a frame reads them."""
+        falls = (*((cube,) for cube in self.falls), ())
+        return [cube for pair in zip(self.rises, falls, strict=True) for cube in chain(*pair)]
+
+    def _words(self) -> int:
         """Words that second rise cubes and inversions of planes take, more or less."""
-        in_order = []
-        for k, cubes in enumerate(self.rises):
-            in_order += [*cubes, *self.falls[k : k + 1]]
-        return 2 * standing_at_first(in_order)[1] + 4 * sum(len(cubes) - 1 for cubes in self.rises)
+        _, inversions = standing_at_first(self._in_order())
+        return 2 * inversions + 4 * sum(len(cubes) - 1 for cubes in self.rises)
+
+    def _upright(self) -> BumpCubes:
+        """The cubes for planes that are inverted where their first cube asks for it."""
+        first, _ = standing_at_first(self._in_order())
+        return BumpCubes(
+            self.planes,
+            tuple(tuple(inverted(cube, first) for cube in cubes) for cubes in self.rises),
+            tuple(inverted(cube, first) for cube in self.falls),
+        )
 
     def code(self, first: int, last: int) -> int:
         """The smallest code of a bump that touches the groups `first` to `last`."""

@@ -6,7 +6,7 @@ table come one after the other in a frame, and are such that few planes are inve
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cache
 from pathlib import Path
 from typing import Literal
@@ -50,6 +50,11 @@ def standing_at_first(cubes: Iterable[Cube]) -> tuple[dict[int, int], int]:
     return first, inversions + sum(standing[plane] != value for plane, value in first.items())
 
 
+def inverted(cube: Cube, planes: Mapping[int, int]) -> Cube:
+    """The cube after inverting the planes that have a 1 in `planes`."""
+    return tuple((plane, value ^ planes[plane]) for plane, value in cube)
+
+
 @cache
 def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
     """Codes of so many numbers, and for each a cube that holds its code and no other one's.
@@ -60,12 +65,12 @@ def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, 
     codes = cycle(count, planes)
     choices = [tuple(tuple((p, code >> p & 1) for p in range(planes)) for code in codes)]
     for known, rows in cube_rows("numbers"):
-        for first in range(len(rows) - count + 1) if known == planes else ():
-            choices.append(tuple(map(cube_of, rows[first : first + count])))
-    cubes = min(choices, key=lambda choice: standing_at_first(choice)[1])
-    inverted, _ = standing_at_first(cubes)
-    turned = tuple(tuple((p, value ^ inverted[p]) for p, value in cube) for cube in cubes)
-    return _own_codes(turned, planes), turned
+        for start in range(len(rows) - count + 1) if known == planes else ():
+            choices.append(tuple(map(cube_of, rows[start : start + count])))
+    best = min(choices, key=lambda choice: standing_at_first(choice)[1])
+    first, _ = standing_at_first(best)
+    cubes = tuple(inverted(cube, first) for cube in best)
+    return _own_codes(cubes, planes), cubes
 
 
 def _own_codes(cubes: Sequence[Cube], planes: int) -> tuple[int, ...]:

@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from nscc.logic.bumps import Bumps, bumps_of
+from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
@@ -23,11 +23,14 @@ from nscc.truth import columns
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Twice as many planes as the slots of a half have bits, a half, and the masked pair."""
-    bumps = bumps_of(problem)
+    bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
         raise GaveUp("too few slots for two halves, or too many for the registers")
-    script = _Writer(bumps, bits, Gates(machine)).script()
+    if machine.where_sources == 1:
+        raise GaveUp("no register is left to gather the sources of WHERE")
+    kept = [demand.flag_kept for demand in problem.demands]
+    script = _Writer(bumps, bits, kept, Gates(machine)).script()
     yield from walk(problem, machine, script, steps)
 
 
@@ -36,11 +39,11 @@ class _Writer:
 
     `half` is a plane, `held` the masked register and `mask` its mask. In the first half, `half`
     holds the bumps that end in the second one and `mask` those that are still to end; in the second
-    half, `half` holds the bumps that started in the first one.
+    half, `half` holds the bumps that started in the first one. FLAG is `kept` for some demands.
     """
 
-    def __init__(self, bumps: Bumps, bits: int, gates: Gates) -> None:
-        self.bumps, self.bits, self.gates = bumps, bits, gates
+    def __init__(self, bumps: Bumps, bits: int, kept: list[bool], gates: Gates) -> None:
+        self.bumps, self.bits, self.kept, self.gates = bumps, bits, kept, gates
         self.half, self.mask, self.held = (f"p{2 * bits + k}" for k in range(3))
 
     def script(self) -> Script:
@@ -60,7 +63,7 @@ class _Writer:
         before: dict[int, tuple[Segment, ...]] = {}
         for step, demand in self.bumps.groups():
             if step < border:
-                self._first_half(step)
+                self._first_half(step, self.kept[demand])
             elif step == border:
                 self._border()
             elif (step - border) % 2:
@@ -80,8 +83,10 @@ class _Writer:
         """Planes that are all 0 where the last slot is a submask of the step before this one."""
         return [f"p{self.bits + i}" for i in range(self.bits) if not step - 1 >> i & 1]
 
-    def _first_half(self, step: int) -> None:
+    def _first_half(self, step: int, kept: bool) -> None:
         gates, held, mask = self.gates, self.held, self.mask
+        if step and not kept:
+            gates.where([held], None)
         if step:
             gates.or_(held, [self.half, *self._ends(step)], mask)
             gates.or_(mask, [held])

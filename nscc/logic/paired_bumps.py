@@ -18,7 +18,7 @@ from enum import Enum
 import numpy as np
 
 from nscc.logic.bump_cubes import BumpCubes
-from nscc.logic.bumps import Bumps, bumps_of
+from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.cubes import Standing
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
@@ -41,33 +41,39 @@ _BESIDE = {_Form.MASKED: 5, _Form.TIGHT: 4, _Form.REGISTER: 5, _Form.FLAG: 4}
 
 
 def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Every form for which cubes of so many groups and planes are known."""
-    bumps = bumps_of(problem)
-    for form in _Form:
+    """The forms that suit the machine, where cubes of so many groups and planes are known."""
+    bumps = two_ended(problem)
+    forms = (_Form.MASKED, _Form.TIGHT) if machine.masked else (_Form.REGISTER, _Form.FLAG)
+    for form in forms:
         cubes = BumpCubes.of(machine.registers - _BESIDE[form], -(-bumps.steps // 2))
-        if cubes is not None:
-            script = _Writer(bumps, cubes, form, Gates(machine)).script()
-            yield from walk(problem, machine, script, steps)
+        # A second rise cube is written where a mask says, which takes a masked register.
+        if cubes is not None and (machine.masked or all(len(rise) == 1 for rise in cubes.rises)):
+            writer = _Writer(bumps, cubes, form, Gates(machine), problem.flag_lasts)
+            yield from walk(problem, machine, writer.script(), steps)
 
 
 class _Writer:
     """Writes the gates of one frame down.
 
     `on` holds the bumps that go on after a group, `scratch` is what anything may be computed in.
+    Planes may move into it where it is kept (`lasts`) for as long as they are.
     """
 
-    def __init__(self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates) -> None:
+    def __init__(
+        self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates, lasts: bool
+    ) -> None:
         self.bumps, self.cubes, self.form, self.gates = bumps, cubes, form, gates
         self.masked = form in (_Form.MASKED, _Form.TIGHT)
         self.start_place, self.last_place, state = (f"p{cubes.planes + k}" for k in range(3))
         self.on = state if form is not _Form.FLAG else "t1"
-        free = {_Form.MASKED: "t1", _Form.TIGHT: None}.get(form, "t0")
-        self.planes = Standing(gates, cubes.planes, free)
+        self.spare = "t1" if form is _Form.MASKED else "t0"
+        moves = lasts and form is not _Form.TIGHT
+        self.planes = Standing(gates, cubes.planes, self.spare if moves else None)
 
     @property
     def scratch(self) -> str:
         """A register that holds nothing between the gates of a slot."""
-        return self.planes.free or "t0"
+        return self.planes.free or self.spare
 
     def script(self) -> Script:
         """All planes and gates."""
@@ -115,7 +121,7 @@ class _Writer:
     def _first(self, step: int) -> None:
         """In the first slot of a group, what goes on and what starts in the slot is open."""
         gates = self.gates
-        gates.where([self.on, self.scratch] if step else [self.scratch], None)
+        gates.where([self.on, self.scratch] if step else [self.scratch], self.scratch)
         if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
             if self.masked:
                 gates.nor("t0", [])
@@ -150,4 +156,4 @@ class _Writer:
         gates.nor(scratch, ends)
         gates.nor(on, [idle, scratch])
         gates.nor(scratch, [idle, *ends, place])
-        gates.where([on, scratch], None)
+        gates.where([on, scratch], scratch)

@@ -151,6 +151,8 @@ class _Walker:
                 scripted = (*scripted, self._answer(i))
             answers.append(scripted)
         self.values.pop("FLAG", None)
+        if not problem.flag_lasts:
+            self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
         self._run(script.closing)
         for i, vector in enumerate(planes):
             if self.values[f"p{i}"] != vector:

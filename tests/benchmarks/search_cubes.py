@@ -430,15 +430,19 @@ def cheapest_window(cubes: Cubes, groups: int, spare: bool) -> Cubes:
 
 
 def bump_tables(share: float) -> Iterator[Cubes]:
-    """The cubes of bumps; `share` of the full steps."""
+    """The cubes of bumps, of each count of groups; `share` of the full steps."""
     parts = searched(
         gray_and_binary(5, 7), spare=False, task=PARTS, steps=1e7, hot=10.0, cold=0.6, fine=40.0,
         second=4 * SECOND,
     )  # fmt: skip
-    starts = (gray_and_binary(8, 18), True, 8), (in_parts(parts), False, 17)
-    for cubes, spare, least in starts:
+    cubes = in_parts(parts)
+    for _ in range(2):
+        cubes = searched(cubes, spare=False, steps=share * 4e7, hot=1.0, cold=0.25, fine=6.0)
+    yield cubes
+    chains = (cubes.window(0, 27), False, 17), (gray_and_binary(8, 18), True, 8)
+    for cubes, spare, least in chains:
         while cubes.groups >= least:
-            steps = share * (2e8 if cubes.groups > 24 or cubes.groups == 18 else 6e7)
+            steps = share * {27: 6e7, 26: 6e7, 25: 6e7, 18: 1e8}.get(cubes.groups, 3e7)
             found = searched(cubes, spare=spare, steps=steps, hot=1.5, cold=0.3, fine=6.0)
             cubes = found or cubes
             yield cubes
