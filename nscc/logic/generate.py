@@ -92,7 +92,6 @@ GENERATORS: dict[str, Generator] = {
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
     "stored_spans": Generator("family", spans.stored_spans),
-    "counted_spans": Generator("family", spans.counted_spans),
     "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
     "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),

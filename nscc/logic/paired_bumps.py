@@ -1,7 +1,7 @@
 """Bumps in groups of two slots, written into the masked register.
 
 Group and place of both ends are held in planes: the groups in a code in which one cube finds the
-bumps that start in a group and one cube those that end in it (`bump_cubes`), the places in a plane
+bumps that start in a group and one cube those that end in it (`cube_tables`), the places in a plane
 each. The masked register, which is empty at first, holds the bumps that go on after the group.
 
 In the first slot of a group, it is these that are open and those that start there. In the second
@@ -17,8 +17,8 @@ from enum import Enum
 
 import numpy as np
 
-from nscc.logic.bump_cubes import BumpCubes
 from nscc.logic.bumps import Bumps, two_ended
+from nscc.logic.cube_tables import BumpCubes
 from nscc.logic.cubes import Standing
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
@@ -100,7 +100,8 @@ class _Writer:
     def _slot(self, step: int) -> tuple[Segment, ...]:
         """The gates of one slot."""
         group, second = divmod(step, 2)
-        rises = self.cubes.rises[group]
+        # There and back, so that no plane is inverted between the two slots.
+        rises = self.cubes.rises[group][:: -1 if second else 1]
         falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
         segments: list[Segment] = []
         place = [] if second else [self.start_place]

@@ -68,6 +68,15 @@ class Cubes:
         parts = (part[rows].copy() for part in (self.read, self.value, self.used))
         return Cubes(self.planes, *parts)
 
+    def upright(self) -> Cubes:
+        """The cubes for planes that stand inverted where the first cube asks for a 1."""
+        value = self.value.copy()
+        for plane in range(self.planes):
+            reads = np.flatnonzero(self.used * (self.read >> plane & 1))
+            if len(reads) and value[reads[0]] >> plane & 1:
+                value ^= self.read & 1 << plane
+        return Cubes(self.planes, self.read, value, self.used)
+
     def text(self) -> str:
         """A line for each group: its rise cubes and, of bumps, a bar and its fall cube."""
         lines = []
@@ -106,15 +115,18 @@ def below(state: np.ndarray, end: int) -> int:
 def inversion_words(planes, spare, read, value, used, place):
     """Words that invert planes, and bring them back in the end, as `cubes.Standing` does it.
 
-    With a `spare` register a plane moves into it when it is inverted, which takes one word.
+    With a `spare` register a plane moves into it when it is inverted, which takes one word. The
+    rise cubes of a group are read there and back.
     """
     first = np.full(planes, -1, np.int64)
     standing = np.zeros(planes, np.int64)
     for plane in range(planes):
         place[plane] = plane
     free, words = planes, 0
-    for row in range(len(read)):
-        if not used[row]:
+    for step in range(4 * ((len(read) + 1) // 3)):
+        group, part = divmod(step, 4)
+        row = 3 * group + (0, 1, 0, 2)[part]
+        if row >= len(read) or not used[row] or (part == 2 and not used[row + 1]):
             continue
         for plane in range(planes):
             if read[row] >> plane & 1:
@@ -483,7 +495,7 @@ def main() -> None:
                 "",
                 f"[[{kind}]]",
                 f"planes = {cubes.planes}",
-                f'rows = """\n{cubes.text()}\n"""',
+                f'rows = """\n{cubes.upright().text()}\n"""',
             ]
     asked.out.write_text("\n".join(lines) + "\n")
 
