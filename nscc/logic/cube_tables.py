@@ -92,7 +92,7 @@ def _tables(kind: str) -> list[tuple[int, list[str]]]:
 
 @cache
 def _file() -> dict[str, Any]:
-    import tomllib  # only where somebody asks
+    import tomllib  # slow to import, and few programs need it
 
     return tomllib.loads(Path(__file__).with_suffix(".toml").read_text())
 

@@ -1,8 +1,9 @@
 """Events: each shutter's k-th rise or fall is a time, and a demand picks out the equal times.
 
-A time is a group and a place in it. Places are digits with a plane for each value, 0 where a digit
-has it; the group has a code of which few planes are turned over as time goes on, so that what tells
-it from other groups is always 0 now. An equality is one NOR, whatever the time.
+A time is a group and a place in it. The place is written in digits. Each value of a digit has a
+plane, which is 0 where the digit has that value. Planes of the group's code are inverted as time
+goes on, so that those which identify the current group are all 0. An equality is then one NOR. The
+codes are chosen such that few planes must be inverted.
 """
 
 from __future__ import annotations
@@ -169,8 +170,7 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
 
 
 def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
-    """The code of each group, and the cube that tells it from others; planes stand the right way
-    for the first event."""
+    """The code of each group and the cube that identifies it; the first event inverts no plane."""
     if not form.bits:
         return (0,), ((),)
     return number_cubes(-(-field.count // form.size), form.bits)

@@ -1,4 +1,4 @@
-"""Bumps over nearly all registers: start and last slot in binary, and nothing else.
+"""Bumps in long frames: start and last slot in binary, in nearly all registers.
 
 The frame has two halves of 2^b slots. 2 b planes hold start and last slot modulo 2^b, one plane
 says in which half the last slot is, and the mask says in which half the start is. The masked
@@ -49,7 +49,7 @@ class _Writer:
     def script(self) -> Script:
         """All planes and gates."""
         border = 1 << self.bits
-        # What never opens starts after it has ended, so it ends before it would start.
+        # A shutter that never opens has its last slot before its start.
         start = np.where(self.bumps.never, 1, self.bumps.start)
         last = np.where(self.bumps.never, 0, self.bumps.stop - 1)
         halves = columns(np.stack([last >= border, start < border], axis=1))

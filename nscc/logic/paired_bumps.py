@@ -78,7 +78,7 @@ class _Writer:
     def script(self) -> Script:
         """All planes and gates."""
         bumps, cubes = self.bumps, self.cubes
-        # What never opens would start in the second slot of group 0 and end in the first one.
+        # A shutter that never opens has its last slot before its start.
         start = np.where(bumps.never, 1, bumps.start)
         last = np.where(bumps.never, 0, bumps.stop - 1)
         ends, number = np.unique(

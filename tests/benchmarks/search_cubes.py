@@ -1,12 +1,13 @@
 """Search for the cubes in nscc/logic/cube_tables.toml, and write the tables anew.
 
-    python tests/benchmarks/search_cubes.py [--steps 1.0] [--out FILE]
+    python tests/benchmarks/search_cubes.py [--steps 1.0] [--continue] [--out FILE]
 
-`nscc.logic.bump_cubes` and `nscc.logic.cube_tables` say what the cubes are for. Simulated annealing
-finds them: a change of one literal is kept if it costs little more than before, and what counts as
-little shrinks. The cost is in words of a frame: inversions of planes, second rise cubes, and a fine
-for each bump or number that no code is left for. The same steps always give the same tables; all of
-them take hours.
+`nscc.logic.cube_tables` says what the cubes are for. Simulated annealing finds them. The cost is in
+words of a frame: inversions of planes, second rise cubes, and a fine for each bump or number that
+no code is left for. The same steps always give the same tables; all of them take hours.
+
+With `--continue`, the search starts from the tables in the tree and replaces those for which it
+finds a lower cost. The tables in the tree are the cheapest of several such runs.
 
 The search for many groups starts from a few parts of four groups each: in a part, two planes hold
 the group of the start in Gray code, two that of the last slot in binary, and the cubes of the parts
@@ -16,6 +17,7 @@ were found by the same search. Fewer groups start from the cubes of one group mo
 from __future__ import annotations
 
 import argparse
+import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import comb
@@ -346,9 +348,14 @@ def annealed(planes, spare, task, second, fine, hot, cold, steps, read, value, u
     place, rows = np.zeros(planes, np.int64), np.zeros(12, np.int64)
     state = np.full(1, 88172645463325252, np.uint64)
     cost = inversion_words(planes, spare, read, value, used, place)
-    cost += second * used[1::3].sum() + fine * unmet(rises, falls, task, 1 << 30)
+    cost += second * used[1::3].sum()
+    if task == NUMBERS:
+        cost += 4 * fewest_inversions(planes, read, value, used)
+    missing = unmet(rises, falls, task, 1 << 30)
+    cheapest = cost if missing == 0 else np.inf
+    cost += fine * missing
     old = (read.copy(), value.copy(), used.copy())
-    best, cheapest = (read.copy(), value.copy(), used.copy()), np.inf
+    best = read.copy(), value.copy(), used.copy()
     for step in range(steps):
         changed = change(state, planes, read, value, used, rows)
         uniform = (float(drawn(state) >> U64(1)) + 1.0) / 4503599627370497.0
@@ -441,6 +448,33 @@ def cheapest_window(cubes: Cubes, groups: int, spare: bool) -> Cubes:
     )
 
 
+def cubes_of(planes: int, rows: list[str]) -> Cubes:
+    """The cubes that `Cubes.text` has written."""
+    cubes = Cubes(planes, *(np.zeros(3 * len(rows) - 1, np.int64) for _ in range(3)))
+    for k, line in enumerate(rows):
+        rises, _, fall = line.partition("|")
+        for place, text in [*enumerate(rises.split()), *((2, text) for text in fall.split())]:
+            row = 3 * k + place
+            cubes.used[row] = 1
+            for plane, bit in enumerate(text):
+                cubes.read[row] |= (bit != "-") << plane
+                cubes.value[row] |= (bit == "1") << plane
+    return cubes
+
+
+def continued(kind: str, share: float) -> Iterator[Cubes]:
+    """The tables in the tree, each replaced if the search finds cheaper cubes from there on."""
+    for table in tomllib.loads(TABLES.read_text())[kind]:
+        planes = table["planes"]
+        cubes = cubes_of(planes, table["rows"].strip().splitlines())
+        found = searched(
+            cubes, spare=kind == "numbers" or planes < 9, steps=share * 1e8, hot=1.6, cold=0.3,
+            fine=16.0 if kind == "numbers" else 6.0, second=1e9 if kind == "numbers" else SECOND,
+            task=NUMBERS if kind == "numbers" else BUMPS,
+        )  # fmt: skip
+        yield found or cubes
+
+
 def bump_tables(share: float) -> Iterator[Cubes]:
     """The cubes of bumps, of each count of groups; `share` of the full steps."""
     parts = searched(
@@ -483,6 +517,7 @@ def main() -> None:
     """Writes the tables."""
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--steps", type=float, default=1.0, help="share of the full steps")
+    parser.add_argument("--continue", dest="goes_on", action="store_true")
     parser.add_argument("--out", type=Path, default=TABLES)
     asked = parser.parse_args()
     lines = [
@@ -490,7 +525,7 @@ def main() -> None:
         "# A line of bumps is a group: its rise cubes and, after the bar, its fall cube.",
     ]
     for kind, tables in (("bumps", bump_tables), ("numbers", number_tables)):
-        for cubes in tables(asked.steps):
+        for cubes in continued(kind, asked.steps) if asked.goes_on else tables(asked.steps):
             lines += [
                 "",
                 f"[[{kind}]]",
