@@ -185,7 +185,7 @@ def test_bumps_with_one_free_end_are_left_to_others(keep):
 
 @pytest.mark.parametrize(
     ("slots", "most"),
-    [(16, 56), (24, 94), (32, 126), slow(40, 182), slow(48, 226), slow(56, 314), slow(64, 402)],
+    [(16, 56), (24, 90), (32, 124), slow(40, 180), slow(48, 224), slow(56, 320), slow(64, 402)],
 )
 def test_words_before_any_improvement(slots, most):
     """Words that refresh planes which no word writes are left out."""
