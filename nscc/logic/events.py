@@ -1,8 +1,9 @@
 """Events: each shutter's k-th rise or fall is a time, and a demand picks out the equal times.
 
-A time is a group and a place in it. Places are digits with a plane for each value, 0 where a digit
-has it; the group is in Gray code and turned over as time goes on, so that now is always 0. An
-equality is one NOR, whatever the time.
+A time is a group and a place in it. The place is written in digits. Each value of a digit has a
+plane, which is 0 where the digit has that value. Planes of the group's code are inverted as time
+goes on, so that those which identify the current group are all 0. An equality is then one NOR. The
+codes are chosen such that few planes must be inverted.
 """
 
 from __future__ import annotations
@@ -15,12 +16,13 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.logic.cube_tables import number_cubes
+from nscc.logic.cubes import Cube
 from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
 from nscc.logic.encodings import asked, event_fields, event_name
-from nscc.logic.gray import cycle
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns, members, set_bits, union, vector
+from nscc.truth import columns, members, union, vector
 
 
 @dataclass(frozen=True)
@@ -140,7 +142,7 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 def _forms(field: _Field, room: int) -> list[_Form]:
     """Ways to hold a field, those with the fewest planes first."""
     found: list[_Form] = []
-    for bits in range((field.count - 1).bit_length(), -1, -1):
+    for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         least = -(-field.count // (1 << bits))
         inner = radices_of(room - bits, least) if least > 1 else ((),)
         for radices in inner[:1]:
@@ -152,20 +154,26 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """The bits of the group turned over before each demand and, at -1, after the last one."""
-    codes = _codes(field, form)
-    standing = 0
+    _, cubes = _groups(field, form)
+    standing = [0] * form.bits
     turned: dict[int, tuple[Segment, ...]] = {}
+    back = tuple((bit, 0) for bit in range(form.bits))
     for demand, number in (*field.events, (-1, None)):
-        wanted = 0 if number is None else codes[number // form.size]
-        # A plane stands turned over where the group's code is 1: now reads as all zeros.
-        if wanted != standing:
-            turned[demand] = turned_over(base + b for b in set_bits(wanted ^ standing))
-        standing = wanted
+        # A plane stands turned over where the group's cube asks for a 1: now reads as all zeros.
+        cube = back if number is None else cubes[number // form.size]
+        flips = [bit for bit, value in cube if standing[bit] != value]
+        if flips:
+            turned[demand] = turned_over(base + bit for bit in flips)
+        for bit in flips:
+            standing[bit] ^= 1
     return turned
 
 
-def _codes(field: _Field, form: _Form) -> tuple[int, ...]:
-    return cycle(-(-field.count // form.size), form.bits) if form.bits else (0,)
+def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
+    """The code of each group and the cube that identifies it; the first event inverts no plane."""
+    if not form.bits:
+        return (0,), ((),)
+    return number_cubes(-(-field.count // form.size), form.bits)
 
 
 def _script(
@@ -181,7 +189,7 @@ def _script(
     for field, form in zip(fields, chosen, strict=False):
         for demand, flips in _turns(field, form, len(planes)).items():
             before[demand] = (*before.get(demand, ()), *flips)
-        codes = np.array(_codes(field, form), dtype=np.int64)
+        codes = np.array(_groups(field, form)[0], dtype=np.int64)
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
         for name, digit, radix in digits_of(field.numbers, form.radices):

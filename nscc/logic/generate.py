@@ -8,7 +8,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.logic import encodings, events, field_digits, nested, spans, states, windows
+from nscc.logic import (
+    encodings,
+    events,
+    field_digits,
+    halved_bumps,
+    nested,
+    paired_bumps,
+    spans,
+    states,
+    windows,
+)
 from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
@@ -82,7 +92,8 @@ GENERATORS: dict[str, Generator] = {
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
     "stored_spans": Generator("family", spans.stored_spans),
-    "counted_spans": Generator("family", spans.counted_spans),
+    "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
+    "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
     "field_digits": Generator("family", field_digits.field_digits),
     "gray_times": _emitted("equality", encodings.gray_times),
