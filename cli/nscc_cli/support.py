@@ -34,6 +34,8 @@ class Session:
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
+    arguments: Sequence[str] = ()
+    """The command line, for reproducers."""
     gathered: list[Diagnostic] = field(default_factory=list)
     """What is said when all is done: a SARIF log is one document."""
 
@@ -104,6 +106,7 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     Rejected (status 1) with the warnings turned into errors, so that nothing gets written.
     """
     now = session()
+    diagnostics = [_with_reproducer(each, now) for each in diagnostics]
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
         raise Rejected(tuple(_denied(d) for d in diagnostics))
     show(diagnostics)
@@ -119,6 +122,18 @@ def say_compiling(loop: Any, what: str) -> None:
     """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
     if not loop.is_compiled():
         done(f"compiling {what} for this processor: once, some seconds")
+
+
+def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
+    """The diagnostic with a note that names its reproducer, if it carries a traceback."""
+    trace = diagnostic.data.get("traceback")
+    if trace is None:
+        return diagnostic
+    from nscc_cli.fault import save_reproducer
+
+    note, help_text = save_reproducer(str(trace), of.arguments)
+    helps = (*diagnostic.helps, help_text)
+    return replace(diagnostic, notes=(*diagnostic.notes, *note), helps=helps)
 
 
 def _denied(diagnostic: Diagnostic) -> Diagnostic:

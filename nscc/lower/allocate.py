@@ -43,7 +43,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
         if not scratch and len(free) > len(planes) + len(states):
             free.remove(target.mask_register)  # code stays out of the mask while there is room
     names = [name for name in (*planes, *states, *scratch) if name not in places]
-    places.update(zip(names, free, strict=False))
+    places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
         **dict.fromkeys(states, "state: open"),
