@@ -33,7 +33,6 @@ from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ENDINGS = (".json", ".npz", ".toml", *PICTURES, *CLIPS)
 _MOST_FRAMES = 64
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
