@@ -16,7 +16,7 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc.files import inputs_kept, reads
 
 Item = TypeVar("Item")
@@ -217,12 +217,11 @@ class Subcommands(CommonCommand, click.Group):
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """The same where there is no command of that name."""
-        near = closest(name, self.commands)
         raise rejected(
             "NS0781",
             f"nscc has no {self.unknown.format(name[:60])}",
             helps=(
-                *((f"did you mean `nscc {self.name} {near}`?",) if near else ()),
+                *meant(name, self.commands, written=f"nscc {self.name} {{}}"),
                 f"there is: {', '.join(self.commands)}",
                 *self.or_else(),
             ),
