@@ -262,8 +262,8 @@ PASSES = (
 
 LOOKING_PASSES = (
     *_READING,
-    Pass("plan", plan_looking, lambda _plan: None),
-    Pass("gates", find_looking_gates, lambda _gated: None),
+    Pass("plan", plan_looking, checks.check_looking_plan),
+    Pass("gates", find_looking_gates, checks.check_looking_gates),
     Pass("schedule", lay_out_looking, checks.check_schedule),
     Pass("words", make_looking_container, checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
@@ -273,8 +273,8 @@ machine's steps, not a table's shutters."""
 
 STREAM_PASSES = (
     *_READING,
-    Pass("plan", plan_sending, lambda _way: None),
-    Pass("schedule", time_sending, lambda _sending: None),
+    Pass("plan", plan_sending, checks.check_route),
+    Pass("schedule", time_sending, checks.check_loadings),
     Pass("words", make_planes, checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
 )
