@@ -94,7 +94,6 @@ GENERATORS: dict[str, Generator] = {
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
-    "covered_stored": _emitted("cover", encodings.covered_stored),
     "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
     "gray_index_wide": _emitted("last", encodings.gray_index_wide),
 }

@@ -85,9 +85,9 @@ def lower(
 ) -> Lowered | Misfit:
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
-    `most_words` as in Lowered. Level 0 takes the first solution that fits, levels 2 and 3 improve
-    the best ones. No level's solution is dearer than that of the level below. What is already known
-    comes from `results`. `faults` as in `nscc.logic.generate.solutions`.
+    `most_words` as in Lowered. Levels 2 and 3 improve the best solutions. No level's solution is
+    dearer than that of the level below, or than another one that the level finds. What is already
+    known comes from `results`. `faults` as in `nscc.logic.generate.solutions`.
     """
     program, target, time = planned.program, planned.program.target, planned.time
     if most_words is not None and level >= 2:
@@ -115,8 +115,6 @@ def lower(
             other = by_encoding.get(solution.encoding)
             if other is None or candidate.price < other.price:
                 by_encoding[solution.encoding] = candidate
-            if level == 0 and candidate.fits:
-                break
         found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
         searched = known.known is None and bool(problem.demands)
         if level >= 2 and searched and found:
