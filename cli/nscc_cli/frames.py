@@ -7,8 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.support import progress
 
@@ -96,12 +95,8 @@ def parse_keep(text: str) -> tuple[str, ...]:
     names = tuple(name.strip() for name in text.split(",") if name.strip())
     for name in names:
         if name not in KEEP:
-            near = closest(name, KEEP)
-            raise rejected(
-                "NS0739",
-                f"--keep cannot keep '{name[:60]}'",
-                notes=(f"it keeps, comma separated: {', '.join(KEEP)}",),
-                helps=(f"did you mean '{near}'?",) if near else (),
+            raise unknown_name(
+                "NS0739", "--keep cannot keep '{}'", name, KEEP, "it keeps, comma separated: {}"
             )
     return names
 

@@ -83,7 +83,7 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
     from nscc.diagnostics.diagnostic import Rejected
     from nscc_cli.support import Session, show, show_gathered
 
-    session = Session()
+    session = Session(arguments=arguments)
     _preset_format(arguments, session)
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

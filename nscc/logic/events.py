@@ -9,6 +9,7 @@ codes are chosen such that few planes must be inverted.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice, product
 from math import prod
@@ -77,7 +78,8 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
-    fields = _fields(problem, frozenset())
+    events = _events(problem)
+    fields = [_field(name, known, problem.shutters) for name, known in events]
     fitting = [
         chosen
         for chosen in islice(product(*(_forms(f, room) for f in fields)), _MOST_COMBINED)
@@ -87,38 +89,43 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     for chosen in fitting[:_MOST_TRIED]:
         stored = room - sum(form.planes for form in chosen)
         for kept in {0, stored}:
-            script = _script(problem, fields, chosen, kept)
-            yield from walk(problem, machine, script, steps)
+            with suppress(GaveUp):
+                yield from walk(problem, machine, _script(problem, events, chosen, kept), steps)
 
 
-def _fields(problem: Problem, left_out: frozenset[int]) -> list[_Field]:
-    """A field for each kind and rank of events; one for several whose times tell each other.
+_Events = list[tuple[int, int]]
+"""Demands in time order, each with the truth vector of the shutters that have this event."""
 
-    Demands in `left_out` are nobody's event.
-    """
+
+def _events(problem: Problem) -> list[tuple[str, _Events]]:
+    """The events of each field, by its name: one field for each kind and rank of events, and one
+    for several whose times tell each other."""
     kinds = event_fields(problem, _MOST_KINDS)
-    merged: list[tuple[str, list[tuple[int, int]], list[int]]] = []
+    merged: list[tuple[str, _Events]] = []
     for key, found in kinds.items():
         events = [(demand, vector(shutters)) for demand, shutters in found]
-        events = [event for event in events if event[0] not in left_out]
         name = event_name(*key, kinds)
-        for i, (other, known, _) in enumerate(merged):
+        for i, (other, known) in enumerate(merged):
             both = sorted([*known, *events])
-            atoms = _atoms([v for _, v in both])
-            if atoms is not None:
-                merged[i] = f"{other} and {name}", both, atoms
+            if _atoms([v for _, v in both]) is not None:
+                merged[i] = f"{other} and {name}", both
                 break
         else:
-            merged.append((name, events, list(dict.fromkeys(v for _, v in events))))
-    fields = []
-    for name, known, atoms in merged:
-        numbers = np.full(problem.shutters, len(atoms), dtype=np.int64)
-        for i, v in enumerate(atoms):
-            numbers[members(v, problem.shutters)] = i
-        number = {v: int(numbers[(v & -v).bit_length() - 1]) for _, v in known}
-        count = int(numbers.max(initial=0)) + 1
-        fields.append(_Field(name, numbers, tuple((d, number[v]) for d, v in known), count))
-    return fields
+            merged.append((name, events))
+    return merged
+
+
+def _field(name: str, events: _Events, shutters: int) -> _Field:
+    """The field that numbers these events; raises GaveUp where no numbers tell them apart."""
+    atoms = _atoms([v for _, v in events])
+    if atoms is None:
+        raise GaveUp("the events that are left are no unions of each other")
+    numbers = np.full(shutters, len(atoms), dtype=np.int64)
+    for i, v in enumerate(atoms):
+        numbers[members(v, shutters)] = i
+    number = {v: int(numbers[(v & -v).bit_length() - 1]) for _, v in events}
+    count = int(numbers.max(initial=0)) + 1
+    return _Field(name, numbers, tuple((d, number[v]) for d, v in events), count)
 
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
@@ -177,24 +184,24 @@ def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ..
 
 
 def _script(
-    problem: Problem, fields: list[_Field], chosen: tuple[_Form, ...], stored: int
+    problem: Problem, events: list[tuple[str, _Events]], chosen: tuple[_Form, ...], stored: int
 ) -> Script:
     """`stored`: how many of the last demands have a plane of their own."""
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]
-    if raw:
-        fields = _fields(problem, frozenset(raw))
     planes: Planes = []
     before: dict[int, tuple[Segment, ...]] = {}
-    for field, form in zip(fields, chosen, strict=False):
+    for (name, known), form in zip(events, chosen, strict=True):
+        numbered = [(demand, v) for demand, v in known if demand not in raw]
+        field = _field(name, numbered, problem.shutters)
         for demand, flips in _turns(field, form, len(planes)).items():
             before[demand] = (*before.get(demand, ()), *flips)
         codes = np.array(_groups(field, form)[0], dtype=np.int64)
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
-        for name, digit, radix in digits_of(field.numbers, form.radices):
+        for digit_name, digit, radix in digits_of(field.numbers, form.radices):
             held = columns(digit[:, None] != np.arange(radix))
-            planes += [(p, f"{field.name}, {name} is not {m}") for m, p in enumerate(held)]
+            planes += [(p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(held)]
     planes += [(problem.demands[i].predicate, asked(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
     name = "event times in digits " + " and ".join(form.name for form in chosen)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable, Iterable, Iterator
 from collections.abc import Generator as Yields
 from dataclasses import dataclass
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.logic import (
     encodings,
     events,
@@ -104,7 +105,6 @@ GENERATORS: dict[str, Generator] = {
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
-    "covered_stored": _emitted("cover", encodings.covered_stored),
     "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
     "gray_index_wide": _emitted("last", encodings.gray_index_wide),
 }
@@ -136,11 +136,36 @@ def added_generators() -> dict[str, Generator]:
     return found
 
 
-def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
+@dataclass(frozen=True)
+class GeneratorFault:
+    """An exception of a generator, which its author did not expect."""
+
+    generator: str
+    level: int
+    error: str
+    traceback: str
+
+    def diagnostic(self) -> Diagnostic:
+        """NS0504, with the traceback in its data."""
+        return Diagnostic(
+            "NS0504",
+            f"the generator {self.generator[:60]!a} of gates failed at -O{self.level} and was left "
+            f"out: {self.error}",
+            severity=Severity.WARNING,
+            notes=("the program was compiled with the other generators; its words are proved",),
+            data={"generator": self.generator, "traceback": self.traceback},
+        )
+
+
+def solutions(
+    problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
+) -> Iterator[Solution]:
     """Solutions of a problem, each from another generator; none where every one gives up.
 
     They are made as they are asked for, those first that tend to be cheapest. The caller prices
-    them: what a solution costs depends on the words around it.
+    them: what a solution costs depends on the words around it. A generator that raises an
+    unexpected exception is left out, and `faults` gets the exception; without `faults`, it is
+    raised.
     """
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
@@ -154,9 +179,18 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
         for kind in kinds:
             for name, each in generators.items():
                 if each.kind == kind:
-                    for solution in _tried(name, each, problem, machine, allowed):
-                        yield solution
-                        some = True
+                    try:
+                        for solution in _tried(name, each, problem, machine, allowed):
+                            yield solution
+                            some = True
+                    except (Rejected, MemoryError):
+                        raise
+                    except Exception as error:
+                        if faults is None:
+                            raise
+                        said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+                        trace = "".join(traceback.format_exception(error))
+                        faults.append(GeneratorFault(name, level, said, trace))
         return some
 
     direct = list(made("direct"))
@@ -209,12 +243,6 @@ def _tried(
             yield solution
     except GaveUp:
         return
-    except (Rejected, MemoryError):
-        raise
-    except Exception as error:  # whatever somebody else's code raises
-        if own:
-            raise
-        raise unusable(_GROUP, name, f"it raised {type(error).__name__}: {error}") from error
 
 
 def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:

@@ -41,7 +41,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
         free.remove(target.mask_register)  # code stays out of the mask while there is room
-    places.update(zip(names, free, strict=False))
+    places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
         **dict.fromkeys(states, "state: open"),

@@ -43,7 +43,8 @@ class Schedule:
         """The boundaries at which IN is set anew, once for each time."""
         found: list[int] = []
         last: int | None = None
-        for (boundary, _), level in zip(self.launches, self.levels, strict=False):
+        levels = self.levels or (None,) * len(self.launches)
+        for (boundary, _), level in zip(self.launches, levels, strict=True):
             if level not in (None, last):
                 found.append(boundary)
                 last = level

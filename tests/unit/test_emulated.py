@@ -29,7 +29,7 @@ from nscc_runtime.simulate import Request, simulate  # noqa: E402
 from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
+from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
 from nscc_training.evaluation import runs  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.runs import made_by_chip  # noqa: E402
@@ -63,6 +63,16 @@ def program() -> Container:
     return container
 
 
+def emulated_codes(program: Container, light: Light, seeds: tuple[int, int], device=None):
+    """Codes above the ADC's offset (2, rows, cols) of two frames with all effects."""
+    sensor, (seed, device_seed) = default_sensor(program.target), seeds
+    request = Request.of(
+        effects="all", seed=seed, device_seed=device_seed, repeat=2, torch_device=device
+    )
+    frame = simulate(program, light, sensor, request).frame.frame
+    return np.asarray(frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
+
+
 @pytest.fixture(scope="module")
 def table(program: Container) -> EmulatedSensor:
     return emulated_sensor(program, TILE, default_sensor(program.target), "all")
@@ -83,7 +93,7 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     light_e = np.full((rows, cols), level * sensor.full_well_e, np.float32)
     light = Light.of_still(light_e, np.full(SLOTS, 1 / SLOTS))
     wanted = np.concatenate([
-        emulated_codes(program, light, sensor, "all", 90 + k, 90 + k, 2) for k in range(3)
+        emulated_codes(program, light, (90 + k, 90 + k)) for k in range(3)
     ])  # fmt: skip
     exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
     generator = torch.Generator().manual_seed(1)
@@ -105,10 +115,7 @@ def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
     light_e = np.linspace(0, 1.1 * sensor.full_well_e, program.target.rows * program.target.cols)
     still = light_e.astype(np.float32).reshape(program.target.rows, program.target.cols)
     light = Light.of_still(still, np.full(SLOTS, 1 / SLOTS))
-    loops, drawn = (
-        emulated_codes(program, light, sensor, "all", 5, 6, 2, torch_device=device)
-        for device in (None, "cpu")
-    )
+    loops, drawn = (emulated_codes(program, light, (5, 6), device) for device in (None, "cpu"))
     assert (loops == drawn).mean() > 0.999
 
 

@@ -13,10 +13,13 @@ from nscc import pipeline
 from nscc.checks import Inconsistent
 from nscc.emit.listing import text_after
 from nscc.lower.plan import LOWERINGS
+from nscc.operations import Effect, Op
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
+from nscc.syntax.parse import read_source
 
+ROOT = Path(__file__).parents[2]
 NAMES = [each.name for each in PASSES]
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 1..7 open when n < stop pixels stop = 1 + x % 7\n"
 
@@ -121,3 +124,65 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
         compiled()
     (tmp_path / "p.nsl").write_text(TEXT)
     assert invoke(["build", "p.nsl", "-O", "0"], tmp_path).status == 70
+
+
+def dropped_comparisons(tried):
+    """The first solution without its comparisons."""
+    first = tried[0]
+    items = {
+        boundary: tuple(
+            item
+            for item in each
+            if not isinstance(item, Op) or item.operation.effect is not Effect.FLAG_ANALOG
+        )
+        for boundary, each in first.looking.items.items()
+    }
+    return [replace(first, looking=replace(first.looking, items=items))]
+
+
+def other_closings(plan):
+    """Buckets that close in other pixels."""
+    first = plan.moments[0]
+    falls = tuple(fall ^ 1 for fall in first.falls)
+    return replace(plan, moments=(replace(first, falls=falls), *plan.moments[1:]))
+
+
+def shorter_slots(sending):
+    """Slots that end before the next plane is loaded."""
+    program = sending.program
+    frame = replace(program.frame, slot_us=(1.0,) * len(program.frame.slot_us))
+    return replace(sending, program=replace(program, frame=frame))
+
+
+@pytest.mark.parametrize(
+    ("passes", "name", "spoil"),
+    [
+        ("LOOKING_PASSES", "plan", other_closings),
+        ("LOOKING_PASSES", "plan", lambda plan: replace(plan, moments=plan.moments[:-1])),
+        ("LOOKING_PASSES", "gates", dropped_comparisons),
+        (
+            "STREAM_PASSES",
+            "plan",
+            lambda way: replace(way, route=replace(way.route, bits=~way.route.bits)),
+        ),
+        ("STREAM_PASSES", "schedule", shorter_slots),
+    ],
+)
+def test_passes_of_other_chips_and_of_looks_are_verified(
+    passes: str, name: str, spoil, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stream = passes == "STREAM_PASSES"
+    path = ROOT / ("tests/cases/pass/dual_tap.nsl" if stream else "examples/auto_exposure.nsl")
+    given = Options(level=0, cache=False)
+
+    def spoilt(each):
+        def run(value, job):
+            made, found = each.run(value, job)
+            return spoil(made), found
+
+        return replace(each, run=run) if each.name == name else each
+
+    run_passes(read_source(path), path.parent, given)
+    monkeypatch.setattr(pipeline, passes, tuple(map(spoilt, getattr(pipeline, passes))))
+    with pytest.raises(Inconsistent):
+        run_passes(read_source(path), path.parent, given)

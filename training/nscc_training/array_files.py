@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
@@ -90,16 +90,14 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
         wanted = names
     if wanted and wanted[0] in names:
         return wanted[0]
-    near = closest(key, names) if key else None
+    unnamed = f"name the array with an option; without one, {', '.join(KEYS)} are looked for"
     raise rejected(
         "NS0801",
         f"'{path}' has no array '{key}'"
         if key
         else f"which array of '{path}' is meant is not clear",
         notes=(f"it holds {listed(sorted(names))}",),
-        helps=(f"did you mean '{near}'?",)
-        if near
-        else (f"name the array with an option; without one, {', '.join(KEYS)} are looked for",),
+        helps=meant(key or "", names, unnamed),
     )
 
 

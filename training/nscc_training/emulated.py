@@ -136,21 +136,6 @@ def emulated_sensor(
     return EmulatedSensor(levels, codes, spreads, marked, crosstalk)
 
 
-def emulated_codes(
-    container: Container, light: Light, sensor: Sensor, effects: Selection | str,
-    seed: int = 0, device_seed: int = 0, repeat: int | None = None,
-    torch_device: str | None = None,
-) -> NDArray[np.float32]:  # fmt: skip
-    """Codes above the ADC's offset (rows, cols), with `repeat` an axis in front, as `nscc run
-    --effects` gives them; of a program with one bucket. `torch_device` as of
-    `nscc_runtime.capture`."""
-    request = Request.of(
-        effects=effects, seed=seed, device_seed=device_seed, repeat=repeat,
-        torch_device=torch_device,
-    )  # fmt: skip
-    return _codes_of(simulate(container, light, sensor, request).frame, sensor)
-
-
 def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
     """Codes of the one bucket above the ADC's offset."""
     return np.asarray(frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)

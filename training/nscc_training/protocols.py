@@ -9,8 +9,7 @@ from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import unknown_name
 
 NAMES = ("hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1")
 
@@ -48,12 +47,8 @@ class Protocol:
 def load_protocol(name: str) -> Protocol:
     """The protocol of that name; Rejected (NS0806) for another one."""
     if name not in NAMES:
-        near = closest(name, NAMES)
-        raise rejected(
-            "NS0806",
-            f"there is no protocol '{name[:60]}'",
-            notes=(f"the protocols are {', '.join(NAMES)}",),
-            helps=(f"did you mean {near}?",) if near else ("name one of them",),
+        raise unknown_name(
+            "NS0806", "there is no protocol '{}'", name, NAMES, "the protocols are {}"
         )
     installed = Path(__file__).with_name("protocol_files")
     folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "protocols"

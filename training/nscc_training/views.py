@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Callable
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -32,7 +33,6 @@ from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ENDINGS = (".json", ".npz", ".toml", *PICTURES, *CLIPS)
 _MOST_FRAMES = 64
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
@@ -73,7 +73,7 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
         content = Content({}, light, tone=tone, usual=usual, unit=unit)
         return png_of(content_sheet, content, path.name)
     if suffix in CLIPS:
-        frames = (frame for frame, _ in zip(read_clip(path), range(_MOST_FRAMES), strict=False))
+        frames = islice(read_clip(path), _MOST_FRAMES)
         clip = np.stack([light_in(frame, "srgb") for frame in frames])
         content = Content({}, clip, moving=True, tone=tone, usual="srgb", unit="")
         return png_of(content_sheet, content, path.name)

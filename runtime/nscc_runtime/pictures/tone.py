@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import unknown_name
 
 Field = NDArray[np.float64]
 
@@ -43,12 +42,8 @@ class Tone:
 def check_tone(tone: str) -> None:
     """Rejected (NS0739) for a name that is none of `TONES`."""
     if tone not in TONES:
-        near = closest(tone, TONES)
-        raise rejected(
-            "NS0739",
-            f"there is no tone curve '{tone[:60]}'",
-            notes=(f"the curves are {', '.join(TONES)}",),
-            helps=(f"did you mean {near}?" if near else "name one of them",),
+        raise unknown_name(
+            "NS0739", "there is no tone curve '{}'", tone, [*TONES], "the curves are {}"
         )
 
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -182,7 +182,7 @@ def _existing(spec: str) -> Path:
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
-            *((f"did you mean builtin:{near}?",) if near and not path.suffix else ()),
+            *((did_you_mean(f"builtin:{near}"),) if near and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",
         ),

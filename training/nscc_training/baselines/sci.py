@@ -76,11 +76,14 @@ def bilinear(clip: Clip, mask: Clip) -> Clip:
     )
 
 
-def thin_out(clip: Clip, step: int = 4) -> Clip:
+_STEP = 4
+
+
+def thin_out(clip: Clip) -> Clip:
     """Every fourth pixel in x and y at full rate, interpolated linearly; a yardstick as well."""
     rows, cols = clip.shape[1:]
-    down, right = _between(rows, step), _between(cols, step)
-    return np.asarray(down @ clip[:, ::step, ::step] @ right.T, np.float32)
+    down, right = _between(rows, _STEP), _between(cols, _STEP)
+    return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)
 
 
 @dataclass(frozen=True)

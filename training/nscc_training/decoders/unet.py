@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import torch
 from torch import Tensor, nn
@@ -54,7 +55,7 @@ class UNet(nn.Module):
             )  # fmt: skip
 
         self.down = nn.ModuleList(
-            double(before, width) for before, width in zip([inputs, *widths], widths, strict=False)
+            double(before, width) for before, width in pairwise([inputs, *widths])
         )
         self.up = nn.ModuleList(
             double(widths[k + 1] + widths[k], widths[k]) for k in reversed(range(len(widths) - 1))

@@ -45,11 +45,10 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """A sweep that is done: its table, how many of its points were `computed` now, have a message
-    instead of figures (`misfits`), and `failed`; the files that were written."""
+    """A sweep that is done: its table, how many of its points have a message instead of figures
+    (`misfits`), and `failed`; the files that were written."""
 
     table: Table
-    computed: int
     misfits: int
     failed: int
     files: tuple[Path, ...]
@@ -93,7 +92,7 @@ def sweep(
     _name(out, keys)
     codes = [row.code for _, row in rows if row.code]
     failed = codes.count(FAILED)
-    return Swept(table, len(tasks), len(codes) - failed, failed, files)
+    return Swept(table, len(codes) - failed, failed, files)
 
 
 def told(swept: Swept) -> list[str]:

@@ -46,7 +46,6 @@ from nscc_training.tradeoff.looks import (
 from nscc_training.tradeoff.scenes import Kind, Scene, kinds_in, protocol_of, scenes
 from nscc_training.tradeoff.ways import Taken, clip_light, merged_still
 
-CLASSES = ("b", "c", "d", "e", "codebook")
 TILE = (8, 8)
 ROWS = 64
 _LONG_US = 1000.0

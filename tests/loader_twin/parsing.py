@@ -6,21 +6,25 @@ same faults. What a word may be comes from `nscc.words`.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from math import isfinite
 from struct import Struct
 from typing import Any
 
-import numpy as np
-from numpy.typing import NDArray
-
+from loader_twin.timing import (
+    LONGEST,
+    LONGEST_SLOT_US,
+    ON_TIME,
+    TOO_LONG,
+    Kept,
+    fixed_point,
+    frame_time,
+)
 from nscc.target.target import Target
-from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
+from nscc.words.container import Container, Launch, Word
 from nscc.words.encoding import matching
 from nscc.words.legality import split_pairs, target_fault
-from nscc.words.machine import StatePlanes
-from nscc.words.planes import codes_of_planes
 from nscc.words.soundness import MOST_SLOTS
 from nscc_runtime.device.messages import Fault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
@@ -34,17 +38,8 @@ from nscc_runtime.device.objects import (
     SCHEDULE_HEAD,
     WORD,
     ObjectKind,
-    unpacked_plane,
 )
-from nscc_runtime.device.timing import (
-    LONGEST,
-    LONGEST_SLOT_US,
-    ON_TIME,
-    TOO_LONG,
-    Kept,
-    fixed_point,
-    frame_time,
-)
+from nscc_runtime.device.recording import container_of
 
 
 @dataclass(eq=False)
@@ -212,54 +207,6 @@ class Held:
             states=self.states,
             planes=self.planes or {},
         )
-
-
-def container_of(
-    target: Target,
-    *,
-    readouts: Sequence[tuple[int, float]],
-    kernels: Sequence[tuple[Word, ...]],
-    launches: Sequence[Launch],
-    runs: Sequence[tuple[int, float]],
-    states: Sequence[int],
-    planes: dict[int, bytes],
-) -> Container:
-    """What a chip was told to do, as a container that the emulator runs.
-
-    Each digital register that comes with the frame is a state of one bit, by its own name.
-    """
-    shape = (target.rows, target.cols)
-    slot_us = tuple(us for count, us in runs for _ in range(count))
-    bits: dict[str, NDArray[np.bool_]] = {}
-    for number, data in planes.items():
-        bits[target.digital_registers[number]] = unpacked_plane(data, shape)
-    encoding, codes = codes_of_planes(bits, target)
-    names = tuple(f"bucket{number}" for number in range(len(readouts)))
-    read = [target.digital_registers[number] for number in states]
-    bit = np.array([[False], [True]])
-    count = len(encoding)
-    return Container(
-        target=target,
-        slot_us=slot_us,
-        buckets=names,
-        table=DecodeTable(
-            (),
-            np.zeros((count, 0), np.int64),
-            np.arange(count, dtype=np.int32),
-            np.zeros((count, len(names), len(slot_us)), bool),
-        ),
-        kernels=tuple(Kernel(f"k{number}", words) for number, words in enumerate(kernels)),
-        launches=tuple(launches),
-        code_registers=tuple(bits),
-        encoding=encoding,
-        pixel_codes=np.zeros(shape, np.int32) if codes is None else codes,
-        readouts=tuple(
-            Readout(target.analog_registers[register], name, gain)
-            for (register, gain), name in zip(readouts, names, strict=True)
-        ),
-        notes={"table": "none"},
-        state_planes={name: StatePlanes((name,), (0, 1), bit) for name in read},
-    )
 
 
 class Reader:

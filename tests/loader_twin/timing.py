@@ -14,19 +14,17 @@ from nscc.target.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import matching
 from nscc_runtime.device.objects import AS_IT_IS
+from nscc_runtime.device.trouble import FADES, NO_BREATH, TOO_LONG
+from nscc_runtime.device.wanted import LONGEST_US
 
 TICK = 1 << 32
 LONGEST_SLOT_US = 1 << 31
-LONGEST_US = 1_200_000_000
 LONGEST = LONGEST_US * TICK
 """From the first word of a frame to its last, at most."""
 BREATH = 200 * TICK
 """A boundary that is further away lets the loader's main loop go round before it."""
 LONGEST_STRETCH = 2_000_000 * TICK
 """No frame keeps the main loop from its work for longer."""
-
-TOO_LONG, NO_BREATH, FADES = 7, 8, 9
-"""What may be wrong with a schedule's times: details of the fault SCHEDULE."""
 
 
 def fixed_point(us: float) -> int:

@@ -11,13 +11,14 @@ from dataclasses import dataclass, replace
 from typing import Protocol
 from zlib import adler32, crc32
 
+from loader_twin.intake import Intake
+from loader_twin.parsing import Held, Limits, Refusal
+from loader_twin.timing import ON_TIME
 from nscc.target.target import Target
 from nscc_runtime.device import messages, packets
-from nscc_runtime.device.intake import Intake
 from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
-from nscc_runtime.device.parsing import Held, Limits, Refusal
-from nscc_runtime.device.timing import LONGEST_US, ON_TIME
+from nscc_runtime.device.wanted import LONGEST_US
 
 MOST_OUT = 8192
 """Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""

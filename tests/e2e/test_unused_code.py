@@ -1,0 +1,62 @@
+"""Nothing in the product is unused: vulture finds no name that only its definition mentions."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from vulture import Vulture
+
+ROOT = Path(__file__).parents[2]
+PRODUCT = ("nscc", "runtime/nscc_runtime", "training/nscc_training", "cli/nscc_cli")
+USERS = ("docs/nscc_site", "training/results")
+"""What uses the product without being a part of it; tests do not count."""
+
+CALLED_BY_LIBRARIES = [
+    "__getattr__", "__dir__", "__init_subclass__", "_repr_html_", "_render_traceback_",
+    "closure",  # of an optimizer's step in torch
+    "setup_context", "A_dagger", "A_A_adjoint",  # torch, DeepInverse
+    "format_commands", "stdio",  # click
+    "find_class",  # pickle
+    "external_attr", "linkage",  # read by zipfile and llvmlite
+]  # fmt: skip
+DECLARED_AS_TEXT = ["unrolled", "refined", "divided", "fcnet"]
+"""Decoders, which a table names as MODULE:FUNCTION."""
+
+KEPT = [
+    "PixelShutters",  # public: the operator for DeepInverse
+    "RIGHT",  # one of four directions
+    "resent",  # a count that tests of the protocol read
+]
+OF_THE_PROTOCOL = [
+    "EMPTY", "COMPLETE", "REFUSED", "WRONG_STATE", "TOO_LARGE", "NO_FRAME", "released", "latest_us",
+    "MOST_LAUNCHES",
+]  # fmt: skip
+"""Numbers and fields that loaders send and hosts need not look at."""
+
+EXCEPTIONS = [*CALLED_BY_LIBRARIES, *DECLARED_AS_TEXT, *KEPT, *OF_THE_PROTOCOL]
+DECORATED = ["@command.command*", "@server.feature"]
+"""Commands of click, and answers of the language server."""
+
+
+def test_vulture_finds_nothing_unused() -> None:
+    finder = Vulture(ignore_names=EXCEPTIONS, ignore_decorators=DECORATED)
+    finder.scavenge([str(ROOT / folder) for folder in (*PRODUCT, *USERS)])
+    unused = [
+        f"{item.filename}:{item.first_lineno}: {item.name}"
+        for item in finder.get_unused_code(min_confidence=60)
+        if not any(item.filename.is_relative_to(ROOT / folder) for folder in USERS)
+    ]
+    assert unused == []
+
+
+def test_no_exception_is_needless() -> None:
+    finder = Vulture()
+    finder.scavenge([str(ROOT / folder) for folder in (*PRODUCT, *USERS)])
+    names = {item.name for item in finder.get_unused_code(min_confidence=60)}
+    assert names >= set(EXCEPTIONS)
+
+
+def test_no_pairs_are_dropped_in_silence() -> None:
+    """Sequences of different lengths that are paired on purpose are cut to one length first."""
+    files = [path for folder in PRODUCT for path in (ROOT / folder).rglob("*.py")]
+    assert [str(path) for path in files if "strict=False" in path.read_text()] == []
