@@ -15,7 +15,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,6 +40,7 @@ from nscc_runtime.reference.film import Executed, film
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.resets import Resets
+from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.sensor import default_sensor
 
@@ -193,7 +193,7 @@ class _LookingPixels(Pixels):
         nothing = np.zeros(len(self.places), np.bool_)
         self.bits |= {"SELECT": nothing, "bus": nothing, **self.code}
         self.written_us = dict.fromkeys(self.bits, 0.0)
-        self.retention_us = min([r(self.sensor) for r in self.at("digital")], default=inf)
+        self.retention_us = retention_us(self.program.effects, self.sensor)
         self.now_us, self.after_us, self.in_e, self.number = 0.0, 0.0, 0.0, 0
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
