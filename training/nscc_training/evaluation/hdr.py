@@ -122,7 +122,8 @@ def also_saturated(
         items = scored(usable)
         means: dict[str, Any] = {}
         for name in ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db"):
-            mean = metrics.finite_mean(number(item.metrics[name]) for item in items)
+            scores = [number(item.metrics[name]) for item in items]
+            mean = metrics.finite_mean(scores) if scores else np.inf
             means[f"mean_{name}"] = None if np.isinf(mean) else mean
         found.append({
             "saturated_fraction": fraction, "crops": len(items), "crops_left_out": len(left_out),

@@ -58,7 +58,8 @@ def evaluate_hdr_baseline(
     choices, metric = stops_of(name, protocol, seed, codes), _HINDSIGHT.get(name, "psnr_db")
 
     def worth(tried: tuple[NDArray[np.int64], list[Scored]]) -> float:
-        return finite_mean((number(each.item.metrics[metric]) for each in tried[1]), -np.inf)
+        scores = [number(each.item.metrics[metric]) for each in tried[1]]
+        return finite_mean(scores) if scores else -np.inf
 
     tried = ((stops, _decoded(name, usable, stops, protocol, seed)) for stops in choices)
     stops, every = max(tried, key=worth)

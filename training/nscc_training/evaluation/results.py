@@ -51,7 +51,13 @@ class Scored(NamedTuple):
 class Scene(ABC):
     """A scene as a protocol exposes it; `light_e` in electrons."""
 
+    file: Path
     light_e: Array
+
+    @property
+    def name(self) -> str:
+        """The file's name and the scene's place in it."""
+        return self.file.name
 
     @property
     def truth_e(self) -> Array:
@@ -94,8 +100,22 @@ def scored(
             left_out.append(scene.as_json())
             continue
         made, seconds = decode(scene, index)
+        check_finite(made, scene.name)
         truth = scene.truth_e.astype(np.float32)
         yield Scored(scene.item(made), made.astype(np.float32), truth, seconds)
+
+
+def check_finite(result: Array, name: str) -> None:
+    """Rejected (NS0804) for a reconstruction with values that are not finite: it has no score."""
+    bad = int(np.count_nonzero(~np.isfinite(result)))
+    if bad:
+        raise rejected(
+            "NS0804",
+            f"{bad} of {result.size} values of the reconstruction of '{name}' are not finite",
+            notes=("PSNR and SSIM of such values mean nothing",),
+            helps=("look at the decoder and its weights: NaN and infinity come from there",),
+            data={"count": bad},
+        )
 
 
 @dataclass(frozen=True)
