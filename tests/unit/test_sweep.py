@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import csv
 import io
-import json
+import os
+import sqlite3
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +23,8 @@ from nscc.source import Source
 from nscc_training.sweep import compiling
 from nscc_training.sweep.grid import read_grid
 from nscc_training.sweep.keys import key_of
-from nscc_training.sweep.store import ROWS, Store
+from nscc_training.sweep.point import Row
+from nscc_training.sweep.store import RowStore
 
 STOPS = """
 [stops]
@@ -46,8 +52,9 @@ def swept(folder: Path, *more: str, status: int = 0) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO((folder / "out/table.csv").read_text())))
 
 
-def kept(folder: Path) -> list[dict[str, Any]]:
-    return [json.loads(line) for line in (folder / "out" / ROWS).read_text().splitlines()]
+def kept(folder: Path) -> dict[str, Row]:
+    with RowStore(folder / "out") as store:
+        return store.rows()
 
 
 def test_every_combination_has_the_figures_of_its_report(tmp_path: Path) -> None:
@@ -112,7 +119,7 @@ def test_panels_that_show_the_same_have_the_same_scales() -> None:
 
 
 def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Ended in the middle, with a line cut short: nothing that is known is computed again."""
+    """Ended in the middle: nothing that is known is computed again."""
     written(tmp_path, GRID)
     whole = swept(tmp_path)
     calls: list[Any] = []
@@ -121,14 +128,13 @@ def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         "nscc_training.sweep.work.KINDS",
         {"compile": replaced(lambda values, place: calls.append(values) or compute(values, place))},
     )
-    rows = tmp_path / "out" / ROWS
-    lines = rows.read_text().splitlines(keepends=True)
-    rows.write_text("".join(lines[:2]) + "no row\n" + lines[2][:-5])
+    rows = kept(tmp_path)
+    with RowStore(tmp_path / "out") as store:
+        for key in list(rows)[2:]:
+            store.forget(key)
     assert swept(tmp_path) == whole
     assert len(calls) == 2
-    assert [json.loads(line) for line in rows.read_text().splitlines() if line != "no row"] == [
-        json.loads(line) for line in lines
-    ]
+    assert kept(tmp_path) == rows
     assert swept(tmp_path) == whole
     assert len(calls) == 2
 
@@ -331,11 +337,43 @@ def test_too_many_points(tmp_path: Path) -> None:
         read_grid(written(tmp_path, text))
 
 
-def test_one_sweep_at_a_time(tmp_path: Path) -> None:
+def test_two_sweeps_share_the_work(tmp_path: Path) -> None:
+    """A point that another process has claimed is waited for, and taken over if that one ends."""
     written(tmp_path, GRID)
-    with Store(tmp_path / "out"):
-        done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
-    assert (done.status, done.codes) == (2, ["NS0834"])
+    whole = swept(tmp_path)
+    known = list(kept(tmp_path).values())
+    with RowStore(tmp_path / "out") as store:
+        for row in known:
+            store.forget(row.key)
+    claims = (
+        "import sys, time; from pathlib import Path\n"
+        "from nscc_training.sweep.store import RowStore\n"
+        "store = RowStore(Path('out')); print([store.claim(k) for k in sys.argv[1:]], flush=True)\n"
+        "time.sleep(60)"
+    )
+    other = subprocess.Popen(
+        [sys.executable, "-c", claims, *(row.key for row in known[:2])], cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}, stdout=subprocess.PIPE,
+    )  # fmt: skip
+    assert other.stdout is not None
+    assert other.stdout.readline() == b"[True, True]\n"
+    with ThreadPoolExecutor(1) as pool:
+        table = pool.submit(swept, tmp_path)
+        while len(kept_apart(tmp_path)) < 2:
+            time.sleep(0.02)
+        time.sleep(0.5)
+        assert kept_apart(tmp_path) == {row.key for row in known[2:]}, "those of the other process"
+        other.kill()
+        assert table.result(timeout=60) == whole
+    other.communicate()
+
+
+def kept_apart(folder: Path) -> set[str]:
+    """The keys in the store as another program reads them: a process has its claims once."""
+    with sqlite3.connect(folder / "out/store.sqlite") as database:
+        found = {name for (name,) in database.execute("SELECT name FROM measurement")}
+    database.close()
+    return found
 
 
 @pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate", "design"])

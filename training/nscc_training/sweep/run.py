@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, chdir, nullcontext
 from dataclasses import dataclass
 from pathlib import Path
+from time import sleep
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
@@ -18,13 +19,14 @@ from nscc_training.sweep.grid import Grid
 from nscc_training.sweep.keys import key_of
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import Point, Row
-from nscc_training.sweep.store import Store
+from nscc_training.sweep.store import TIMES, RowStore
 from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
 from nscc_training.sweep.work import FAILED, Done, Task, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 _POINTS = "points"
 _MOST_REASONS = 5
+_POLL_S = 0.2
 _NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
 """Folders in which what points leave has their names."""
 
@@ -60,9 +62,10 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
-    with Store(out) as store:
-        found = (_is_known(store, key, how, _left(out, p, key)) for p, key in keys.items())
-        return len(keys), sum(found)
+    with RowStore(out) as store:
+        rows = store.rows()
+    found = (_is_known(rows.get(key), how, _left(out, p, key)) for p, key in keys.items())
+    return len(keys), sum(found)
 
 
 def sweep(
@@ -71,27 +74,32 @@ def sweep(
 ) -> Swept:  # fmt: skip
     """Compute what is not known of a grid, and write table, report and diagram into `out`.
 
-    Rows are kept as they are found: killed and started again it goes on. Paths in the grid, and in
-    what it names, are relative to its folder. `track` draws progress, `report` is told what there
-    is to do. Raises Rejected: NS0834 where another sweep is at work in `out`, NS0835 without the
-    scheduler, NS0836 where workers have other files or another nscc.
+    Rows are kept as they are found: killed and started again it goes on, and two sweeps with one
+    `out` share the work. Paths in the grid, and in what it names, are relative to its folder.
+    `track` draws progress, `report` is told what there is to do. Raises Rejected: NS0834 for a
+    damaged store in `out`, NS0835 without the scheduler, NS0836 where workers have other files or
+    another nscc.
     """
     keys = _keys(grid, how.threads)
-    with Store(out) as store:
+    with RowStore(out) as store:
+        rows = store.rows()
         todo = {
             key: point
             for point, key in keys.items()
-            if not _is_known(store, key, how, _left(out, point, key))
+            if not _is_known(rows.get(key), how, _left(out, point, key))
         }
         report(f"{len(keys)} points: {len(keys) - len(todo)} known, {len(todo)} to compute")
+        for key in todo.keys() & rows.keys():  # failed before, or lost what they left
+            store.forget(key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
             _compute(tasks, keys, store, how, track)
-        rows = [(point, store.rows[key]) for point, key in keys.items()]
-    table = table_of(grid, rows)
-    files = _write(grid, table, out, parquet=parquet)
+        rows, times = store.rows(), store.times_csv()
+    found = [(point, rows[key]) for point, key in keys.items()]
+    table = table_of(grid, found)
+    files = _write(grid, table, out, times, parquet=parquet)
     _name(out, keys)
-    codes = [row.code for _, row in rows if row.code]
+    codes = [row.code for _, row in found if row.code]
     failed = codes.count(FAILED)
     return Swept(table, len(tasks), len(codes) - failed, failed, files)
 
@@ -134,9 +142,8 @@ def _keys(grid: Grid, threads: int) -> dict[Point, str]:
         return {point: key_of(point, threads) for point in grid.points}
 
 
-def _is_known(store: Store, key: str, how: How, left: Path | None) -> bool:
+def _is_known(row: Row | None, how: How, left: Path | None) -> bool:
     """Whether a point has a row, and what it `left` is still there."""
-    row = store.rows.get(key)
     if row is None or (row.code == FAILED and how.again):
         return False
     return bool(row.code) or left is None or left.exists()
@@ -156,7 +163,7 @@ def _left(out: Path, point: Point, key: str) -> Path | None:
 
 
 def _compute(
-    tasks: Sequence[Task], keys: Mapping[Point, str], store: Store, how: How, track: Progress
+    tasks: Sequence[Task], keys: Mapping[Point, str], store: RowStore, how: How, track: Progress
 ) -> None:
     """Runs first, then what is about them: a run that came to nothing is not to be evaluated."""
     out = tasks[0].files.parent
@@ -165,7 +172,7 @@ def _compute(
     with _executor(how, len(tasks)) as execute:
 
         def every() -> Iterator[Done]:
-            yield from execute([task for task in tasks if task.run is None])
+            yield from _shared(store, [task for task in tasks if task.run is None], execute)
             ready = []
             for task in (task for task in tasks if task.run is not None):
                 without = _without_run(task, keys, store)
@@ -173,7 +180,7 @@ def _compute(
                     ready.append(task)
                 else:
                     yield without
-            yield from execute(ready)
+            yield from _shared(store, ready, execute)
 
         for done in track(every(), "computing points", len(tasks)):
             if done.other_key:
@@ -181,11 +188,41 @@ def _compute(
             store.add(done.row, done.task.point.name, done.seconds, done.worker)
 
 
-def _without_run(task: Task, keys: Mapping[Point, str], store: Store) -> Done | None:
+def _shared(
+    store: RowStore, tasks: Sequence[Task], execute: Callable[..., Iterator[Done]]
+) -> Iterator[Done]:
+    """Yield what comes of tasks; those that another process computes are waited for.
+
+    A task whose process ended without a result is taken over.
+    """
+    left = [*tasks]
+    while left:
+        taken: list[Task] = []
+
+        def claimed(taken: list[Task] = taken, left: Sequence[Task] = left) -> Iterator[Task]:
+            for task in left:
+                if store.claim(task.key):
+                    taken.append(task)
+                    if store.get(task.key) is None:
+                        yield task
+
+        for done in execute(claimed()):
+            yield done
+            store.release(done.task.key)
+        for task in taken:
+            store.release(task.key)
+        mine = {task.key for task in taken}
+        left = [task for task in left if task.key not in mine and store.get(task.key) is None]
+        if left:
+            sleep(_POLL_S)
+
+
+def _without_run(task: Task, keys: Mapping[Point, str], store: RowStore) -> Done | None:
     """What comes of a task whose run came to nothing; None where there is a run."""
     after = task.point.after
     assert after is not None
-    row = store.rows[keys[after]]
+    row = store.get(keys[after])
+    assert row is not None  # runs are computed first
     if not row.code:
         return None
     error = f"its run {after.name} has none: {row.error}"
@@ -217,7 +254,7 @@ def _differs(done: Done) -> Rejected:
     )
 
 
-def _write(grid: Grid, table: Table, out: Path, *, parquet: bool) -> tuple[Path, ...]:
+def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
     """The products, all or none."""
     from nscc_training.sweep.report import diagram_of, report_html
 
@@ -228,7 +265,7 @@ def _write(grid: Grid, table: Table, out: Path, *, parquet: bool) -> tuple[Path,
     if diagram is not None:
         products[out / DIAGRAM] = diagram
     products[out / REPORT] = report_html(grid, table, diagram).encode()
-    write_together(products)
+    write_together({**products, out / TIMES: times.encode()})
     return tuple(products)
 
 
