@@ -16,6 +16,8 @@ from typing import Any, Self
 
 from nscc.diagnostics.rejection import rejected
 
+STORE = "store.sqlite"
+"""The store in a folder of results."""
 CLAIMS = ".claims"
 """The file of claims is called as the store, with this at the end."""
 _BUSY_S = 60.0

@@ -68,7 +68,7 @@ def sci8(
     The yardsticks see the truth, not the measurement, and say so in the result ("sees").
     """
     from nscc_training.baselines.loops import denoise
-    from nscc_training.evaluation.sci8 import evaluate_sci8
+    from nscc_training.evaluation.baselines import evaluate_sci8
 
     names = [path.name for path in clips]
     if twice := sorted({name for name in names if names.count(name) > 1}):
@@ -80,15 +80,12 @@ def sci8(
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
-@click.option("--data", required=True, type=PATH, metavar="DIR",
-              help="The folder of scenes.")  # fmt: skip
-@click.option(
-    "--protocol",
-    type=PROTOCOL,
-    required=True,
-    metavar="P",
-    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1 or staggered-v1.",
-)
+@click.option("--data", type=PATH, metavar="DIR", help="The folder of scenes.")
+@click.option("--protocol", type=PROTOCOL, metavar="P",
+              help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1 or staggered-v1.")  # fmt: skip
+@click.option("--split", type=click.Choice(["val"]), metavar="val",
+              help="Instead of --data and --protocol: the scenes that a run was chosen by, as "
+              "its metrics.csv scores them.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
@@ -102,8 +99,8 @@ def sci8(
 @_save_option
 @_outputs
 def of(
-    subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, shutter: str,
-    effects: str, trust_code: bool, **outputs: Any,
+    subject: str, data: Path | None, protocol: str | None, split: str | None, seed: int,
+    skip_seen: bool, shutter: str, effects: str, trust_code: bool, **outputs: Any,
 ) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
@@ -118,10 +115,20 @@ def of(
     Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
     staggered-v1: aligned, staggered, staggered-alone.
     """
+    if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
+        raise click.UsageError("name --data and --protocol, or else --split val")
+    if data is None or protocol is None:
+        from nscc_training.evaluation.runs import evaluate_validation
+        from nscc_training.run_folder import load_run
+
+        folder = load_run(Path(subject), trust_code=trust_code)
+        return _of_scenes(*evaluate_validation(folder), **outputs)
     from nscc_training.evaluation.subjects import evaluate
 
-    chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
-    found = evaluate(subject, data, protocol, seed, codes=shutter, effects=effects, **chosen)
+    found = evaluate(
+        subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,
+        trust_code=trust_code,
+    )  # fmt: skip
     _of_scenes(*found, **outputs)
 
 
@@ -140,7 +147,7 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
     at 10 and 50 % of saturated pixels, with all effects of the sensor, and with comparators of 1, 2
     and 4 % of noise and offset.
     """
-    from nscc_training.evaluation.hdr_looks import every_row, rows_text
+    from nscc_training.evaluation.looks import every_row, rows_text
 
     found = every_row(data, results, seed, lambda rows: progress(rows, "evaluating"))
     _finish(found, rows_text(found), {}, **outputs)

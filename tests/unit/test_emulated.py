@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -30,11 +29,10 @@ from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
-from nscc_training.evaluation import runs  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
-from nscc_training.evaluation.runs import made_by_chip  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.frame_reading import FrameRead  # noqa: E402
+from nscc_training.loop import decoding  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
 from nscc_training.reconstruct import reconstructed  # noqa: E402
 from nscc_training.run_files import WEIGHTS  # noqa: E402
@@ -129,11 +127,12 @@ def test_a_run_is_emulated_where_it_trains(
         raise SeenError
 
     monkeypatch.setattr(emulated, "simulate", seen)
-    monkeypatch.setattr(runs, "simulate", seen)
+    monkeypatch.setattr(decoding, "simulate", seen)
     with pytest.raises(SeenError):
         run.parts.emulated  # noqa: B018  # made when it is asked for
+    sensor = run.parts.sensor
     with pytest.raises(SeenError):
-        made_by_chip(run, 0, program, "all", SimpleNamespace(light_e=np.ones((8, 8))), 0)
+        decoding.scene_by_chip(run.parts, program, sensor, np.ones((8, 8)), "all", (0, 0))
     assert asked == [named, named]
 
 
@@ -208,7 +207,7 @@ def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
     card = (begun / "model_card.md").read_text().split("\n\n")[1]
     score = json.loads((begun / "result.json").read_text())["headline"]["psnr_db"]
     assert card.startswith(f"**{score:.2f} dB")
-    assert "no other\neffects of a chip" in card
+    assert "no other effects of a chip" in card
 
 
 @pytest.mark.slow

@@ -23,9 +23,10 @@ from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
-from nscc_training.evaluation.video import encoded  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.protocol_scenes.hdr import Crop, exposed_crop  # noqa: E402
+from nscc_training.protocol_scenes.scene import Unusable  # noqa: E402
+from nscc_training.protocol_scenes.video import encoded  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 

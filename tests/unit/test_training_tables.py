@@ -13,8 +13,8 @@ torch = pytest.importorskip("torch")
 
 from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 
+from nscc_training.baselines import sparse_coding  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.evaluation import hdr_baselines  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.results import mean_of  # noqa: E402
 from nscc_training.evaluation.tables import ROWS, key_of, tables, text_of  # noqa: E402
@@ -27,7 +27,7 @@ def test_tables_have_every_row_and_say_what_was_not_run(
     (tmp_path / "d/hdr").mkdir(parents=True)
     one_crop(tmp_path / "d/hdr/p.hdr")
     # sparse coding takes seconds a crop, and has tests of its own
-    monkeypatch.setattr(hdr_baselines, "coded_still", lambda _frame, _share, made, *_: made)
+    monkeypatch.setattr(sparse_coding, "coded_still", lambda _frame, _share, made, *_: made)
     (tmp_path / "runs").mkdir()
     for seed in (0, 1):
         shutter = {"slots": 256, "tile": [2, 2], "init": "quad", "learn": False}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -29,6 +29,15 @@ class Protocol:
 
     def __getitem__(self, key: str) -> Any:
         return self.values[key]
+
+    @property
+    def still(self) -> bool:
+        """Whether scenes are stills, and not clips."""
+        return self.name == "hdr-v1"
+
+    def changed(self, **values: Any) -> Protocol:
+        """Return a variant: its digest is the file's, and its numbers are not the protocol's."""
+        return replace(self, values={**self.values, **values})
 
     @property
     def mid_grey_e(self) -> float | None:

@@ -28,9 +28,9 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
 
 
 def protocol_files(
-    folder: Path, endings: Collection[str], protocol: str, what: str, wanted: str
+    folder: Path, endings: Collection[str], what: str, wanted: str, protocol: str
 ) -> list[Path]:
-    """The same; Rejected (NS0811) where there are none of `what` a protocol is about."""
+    """Return the same; Rejected (NS0811) if there are none that a protocol is about."""
     found = files_in(folder, endings)
     if not found:
         raise rejected(

@@ -17,7 +17,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from nscc_training.evaluation.hdr_looks import LOOKING, rows_text
+from nscc_training.evaluation.looks import LOOKING, rows_text
 from nscc_training.evaluation.results import compare, mean_of, read_result
 
 HERE = Path(__file__).resolve().parent

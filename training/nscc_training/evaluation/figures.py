@@ -6,7 +6,7 @@ always open, and decoded by the run. Light is in electrons, over the frame or a 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -24,12 +24,13 @@ from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
 from nscc_training.emulated import captures_on
 from nscc_training.encoders import make_encoder
-from nscc_training.evaluation import hdr, video
-from nscc_training.evaluation.results import Scene, Unusable
-from nscc_training.evaluation.runs import container_of, seen_of
+from nscc_training.evaluation.runs import seen_of
+from nscc_training.loop.decoding import container_of, decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
+from nscc_training.protocol_scenes.files import scenes_in
+from nscc_training.protocol_scenes.hdr import ENDINGS
+from nscc_training.protocol_scenes.scene import Scene
 from nscc_training.protocols import load_protocol
-from nscc_training.reconstruct import decoded_frame
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.scene_files import CLIPS, files_in
@@ -116,9 +117,9 @@ def _taken(
     request = Request.of(effects=effects, seed=seed, device_seed=seed, torch_device=on)
     coded, usual = (
         simulate(container, light, parts.sensor, request).frame
-        for container in (container_of(folder), camera(parts.slots, parts.chip.slot_us))
+        for container in (container_of(parts), camera(parts.slots, parts.chip.slot_us))
     )
-    made = decoded_frame(folder, coded.frame[0], coded.saturated[0])
+    made = decoded_frame(parts, coded.frame[0], coded.saturated[0])
     flat = usual.frame[0] * parts.model.electrons_per_lsb / (1 if still else parts.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
     codes = fitted("srgb", np.zeros(1), float(parts.model.top_code))
@@ -129,15 +130,13 @@ def _taken(
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] | None:
     """The scene that a figure shows of a folder, and its file's name; None without any."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
-    endings, name = (hdr.ENDINGS, "hdr") if still else (CLIPS, "video")
+    endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.parts.target.rows, folder.parts.target.cols)
     scenes: list[tuple[float, str, Scene]] = []
     files = files_in(data / name, endings) or files_in(data, endings)
     seen = seen_of(folder, files)
     for path in (path for path in files if path not in seen):
-        every: Iterable[Scene | Unusable] = (
-            hdr.crops([path], protocol) if still else video.windows([path], protocol)
-        )
+        every = scenes_in([path], protocol)
         scene = next((each for each in every if isinstance(each, Scene)), None)
         if scene is not None and scene.light_e.shape[-2:] == size:
             scenes.append((_worth(scene.light_e), path.name, scene))

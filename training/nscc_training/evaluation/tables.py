@@ -17,11 +17,11 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
 from nscc_training.config import load_config
-from nscc_training.evaluation.hdr import ENDINGS
 from nscc_training.evaluation.result_text import result_json
 from nscc_training.evaluation.results import mean_of, read_result
 from nscc_training.evaluation.runs import Key, key_of
 from nscc_training.evaluation.subjects import evaluate
+from nscc_training.protocol_scenes.hdr import ENDINGS
 from nscc_training.protocols import load_protocol
 from nscc_training.run_files import shipped_evaluations
 from nscc_training.scene_files import CLIPS, files_in

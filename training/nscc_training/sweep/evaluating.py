@@ -72,14 +72,16 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def _result(values: Values, place: Place) -> dict[str, Any]:
-    from nscc_training.evaluation.methods import METHODS
-    from nscc_training.evaluation.sci8 import evaluate_sci8, sci_clips
+    from nscc_training.evaluation.baselines import evaluate_sci8
+    from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.subjects import evaluate
+    from nscc_training.protocol_scenes.files import files_of
+    from nscc_training.protocols import load_protocol
 
     data, subject = Path(values["data"]), values.get("subject", "")
-    if values["protocol"] == "sci8" and subject in METHODS:
+    if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
-        return evaluate_sci8(sci_clips(data), subject, count, weight)[0]
+        return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
     # The run of a point is of this grid, whose configuration names its code.
     name = subject if place.run is None else str(place.run)
     chosen = {

@@ -9,10 +9,10 @@ from types import TracebackType
 from typing import Self
 
 from nscc.diagnostics.rejection import rejected
-from nscc.experiment_store import ExperimentStore
+from nscc.experiment_store import STORE, ExperimentStore
 from nscc_training.sweep.point import Row
 
-STORE, TIMES = "store.sqlite", "times.csv"
+TIMES = "times.csv"
 _POINTS = "points"
 """The experiment that a point's row belongs to: its key says everything else."""
 

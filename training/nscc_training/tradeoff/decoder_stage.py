@@ -158,7 +158,7 @@ def _of_run(
         return
     import torch
 
-    from nscc_training.reconstruct import decoded_frame
+    from nscc_training.loop.decoding import decoded_frame
     from nscc_training.run_folder import load_run
 
     folder = load_run(bench.asked.run, trust_code=bench.asked.trust_code)
@@ -170,7 +170,9 @@ def _of_run(
 
     def run(dtype: str) -> Values:
         with torch.autocast(folder.parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
-            made = decoded_frame(folder, codes, full, share, (rows.start or 0, cols.start or 0))
+            made = decoded_frame(
+                folder.parts, codes, full, share, (rows.start or 0, cols.start or 0)
+            )
         return made[None] if folder.parts.still else made
 
     for dtype in ("f32", "bf16"):

@@ -39,20 +39,22 @@ class Measured:
         )  # fmt: skip
 
     @classmethod
-    def read(cls, frame: NDArray[np.float32], mask: NDArray[Any], sensor: SensorModel) -> Measured:
-        """One frame (rows, cols) of a sensor, in codes above the offset; the mask (N, rows, cols).
+    def read(
+        cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
+    ) -> Measured:
+        """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
 
-        Its unit is the electron.
+        `masks` are (B, N, rows, cols).
         """
-        codes = torch.from_numpy(np.ascontiguousarray(frame, np.float32))[None, None]
+        codes = torch.from_numpy(np.ascontiguousarray(frames, np.float32))[None]
         value = codes * sensor.electrons_per_lsb
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
         variance = torch.full_like(value, noise_lsb2 * sensor.electrons_per_lsb**2)
         if sensor.shot_noise:
             variance = variance + value.clamp(min=0)
         full = codes >= sensor.full_code
-        opened = torch.from_numpy(np.ascontiguousarray(mask, np.float32))
-        return cls(value, opened[None, None], variance, full)
+        opened = torch.from_numpy(np.ascontiguousarray(masks, np.float32))
+        return cls(value, opened[None], variance, full)
 
     def over(self, unit: Tensor) -> Measured:
         """The same in other units (batch,) of light."""
