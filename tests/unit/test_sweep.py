@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.report import report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
+from nscc_training.scene_files import files_in
 from nscc_training.sweep import compiling
 from nscc_training.sweep.grid import read_grid
 from nscc_training.sweep.keys import key_of
@@ -325,6 +327,89 @@ def test_points_have_the_names_that_are_asked_for(tmp_path: Path) -> None:
         read_grid(written(tmp_path, GRID + 'name = "x{slot}"'))
 
 
+RUNS = """
+kind = "train"
+
+[first]
+name = "class-{shutter.class}/first/seed{train.seed}"
+shutter.slots = 4
+shutter.tile = [2, 2]
+shutter.class = "b"
+data.patch = 16
+data.val_items = 2
+train.seed = [0, 1]
+train.steps = 2
+train.batch = 2
+train.validate_every = 2
+
+[second]
+like = "first"
+name = "class-{shutter.class}/second"
+train.seed = 0
+decoder.init = "run:class-b/first/seed1"
+"""
+
+
+def test_a_part_takes_the_keys_of_another(tmp_path: Path) -> None:
+    points = read_grid(written(tmp_path, RUNS)).points
+    assert [point.name for point in points] == [
+        "class-b/first/seed0", "class-b/first/seed1", "class-b/second",
+    ]  # fmt: skip
+    assert points[2].values["train.batch"] == 2
+    assert [run.name for run in points[2].after] == ["class-b/first/seed1"]
+    assert key_of(points[2], 1) != key_of(replace(points[2], after=(points[0],)), 1)
+
+
+def test_a_run_begins_with_another_of_the_grid(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    written(tmp_path, RUNS)
+    rows = swept(tmp_path)
+    assert [row["code"] for row in rows] == ["", "", ""]
+    second = tmp_path / "out/runs/class-b/second"
+    settings = (second / "config.resolved.toml").read_text()
+    begun = (tmp_path / "out/runs/class-b/first/seed1").resolve()
+    assert f'init = "{begun}"' in settings
+    assert not list((tmp_path / "out/runs").glob("first*"))
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ('decoder.init = "run:class-b/first/seed7"', "no run called 'class-b/first/seed7'"),
+        ('decoder.init = "run:class-b/second"', "run 'class-b/second' depends on itself"),
+        ('name = "class-b/first/seed1"', "2 runs called 'class-b/first/seed1'"),
+        ('name = "../second"', "second.name must be a name"),
+        ('name = "/second"', "second.name must be a name"),
+        ('like = "third"', "there is no part 'third' above"),
+        ('like = "second"', "there is no part 'second' above"),
+    ],
+)
+def test_wrong_links(tmp_path: Path, changed: str, said: str) -> None:
+    key = changed.split(" = ")[0]
+    first, second = RUNS.split("[second]")
+    lines = [line for line in second.splitlines() if not line.startswith(key)]
+    written(tmp_path, f"{first}[second]\n{changed}\n" + "\n".join(lines))
+    done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0832"])
+    assert said in done.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_data_are_several_folders_or_some_of_a_folder(tmp_path: Path) -> None:
+    for name in ("a/0.png", "a/1.png", "a/2.jpg", "a/3.png", "b/4.png", "c/x/5.png", "c/y/6.png"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+
+    def names(text: str) -> list[str]:
+        return [path.stem for path in files_in(tmp_path / text, (".png", ".jpg"))]
+
+    assert names("a") == ["0", "1", "2", "3"]
+    assert names(f"a+{tmp_path}/b") == ["0", "1", "2", "3", "4"]
+    assert names(f"a#1,3/4+{tmp_path}/c/*") == ["1", "3", "5", "6"]
+    assert names("a#0/2") == ["0", "2"]
+    assert names("none+nor this") == []
+
+
 def test_the_page_shows_the_example(root: Path) -> None:
     example = (root / "examples/sweep.toml").read_text().partition("\n")[2]
     assert f"```toml\n{example}```" in (root / "docs/sweep.md").read_text()
@@ -380,6 +465,9 @@ def kept_apart(folder: Path) -> set[str]:
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
     assert f"[{kind}]" in text
+    if kind == "train":  # a run of the defaults
+        assert len(read_grid(written(tmp_path, text)).points) == 1
+        return
     with pytest.raises(Rejected) as wrong:  # it names nothing to compute yet
         read_grid(written(tmp_path, text))
     assert {each.code for each in wrong.value.diagnostics} == {"NS0832"}

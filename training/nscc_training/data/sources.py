@@ -16,11 +16,11 @@ from nscc_runtime.scenes.colour import Transfer, linear
 from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, read_picture
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
-from nscc_training.turning_camera import turned
 from nscc_training.data.moving import moving, picture_light, pictures_below, shown_picture
 from nscc_training.import_paths import imported, is_import_path, own_code
 from nscc_training.scene_files import CLIPS, files_in, frames_in, light_in
 from nscc_training.settings import DataSettings
+from nscc_training.turning_camera import turned
 
 _MOST_SIDE = 512
 """Clips are cut to this from their centre: training takes patches."""

@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training import metrics
-from nscc_training.turning_camera import turned
 from nscc_training.measures import decibels, frame_scores
 from nscc_training.protocol_scenes.hdr import light_of
 from nscc_training.protocol_scenes.scene import Scene, Unusable, on_unit_range
 from nscc_training.protocols import Protocol
+from nscc_training.turning_camera import turned
 
 Picture = NDArray[np.float64]
 

@@ -10,6 +10,8 @@ from nscc.files import write_whole
 from nscc.toml.kinds import Flag, Integer, Number, Text
 from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES
+from nscc_training.scene_files import folders_of
+from nscc_training.sweep.light import sensor_changes, sensor_keys
 from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
 from nscc_training.sweep.programs import axis
 
@@ -26,6 +28,7 @@ def _keys() -> tuple[Key, ...]:
         axis("seed", Integer(0, 2**31 - 1), "of random codes and noise", 0),
         axis("shutter", Text(), "other codes of a baseline that takes any, as --shutter", ""),
         axis("effects", Text(), "of the emulated chip that exposes a run's scenes", ""),
+        *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that a run has seen", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),
         axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
@@ -42,7 +45,8 @@ def _fault(values: Values, _named: Collection[str]) -> Fault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    return [Path(values["data"]), *([Path(values["subject"])] if "subject" in values else [])]
+    named = [values.get("subject", ""), values["shutter"]]
+    return [*folders_of(values["data"]), *(Path(name) for name in named if name)]
 
 
 def _evaluate(values: Values, place: Place) -> Figures:
@@ -52,7 +56,7 @@ def _evaluate(values: Values, place: Place) -> Figures:
     from nscc_training.statistics import summary
 
     torch.set_num_threads(place.threads)
-    found = _result(values, place)
+    found = _result(values)
     write_whole(place.files, result_json(found).encode())
     items = found["items"]
     means = {
@@ -71,7 +75,7 @@ def _evaluate(values: Values, place: Place) -> Figures:
     }
 
 
-def _result(values: Values, place: Place) -> dict[str, Any]:
+def _result(values: Values) -> dict[str, Any]:
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.subjects import evaluate
@@ -82,13 +86,13 @@ def _result(values: Values, place: Place) -> dict[str, Any]:
     if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
         return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
-    # The run of a point is of this grid, whose configuration names its code.
-    name = subject if place.run is None else str(place.run)
+    # A run of this grid executes the code that its configuration names.
     chosen = {
-        "trust_code": place.run is not None, "skip_seen": values["skip_seen"],
+        "trust_code": RUN in values, "skip_seen": values["skip_seen"],
         "codes": values["shutter"], "effects": values["effects"],
+        "changes": sensor_changes(values),
     }  # fmt: skip
-    return evaluate(name, data, values["protocol"], values["seed"], **chosen)[0]
+    return evaluate(subject, data, values["protocol"], values["seed"], **chosen)[0]
 
 
 EVALUATE = PointKind(

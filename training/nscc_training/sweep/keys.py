@@ -24,12 +24,12 @@ def key_of(point: Point, threads: int) -> str:
     be read.
     """
     kind = KINDS[point.kind]
-    after = "" if point.after is None else key_of(point.after, threads)
+    after = [key_of(each, threads) for each in point.after]
     given = {name: kind_plain(value) for name, value in sorted(point.values.items())}
     return digest((
         _SCHEMA, kind.name, given, [content(path) for path in kind.reads(point.values)],
         versions(kind.packages, kind.distributions),
-        threads if "torch" in kind.distributions else 0, after,
+        threads if "torch" in kind.distributions else 0, *after,
     ))  # fmt: skip
 
 

@@ -18,7 +18,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_training.sweep.grid import Grid
 from nscc_training.sweep.keys import key_of
 from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.point import Point, Row
+from nscc_training.sweep.point import OF_RUN, Point, Row
 from nscc_training.sweep.store import TIMES, RowStore
 from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
 from nscc_training.sweep.work import FAILED, Done, Task, serially
@@ -150,10 +150,16 @@ def _is_known(row: Row | None, how: How, left: Path | None) -> bool:
 
 
 def _task(point: Point, keys: Mapping[Point, str], grid: Grid, out: Path, how: How) -> Task:
-    after, key = point.after, keys[point]
-    run = None if after is None else _left(out, after, keys[after])
+    key = keys[point]
+    runs = {f"{OF_RUN}{each.name}": _folder_of(out, each, keys) for each in point.after}
     files = _left(out, point, key) or out.resolve() / _POINTS / key
-    return Task(point, key, grid.folder.resolve(), files, how.threads, run)
+    return Task(point, key, grid.folder.resolve(), files, how.threads, runs)
+
+
+def _folder_of(out: Path, run: Point, keys: Mapping[Point, str]) -> Path:
+    folder = _left(out, run, keys[run])
+    assert folder is not None  # points of kind train leave one
+    return folder
 
 
 def _left(out: Path, point: Point, key: str) -> Path | None:
@@ -165,22 +171,28 @@ def _left(out: Path, point: Point, key: str) -> Path | None:
 def _compute(
     tasks: Sequence[Task], keys: Mapping[Point, str], store: RowStore, how: How, track: Progress
 ) -> None:
-    """Runs first, then what is about them: a run that came to nothing is not to be evaluated."""
+    """Compute the tasks, those first whose runs others name."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
     with _executor(how, len(tasks)) as execute:
 
         def every() -> Iterator[Done]:
-            yield from _shared(store, [task for task in tasks if task.run is None], execute)
-            ready = []
-            for task in (task for task in tasks if task.run is not None):
-                without = _without_run(task, keys, store)
-                if without is None:
-                    ready.append(task)
-                else:
-                    yield without
-            yield from _shared(store, ready, execute)
+            pending = {task.key: task for task in tasks}
+            while pending:
+                # What the point names is computed before: one round for each step of the way.
+                ready = [
+                    task for task in pending.values()
+                    if not any(keys[run] in pending for run in task.point.after)
+                ]  # fmt: skip
+                able = []
+                for task in ready:
+                    without = _without_run(task, keys, store)
+                    able += [] if without else [task]
+                    yield from [without] if without else []
+                yield from _shared(store, able, execute)
+                for task in ready:
+                    del pending[task.key]
 
         for done in track(every(), "computing points", len(tasks)):
             if done.other_key:
@@ -218,15 +230,14 @@ def _shared(
 
 
 def _without_run(task: Task, keys: Mapping[Point, str], store: RowStore) -> Done | None:
-    """What comes of a task whose run came to nothing; None where there is a run."""
-    after = task.point.after
-    assert after is not None
-    row = store.get(keys[after])
-    assert row is not None  # runs are computed first
-    if not row.code:
-        return None
-    error = f"its run {after.name} has none: {row.error}"
-    return Done(task, Row(task.key, code=row.code, error=error), 0.0, "")
+    """What comes of a task if a run that it names came to nothing; None where there are all."""
+    for run in task.point.after:
+        row = store.get(keys[run])
+        assert row is not None  # runs are computed first
+        if row.code:
+            error = f"its run {run.name} has none: {row.error}"
+            return Done(task, Row(task.key, code=row.code, error=error), 0.0, "")
+    return None
 
 
 def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
@@ -272,18 +283,16 @@ def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) ->
 def _name(out: Path, keys: Mapping[Point, str]) -> None:
     """Links to what the grid's points left, by their names; those of another grid go."""
     for name in _NAMED.values():
-        for old in (out / name).glob("*"):
-            if old.is_symlink():
-                old.unlink()
+        for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
+            old.unlink()
     taken: set[Path] = set()
     for point, key in keys.items():
         left = _left(out, point, key)
         if left is None or not left.exists():
             continue
-        folder = out / _NAMED[point.kind]
-        folder.mkdir(exist_ok=True)
-        link = folder / (point.name + left.suffix)
+        link = out / _NAMED[point.kind] / (point.name + left.suffix)
         if link in taken:
-            link = folder / f"{point.name}_{key[:8]}{left.suffix}"
+            link = link.with_name(f"{link.stem}_{key[:8]}{left.suffix}")
         taken.add(link)
-        os.symlink(Path("..") / _POINTS / left.name, link)
+        link.parent.mkdir(parents=True, exist_ok=True)
+        os.symlink(os.path.relpath(left, link.parent.resolve()), link)
