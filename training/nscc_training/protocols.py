@@ -12,7 +12,9 @@ from typing import Any
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
 
-NAMES = ("hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1")
+NAMES = (
+    "hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1",
+)  # fmt: skip
 
 
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from functools import cache
 from importlib.resources import as_file, files
+from pathlib import Path
 
 import torch
 from torch import Tensor
@@ -33,6 +34,19 @@ def shipped(kind: str) -> ClipDenoiser:
     made = ClipDenoiser()
     made.load_state_dict(state)
     return made.eval().requires_grad_(False)
+
+
+def write_shipped(clip: Path, still: Path, out: Path) -> None:
+    """Write the weights of two runs as nscc ships them, in half precision."""
+    from safetensors.torch import load_file, save_file
+
+    state = {
+        f"{kind}.{name.removeprefix('denoiser.')}": weight.half()
+        for kind, run in (("clip", clip), ("still", still))
+        for name, weight in load_file(run / "decoder.safetensors").items()
+        if name.startswith("denoiser.")
+    }
+    save_file(state, out)
 
 
 @torch.no_grad()

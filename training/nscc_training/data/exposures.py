@@ -211,13 +211,17 @@ def quantiles(values: Tensor, part: Tensor | float) -> Tensor:
 
     The result is float64, interpolated as numpy does.
     """
-    ordered, last = values.sort(dim=1).values, values.shape[1] - 1
-    parts = torch.as_tensor(part, dtype=torch.float64, device=values.device).expand(len(values))
-    place = parts * last
-    below = place.floor().long()
-    pair = ordered.gather(1, torch.stack([below, (below + 1).clamp(max=last)], 1))
+    last = values.shape[1] - 1
+    if isinstance(part, float):
+        below = int(part * last)
+        most = values.topk(last - below + 1, dim=1).values.double()  # from the largest down
+        low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
+        return low + (high - low) * (part * last - below)
+    place = part.double() * last
+    whole = place.floor().long()
+    pair = values.sort(dim=1).values.gather(1, torch.stack([whole, (whole + 1).clamp(max=last)], 1))
     low, high = pair.double().unbind(1)
-    return low + (high - low) * (place - below)
+    return low + (high - low) * (place - whole)
 
 
 def _without_poles(scene: Scene, settings: DataSettings) -> NDArray[np.float32]:

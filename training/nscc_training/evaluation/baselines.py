@@ -39,6 +39,7 @@ _TILE = (8, 8)
 _CLASSES = {
     "hdr-v1": ("b",),
     "video-v1": ("c", "d", "e"),
+    "codes-v1": ("c", "d", "e"),
     "deblur-v1": ("b", "c", "d", "e"),
 }
 """Classes of codes that `codes` may name, by protocol."""
@@ -116,6 +117,7 @@ BASELINES: dict[str, dict[str, Baseline]] = {
         )
         for name, method in methods.CLIPS.items()
     },
+    "codes-v1": {"any": Baseline(_ANY, "e:random", takes_codes=True)},
     "deblur-v1": {
         "long": Baseline(_READ_OUT, "8", 1),
         "short": Baseline(_READ_OUT, "1", 1),
@@ -188,6 +190,7 @@ def _choices(
     import torch
 
     from nscc_training.encoders import ShutterSpec, make_encoder
+    from nscc_training.programs import Chip, compiled, program_of, words_per_slot
 
     if baseline.tiles is not None:
         if codes:
@@ -196,15 +199,16 @@ def _choices(
         return [(tile, {"frames": len(tile), "tile": [*tile.shape[2:]]})]
     slots = int(protocol["slots" if protocol.still else "frames"])
     if codes or ":" in baseline.start:
+        told: dict[str, Any] = {}
         spec, start = named_codes(codes or baseline.start, protocol, name)
         if not codes:
             length = 1 if name == "bilinear" else spec.length
             spec = ShutterSpec(spec.kind, slots, (baseline.side, baseline.side), length)
         encoder = start if not isinstance(start, str) else make_encoder(spec, start, seed)
-        told = {
-            "stops" if key == "stop" else key: values.tolist()
-            for key, values in encoder.codes().items()
-        }
+        if codes:
+            told["words_per_slot"] = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))
+        for key, values in encoder.codes().items():
+            told["stops" if key == "stop" else key] = values.tolist()
         return [(encoder.hard().cpu(), told)]
     stops = [int(baseline.start)] if baseline.start else [
         1 << k for k in range(slots.bit_length()) if 1 << k <= slots
@@ -220,16 +224,16 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
     names none of the protocol's.
     """
     from nscc_training.encoders import ShutterSpec, make_encoder
-    from nscc_training.run_files import run_path
-    from nscc_training.run_folder import load_run
+    from nscc_training.run_files import CONFIG, run_path
+    from nscc_training.run_folder import run_codes
 
     known, rows = _CLASSES.get(protocol.name, ()), BASELINES[protocol.name]
     kind, _, start = text.partition(":")
     slots = int(protocol["slots" if protocol.still else "frames"])
     if text == rows[name].start or rows[name].takes_codes:
         folder = run_path(Path(text))
-        if folder.is_dir():
-            encoder = load_run(folder).parts.encoder
+        if (folder / CONFIG).is_file():
+            encoder = run_codes(folder)
             if encoder.spec.slots == slots:
                 return encoder.spec, encoder
             reason = f"'{text[:60]}' has codes of {encoder.spec.slots} slots"

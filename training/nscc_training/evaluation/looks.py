@@ -1,15 +1,14 @@
 """The rows of hdr-v1 whose pixels look at the light: no decoder, an exposure over its own time.
 
 The programs are compiled, and their words run on the emulator: with the protocol's noise and a
-comparator's, and beside it with all effects of the sensor and with other comparators. Of `designed`
-rows each crop has a program of its own, made for the light that it has (`nscc design`).
+comparator's, or with other effects. Of `designed` rows each crop has a program of its own, made for
+the light that it has (`nscc design`).
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
-from nscc.experiment_store import STORE, ExperimentStore
 from nscc.pipeline import Options
 from nscc.program.looking import level_steps
 from nscc.source import Source
@@ -28,7 +26,7 @@ from nscc_runtime import capture
 from nscc_runtime.effects import Selection, selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.sensor import Sensor, default_sensor
+from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_training.design.chip import Chip
 from nscc_training.design.looking import Model, Schedule
 from nscc_training.design.scene import histogram
@@ -37,13 +35,10 @@ from nscc_training.evaluation.results import (
     Scored,
     Subject,
     also_saturated,
-    mean_score,
     scored,
     usable_scenes,
     with_arrays,
 )
-from nscc_training.measures import number, stamp
-from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.files import files_of, scenes_in
 from nscc_training.protocol_scenes.scene import Scene
 from nscc_training.protocols import Protocol, load_protocol
@@ -62,9 +57,6 @@ DESIGNED = {"designed-2": 2, "designed-5": 5}
 LOOKING = (*ROWS, *DESIGNED)
 
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
-_COMPARATORS = (0.01, 0.02, 0.04)
-"""Noise and offset of the comparators, in full wells, that are tried beside the default."""
-_EVERY_EFFECT = "all effects"
 
 
 def row_of(name: str, target: Target) -> Schedule:
@@ -74,47 +66,33 @@ def row_of(name: str, target: Target) -> Schedule:
 
 
 def evaluate_looks(
-    name: str, folder: Path, seed: int = 0
+    name: str, folder: Path, seed: int = 0, effects: str = "", changes: Sequence[str] = ()
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of one of LOOKING on a folder of panoramas, and its arrays by name.
 
-    Beside the score, `also` has its means with all effects of the sensor, and with comparators of
-    other noise and offset.
+    `effects` are others than the protocol's noise and a comparator's, `changes` numbers of the
+    sensor, as `nscc run` takes them; programs are designed for the sensor without these.
     """
     protocol = load_protocol("hdr-v1")
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
     target = _target(protocol)
-    read_noise_lsb = float(protocol["read_noise_lsb"])
-    sensor = default_sensor(target).changed(adc_noise_lsb=read_noise_lsb, spread_noise_lsb=0.0)
-    program = _programs(name, target, sensor)
+    own = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
+    program = _programs(name, target, load_sensor(target, None, own))
+    sensor = load_sensor(target, None, (*own, *changes))
+    chosen = selected(effects or _EFFECTS)
 
-    def decoded(
-        shown: Sequence[Scene | None], sensor: Sensor = sensor,
-        effects: Selection = selected(_EFFECTS),  # noqa: B008
-    ) -> list[Scored]:  # fmt: skip
+    def decoded(shown: Sequence[Scene | None]) -> list[Scored]:
         def decode(crop: Scene, index: int) -> tuple[NDArray[np.float64], float]:
             seeds = 1000 * seed + index, 0
-            return looked_light(program(crop), crop.light_e, sensor, effects, seeds), 0.0
+            return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
 
         return list(scored(shown, decode))
 
-    tried = [(_EVERY_EFFECT, sensor, selected("all"))]
-    for size in _COMPARATORS:
-        values = {"comparator_noise_fraction": size, "comparator_offset_fraction": size}
-        both = selected(f"{_EFFECTS},comparator_offset")
-        condition = f"comparators of {size:.0%} noise and offset"
-        tried.append((condition, sensor.changed(**values), both))
-    metrics = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
-    also = [
-        {"sensor": condition, **{f"mean_{key}": mean_score(every, key) for key in metrics}}
-        for condition, other, effects in tried
-        for every in [decoded(usable, other, effects)]
-    ]
-    subject = Subject(name, {**_settings(name), "effects": _EFFECTS, "seed": seed}, decoder_ms=0.0)
+    settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
+    subject = Subject(name, {**_settings(name), **settings}, decoder_ms=0.0)
     others = also_saturated(files, protocol, decoded)
-    every = decoded(usable)
-    return with_arrays(protocol, subject, files, every, left_out, **others, also=also)
+    return with_arrays(protocol, subject, files, decoded(usable), left_out, **others)
 
 
 def looked_light(
@@ -132,47 +110,6 @@ def looked_light(
         container, light, sensor=sensor, effects=effects, seed=seeds[0], device_seed=seeds[1]
     ).told
     return merged_image(told[LIGHT], told[DEVIATION]) * frame_s
-
-
-def every_row(
-    folder: Path,
-    results: Path,
-    seed: int = 0,
-    progress: Callable[[Sequence[str]], Iterable[str]] = iter,
-) -> list[dict[str, Any]]:
-    """Return the results of all LOOKING on a folder of panoramas, kept in a store in `results`."""
-    files = [stamp(path) for path in files_of(load_protocol("hdr-v1"), folder)]
-    results.mkdir(parents=True, exist_ok=True)
-    with ExperimentStore(results / STORE) as store:
-        found = []
-        for name in progress(LOOKING):
-            measure = partial(_result, name, folder, seed)
-            found.append(store.once(f"{files} {seed}", name, measure))
-        return found
-
-
-def _result(name: str, folder: Path, seed: int) -> dict[str, Any]:
-    return evaluate_looks(name, folder, seed)[0]
-
-
-def conditions_of(found: dict[str, Any]) -> dict[str, tuple[float, float]]:
-    """Return the means of PSNR-mu and of linear PSNR of a result, by the conditions of exposure."""
-    ways = {f"{each['saturated_fraction']:.0%} saturated": each for each in found["also_saturated"]}
-    ways |= {each["sensor"]: each for each in found["also"]}
-    own = finite_mean(number(item["mu_psnr_db"]) for item in found["items"]), found["mean"]
-    return {"as hdr-v1": own} | {
-        name: (each["mean_mu_psnr_db"], each["mean_psnr_db"]) for name, each in ways.items()
-    }
-
-
-def rows_text(results: Sequence[dict[str, Any]]) -> str:
-    """Return the rows as a table in Markdown: PSNR-mu and linear PSNR under each condition."""
-    conditions = list(conditions_of(results[0]))
-    rows = [["PSNR-mu / linear, dB", *conditions], ["---"] * (len(conditions) + 1)]
-    for found in results:
-        cells = (f"{mu:.1f} / {linear:.1f}" for mu, linear in conditions_of(found).values())
-        rows.append([found["method"], *cells])
-    return "\n".join(f"| {' | '.join(row)} |" for row in rows) + "\n"
 
 
 def _settings(name: str) -> dict[str, Any]:

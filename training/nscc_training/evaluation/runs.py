@@ -35,29 +35,10 @@ from nscc_training.protocol_scenes.scene import Scene
 from nscc_training.protocol_scenes.sci import SciClip
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
-from nscc_training.settings import Settings
 
 DecodeScene = Callable[[Scene, int], tuple[NDArray[Any], float]]
 _SIZE = (256, 256)
 """Rows and columns of what protocols expose."""
-
-Key = tuple[str, str, str]
-"""What rows of tables know runs by: decoder, class, and what became of the codes: learned, words,
-random, quad or fixed."""
-
-
-def key_of(settings: Settings) -> Key:
-    """The key of a run's settings."""
-    shutter = settings.shutter
-    codes = "learned"
-    if not shutter.learn:
-        codes = shutter.init if shutter.init in ("random", "quad") else "fixed"
-    elif shutter.words_weight > 0:
-        codes = "words"
-    decoder = settings.decoder
-    # Narrower decoders are none of the tables' rows.
-    name = decoder.name if decoder.width == 1 else f"{decoder.name} x {decoder.width:g}"
-    return name, shutter.kind, codes
 
 
 def evaluate_run(
@@ -170,13 +151,13 @@ def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
-            "row": list(key_of(settings)),
             "buckets": parts.buckets,
             "size": settings.decoder.sized,
             "steps": settings.train.steps,
             "train_seed": settings.train.seed,
             "places": folder.result.get("codes", {}).get("places"),
             "moved": folder.result.get("codes", {}).get("moved"),
+            "words_per_slot": folder.result.get("words_per_slot"),
             "program_sha256": sha256(folder.program.encode()).hexdigest(),
             "config_sha256": folder.result.get("config_sha256"),
             "effects": effects,

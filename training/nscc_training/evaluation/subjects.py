@@ -26,14 +26,17 @@ def evaluate(
     """Return the result of a baseline or of a run, and the arrays it made, by name.
 
     A run is a folder or the name of one that comes with nscc. Of it, `trust_code` is as
-    `load_run`'s, `skip_seen`, `effects` and `changes` as `evaluate_run`'s; of a baseline `codes`
-    names other shutters than its own, see `named_codes`.
+    `load_run`'s, `skip_seen` as `evaluate_run`'s; `effects` and `changes` are of a run or of pixels
+    that look; of a baseline `codes` names other shutters than its own, see `named_codes`.
     Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0840
     for codes that it does not take, NS0841 for effects of what has none, NS0811 for a folder
     without its data, and what `load_run` and `evaluate_run` raise.
     """
     chosen = load_protocol(protocol)
     known = (*BASELINES.get(chosen.name, ()), *(LOOKING if chosen.still else ()))
+    if subject in LOOKING and chosen.still:
+        _refuse_codes(codes, subject)
+        return evaluate_looks(subject, data, seed, effects, changes)
     if subject in known:
         if effects or changes:
             raise rejected(
@@ -41,9 +44,6 @@ def evaluate(
                 notes=("its codes are exposed by the sensor that the protocol fixes",),
                 helps=("name a run folder of nscc train, or leave --effects out",),
             )  # fmt: skip
-        if subject in LOOKING:
-            _refuse_codes(codes, subject)
-            return evaluate_looks(subject, data, seed)
         return evaluate_baseline(chosen, subject, data, seed, codes)
     run = run_path(Path(subject))
     if run.is_dir():

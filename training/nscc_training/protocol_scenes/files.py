@@ -23,7 +23,7 @@ _PANORAMAS = (ENDINGS, "panoramas are files ending in", "linear panoramas, 512 x
 _CLIPS = (CLIPS, "clips end in", "clips of at least 256 x 256")
 _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
     "hdr-v1": _PANORAMAS, "deblur-v1": _PANORAMAS, "video-v1": _CLIPS, "two-bucket-v1": _CLIPS,
-    "staggered-v1": _CLIPS,
+    "staggered-v1": _CLIPS, "codes-v1": _CLIPS,
     "sci8": ((".mat",), "clips end in", "the benchmark's clips, or one of them"),
 }  # fmt: skip
 

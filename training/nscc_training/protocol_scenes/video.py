@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -55,7 +56,8 @@ def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[Window | Unus
         size = int(protocol["size"])
         frames: Iterable[NDArray[Any]] = frames_in(path)
         lights = (light_in(_centre(f, size), "srgb" if srgb else "linear") for f in frames)
-        yield from windows_of(path, lights, srgb, protocol)
+        every = windows_of(path, lights, srgb, protocol)
+        yield from islice(every, protocol.values.get("windows"))
 
 
 def windows_of(

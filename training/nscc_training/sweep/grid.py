@@ -22,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
 from nscc.toml.files import file_bytes, file_table, file_text
@@ -122,6 +123,27 @@ def read_grid(path: Path) -> Grid:
     axes = tuple(n for n in columns if any(len(keys.get(n, ())) > 1 for keys in given.values()))
     plot = Plot(**{key.name: found[key.path] for key in _PLOT_KEYS if key.path in found})
     return Grid(path.stem, path.parent, points, columns, axes, plot, source.text)
+
+
+def of_parts(grid: Grid, parts: Sequence[str]) -> Grid:
+    """Return the grid with the points of these parts alone, by default all, and with the runs that
+    they name. Rejected (NS0832) for a part that the grid does not have."""
+    every = tuple(dict.fromkeys(point.part for point in grid.points))
+    for part in parts:
+        if part not in every:
+            hint = meant(part, every, f"the parts are {', '.join(every)}")
+            raise rejected("NS0832", f"the grid has no part '{part[:60]}'", helps=hint)
+    points: dict[Point, None] = {}
+
+    def take(point: Point) -> None:
+        for run in point.after:
+            take(run)
+        points[point] = None
+
+    for point in grid.points:
+        if not parts or point.part in parts:
+            take(point)
+    return replace(grid, points=tuple(points))
 
 
 def part_text(kind: str) -> str:
@@ -269,9 +291,10 @@ def _linked(points: Sequence[Point], schema: Schema[Key], source: Source) -> tup
             if count[name] != 1:
                 found = f"{count[name] or 'no'} run{'s' if count[name] else ''}"
                 raise problem(point, f"[{point.part}]: {found} called '{name[:80]}'", key)
-            if name in (*above, point.name):
+            circle = (*above, point.name) if point.kind == "train" else above
+            if name in circle:
                 raise problem(point, f"[{point.part}]: run '{name[:80]}' depends on itself", key)
-            after.append(link(runs[name], (*above, point.name)))
+            after.append(link(runs[name], circle))
         linked[id(point)] = replace(point, after=tuple(after))
         return linked[id(point)]
 
@@ -293,8 +316,15 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """A name with values in the place of their keys."""
-    return _VALUE.sub(lambda found: _spelled(values.get(found[1])), called)
+    """A name with values in the place of their keys; of a path the folders that it goes down."""
+
+    def spelled(value: Any) -> str:
+        if not isinstance(value, str):
+            return _spelled(value)
+        parts = (_spelled(part) for part in value.split("/") if part not in ("", ".", ".."))
+        return "/".join(parts)
+
+    return _VALUE.sub(lambda found: spelled(values.get(found[1])), called)
 
 
 def _name_fault(called: str, point: Point) -> Fault | None:

@@ -6,20 +6,20 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, chdir, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from time import sleep
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.experiment_store import ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
-from nscc_training.sweep.grid import Grid
-from nscc_training.sweep.keys import key_of
-from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.grid import Grid, of_parts
+from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import OF_RUN, Point, Row
-from nscc_training.sweep.store import TIMES, RowStore
+from nscc_training.sweep.store import POINTS, TIMES, put_row, rows_in, store_in, times_csv
 from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
 from nscc_training.sweep.work import FAILED, Done, Task, serially
 
@@ -62,17 +62,18 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
-    with RowStore(out) as store:
-        rows = store.rows()
+    with store_in(out) as store:
+        rows = rows_in(store)
     found = (_is_known(rows.get(key), how, _left(out, p, key)) for p, key in keys.items())
     return len(keys), sum(found)
 
 
 def sweep(
-    grid: Grid, out: Path, how: How, *, parquet: bool = False, track: Progress = unseen,
-    report: Callable[[str], None] = lambda _text: None,
+    grid: Grid, out: Path, how: How, *, parts: Sequence[str] = (), parquet: bool = False,
+    track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
 ) -> Swept:  # fmt: skip
-    """Compute what is not known of a grid, and write table, report and diagram into `out`.
+    """Compute what is not known of a grid, or of `parts` of it, and write table, report and diagram
+    of all that is known into `out`.
 
     Rows are kept as they are found: killed and started again it goes on, and two sweeps with one
     `out` share the work. Paths in the grid, and in what it names, are relative to its folder.
@@ -81,21 +82,25 @@ def sweep(
     another nscc.
     """
     keys = _keys(grid, how.threads)
-    with RowStore(out) as store:
-        rows = store.rows()
+    wanted = of_parts(grid, parts).points
+    with store_in(out) as store:
+        rows = rows_in(store)
         todo = {
-            key: point
-            for point, key in keys.items()
-            if not _is_known(rows.get(key), how, _left(out, point, key))
+            keys[point]: point
+            for point in dict.fromkeys(wanted)
+            if not _is_known(rows.get(keys[point]), how, _left(out, point, keys[point]))
         }
-        report(f"{len(keys)} points: {len(keys) - len(todo)} known, {len(todo)} to compute")
+        count = len({keys[point] for point in wanted})
+        report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
         for key in todo.keys() & rows.keys():  # failed before, or lost what they left
-            store.forget(key)
+            store.forget(POINTS, key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
             _compute(tasks, keys, store, how, track)
-        rows, times = store.rows(), store.times_csv()
+        rows, times = rows_in(store), times_csv(store)
+    keys = {point: key for point, key in keys.items() if key in rows}
     found = [(point, rows[key]) for point, key in keys.items()]
+    grid = replace(grid, points=tuple(keys))
     table = table_of(grid, found)
     files = _write(grid, table, out, times, parquet=parquet)
     _name(out, keys)
@@ -151,15 +156,9 @@ def _is_known(row: Row | None, how: How, left: Path | None) -> bool:
 
 def _task(point: Point, keys: Mapping[Point, str], grid: Grid, out: Path, how: How) -> Task:
     key = keys[point]
-    runs = {f"{OF_RUN}{each.name}": _folder_of(out, each, keys) for each in point.after}
+    runs = {f"{OF_RUN}{run.name}": _left(out, run, keys[run]) for run in point.after}
     files = _left(out, point, key) or out.resolve() / _POINTS / key
     return Task(point, key, grid.folder.resolve(), files, how.threads, runs)
-
-
-def _folder_of(out: Path, run: Point, keys: Mapping[Point, str]) -> Path:
-    folder = _left(out, run, keys[run])
-    assert folder is not None  # points of kind train leave one
-    return folder
 
 
 def _left(out: Path, point: Point, key: str) -> Path | None:
@@ -169,8 +168,9 @@ def _left(out: Path, point: Point, key: str) -> Path | None:
 
 
 def _compute(
-    tasks: Sequence[Task], keys: Mapping[Point, str], store: RowStore, how: How, track: Progress
-) -> None:
+    tasks: Sequence[Task], keys: Mapping[Point, str], store: ExperimentStore, how: How,
+    track: Progress,
+) -> None:  # fmt: skip
     """Compute the tasks, those first whose runs others name."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
@@ -197,11 +197,11 @@ def _compute(
         for done in track(every(), "computing points", len(tasks)):
             if done.other_key:
                 raise _differs(done)
-            store.add(done.row, done.task.point.name, done.seconds, done.worker)
+            put_row(store, done.row, done.task.point.name, done.seconds, done.worker)
 
 
 def _shared(
-    store: RowStore, tasks: Sequence[Task], execute: Callable[..., Iterator[Done]]
+    store: ExperimentStore, tasks: Sequence[Task], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
     """Yield what comes of tasks; those that another process computes are waited for.
 
@@ -213,30 +213,31 @@ def _shared(
 
         def claimed(taken: list[Task] = taken, left: Sequence[Task] = left) -> Iterator[Task]:
             for task in left:
-                if store.claim(task.key):
+                if store.claim(POINTS, task.key):
                     taken.append(task)
-                    if store.get(task.key) is None:
+                    if store.get(POINTS, task.key) is None:
                         yield task
 
         for done in execute(claimed()):
             yield done
-            store.release(done.task.key)
+            store.release(POINTS, done.task.key)
         for task in taken:
-            store.release(task.key)
+            store.release(POINTS, task.key)
         mine = {task.key for task in taken}
-        left = [task for task in left if task.key not in mine and store.get(task.key) is None]
+        others = (task for task in left if task.key not in mine)
+        left = [task for task in others if store.get(POINTS, task.key) is None]
         if left:
             sleep(_POLL_S)
 
 
-def _without_run(task: Task, keys: Mapping[Point, str], store: RowStore) -> Done | None:
+def _without_run(task: Task, keys: Mapping[Point, str], store: ExperimentStore) -> Done | None:
     """What comes of a task if a run that it names came to nothing; None where there are all."""
     for run in task.point.after:
-        row = store.get(keys[run])
+        row = store.get(POINTS, keys[run])
         assert row is not None  # runs are computed first
-        if row.code:
-            error = f"its run {run.name} has none: {row.error}"
-            return Done(task, Row(task.key, code=row.code, error=error), 0.0, "")
+        if row["code"]:
+            error = f"its run {run.name} has none: {row['error']}"
+            return Done(task, Row(task.key, code=row["code"], error=error), 0.0, "")
     return None
 
 

@@ -14,8 +14,7 @@ from threading import Lock
 from time import perf_counter
 
 from nscc.diagnostics.diagnostic import Rejected, Severity
-from nscc_training.sweep.keys import key_of
-from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import Figures, Place, Point, Row
 
 FAILED = "NS0833"
@@ -37,7 +36,7 @@ class Task:
     folder: Path
     files: Path
     threads: int
-    runs: Mapping[str, Path] = field(default_factory=dict)
+    runs: Mapping[str, Path | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
