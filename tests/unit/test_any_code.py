@@ -469,3 +469,24 @@ def test_colours_are_decoded_one_by_one(tmp_path: Path) -> None:
     np.savez(tmp_path / "g.npz", **{**one, "meta": json.dumps(meta)})
     assert invoke(["reconstruct", "any", "g.npz", "-o", "g_o.npz"], tmp_path).status == 0
     assert np.array_equal(image[..., 1], np.load(tmp_path / "g_o.npz")["image"])
+
+
+def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
+    """Of runs that have learned nothing: those that they began with."""
+    from safetensors.torch import load_file, save_file
+
+    from nscc_training.any_code.decode import WEIGHTS, write_shipped
+    from nscc_training.any_code.decoder import any_code
+    from nscc_training.any_code.network import ClipDenoiser
+    from nscc_training.decoders.declared import Task
+
+    for kind in ("clip", "still"):
+        decoder = any_code(ClipDenoiser().widths, Task(kind, 16, (8, 8)), "small")
+        (tmp_path / kind).mkdir()
+        state = {name: weight.contiguous() for name, weight in decoder.state_dict().items()}
+        save_file(state, tmp_path / kind / "decoder.safetensors")
+    write_shipped(tmp_path / "clip", tmp_path / "still", tmp_path / WEIGHTS)
+    shipped = Path(str(files("nscc_training.any_code") / WEIGHTS))
+    wanted, found = load_file(shipped), load_file(tmp_path / WEIGHTS)
+    assert wanted.keys() == found.keys()
+    assert all(torch.equal(wanted[name], found[name]) for name in wanted)

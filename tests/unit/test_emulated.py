@@ -39,7 +39,7 @@ from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
 
-RUNS = Path(__file__).resolve().parents[2] / "training/results/runs"
+RUNS = Path(__file__).resolve().parents[2] / "training/results/shipped"
 TILE = (2, 2)
 SLOTS = 8
 PROGRAM = """nsl 1
@@ -114,7 +114,7 @@ def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
 def test_a_run_is_emulated_where_it_trains(
     device: str, named: str | None, program: Container, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    run = load_run(RUNS / "hdr_learned_0")
+    run = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0")
     settings = replace(run.parts.settings, sensor=replace(run.parts.settings.sensor, effects="all"))
     run = replace(run, parts=replace(run.parts, settings=settings, device=torch.device(device)))
     asked = []
@@ -155,7 +155,7 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
 def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: Path) -> None:
     """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
     clip(tmp_path / "c.mat", 16, 256)
-    run = RUNS / "vid_learned_0"
+    run = RUNS / "clips/class-d/learned-from-2x2/unet2d/noise-alone/seed0"
     plain, _ = evaluate(str(run), tmp_path, "video-v1", 0)
     chip, _ = evaluate(str(run), tmp_path, "video-v1", 0, effects="all")
     assert chip["settings"]["effects"] == "all"
@@ -238,7 +238,7 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
 
 def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
     """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
-    folder = load_run(RUNS / "under_still")
+    folder = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0")
     size = (folder.parts.target.rows, folder.parts.target.cols)
     generator = np.random.default_rng(5)
     codes = generator.integers(20, 90, (1, *size)).astype(np.uint8)

@@ -24,9 +24,9 @@ from nscc.source import Source
 from nscc_training.scene_files import files_in
 from nscc_training.sweep import compiling
 from nscc_training.sweep.grid import read_grid
-from nscc_training.sweep.keys import key_of
+from nscc_training.sweep.kinds import key_of
 from nscc_training.sweep.point import Row
-from nscc_training.sweep.store import RowStore
+from nscc_training.sweep.store import POINTS, rows_in, store_in
 
 STOPS = """
 [stops]
@@ -55,8 +55,8 @@ def swept(folder: Path, *more: str, status: int = 0) -> list[dict[str, str]]:
 
 
 def kept(folder: Path) -> dict[str, Row]:
-    with RowStore(folder / "out") as store:
-        return store.rows()
+    with store_in(folder / "out") as store:
+        return rows_in(store)
 
 
 def test_every_combination_has_the_figures_of_its_report(tmp_path: Path) -> None:
@@ -131,9 +131,8 @@ def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         {"compile": replaced(lambda values, place: calls.append(values) or compute(values, place))},
     )
     rows = kept(tmp_path)
-    with RowStore(tmp_path / "out") as store:
-        for key in list(rows)[2:]:
-            store.forget(key)
+    with store_in(tmp_path / "out") as store:
+        store.forget(POINTS, *list(rows)[2:])
     assert swept(tmp_path) == whole
     assert len(calls) == 2
     assert kept(tmp_path) == rows
@@ -192,7 +191,7 @@ def test_a_key_is_that_of_what_decides(tmp_path: Path, monkeypatch: pytest.Monke
     other_chip = key()
     written(tmp_path, "nsl 1 frame 3 slots of 1ms open when true", "a.nsl")
     other_text = key()
-    monkeypatch.setattr("nscc_training.sweep.keys.versions", lambda *_: ("another",))
+    monkeypatch.setattr("nscc_training.sweep.kinds.versions", lambda *_: ("another",))
     assert len({first, other_chip, other_text, key()}) == 4
 
 
@@ -372,6 +371,20 @@ def test_a_run_begins_with_another_of_the_grid(tmp_path: Path) -> None:
     assert not list((tmp_path / "out/runs").glob("first*"))
 
 
+def test_one_part_is_computed_and_the_table_has_all_that_is_known(tmp_path: Path) -> None:
+    two = GRID.partition("[stops]\n")[2].replace("[4, 8]", "[5, 6]")
+    written(tmp_path, GRID + "[two]\n" + two)
+    whole = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run", "--part", "two"], tmp_path)
+    assert whole.out == "4 points: 0 known, 4 to compute\n"
+    assert [row["part"] for row in swept(tmp_path, "--part", "two")] == ["two"] * 4
+    assert [row["part"] for row in swept(tmp_path, "--part", "stops")] == ["stops"] * 4 + [
+        "two"
+    ] * 4
+    wrong = invoke(["sweep", "grid.toml", "--out", "out", "--part", "too"], tmp_path)
+    assert (wrong.status, wrong.codes) == (2, ["NS0832"])
+    assert "did you mean `two`" in wrong.err
+
+
 @pytest.mark.parametrize(
     ("changed", "said"),
     [
@@ -427,13 +440,12 @@ def test_two_sweeps_share_the_work(tmp_path: Path) -> None:
     written(tmp_path, GRID)
     whole = swept(tmp_path)
     known = list(kept(tmp_path).values())
-    with RowStore(tmp_path / "out") as store:
-        for row in known:
-            store.forget(row.key)
+    with store_in(tmp_path / "out") as store:
+        store.forget(POINTS, *(row.key for row in known))
     claims = (
         "import sys, time; from pathlib import Path\n"
-        "from nscc_training.sweep.store import RowStore\n"
-        "store = RowStore(Path('out')); print([store.claim(k) for k in sys.argv[1:]], flush=True)\n"
+        "from nscc_training.sweep.store import POINTS, store_in\nstore = store_in(Path('out'))\n"
+        "print([store.claim(POINTS, k) for k in sys.argv[1:]], flush=True)\n"
         "time.sleep(60)"
     )
     other = subprocess.Popen(
