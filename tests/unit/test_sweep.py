@@ -497,3 +497,15 @@ def test_dry_run_and_parquet(tmp_path: Path) -> None:
     assert table["words_total"][-1] is None
     again = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run"], tmp_path)
     assert again.out == "5 points: 5 known, 0 to compute\n"
+
+
+def test_means_are_of_the_items_that_have_a_score() -> None:
+    from nscc_training.sweep.evaluating import means_of
+
+    items = [
+        {"file": "a", "crop": None, "frame": 0, "psnr_db": 30.0, "dark_psnr_db": None},
+        {"file": "b", "crop": None, "frame": 0, "psnr_db": 20.0, "dark_psnr_db": 12.0},
+        {"file": "b", "crop": None, "frame": 1, "psnr_db": "inf", "dark_psnr_db": 14.0},
+    ]
+    assert means_of(items) == {"psnr_db": 25.0, "dark_psnr_db": 13.0}
+    assert means_of([{"file": "a", "crop": None, "frame": 0, "dark_psnr_db": None}]) == {}

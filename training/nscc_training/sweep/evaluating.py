@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -53,26 +53,34 @@ def _evaluate(values: Values, place: Place) -> Figures:
     import torch
 
     from nscc_training.evaluation.result_text import result_json
-    from nscc_training.statistics import summary
 
     torch.set_num_threads(place.threads)
     found = _result(values)
     write_whole(place.files, result_json(found).encode())
     items = found["items"]
-    means = {
-        name: summary([float(item[name]) for item in items], [item["file"] for item in items])
-        for name, value in items[0].items()
-        if name not in ("file", "crop", "frame") and isinstance(value, int | float | str)
-    }
     low, high = found["ci95"] or (None, None)
     return {
         "method": found["method"],
         "items": len(items),
-        **{name: each["mean"] for name, each in means.items()},
+        **means_of(items),
         "ci95_low": low,
         "ci95_high": high,
         "parameters": found["parameters"],
     }
+
+
+def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
+    """Return the mean of each score over the items that have it, which not
+    all do: a crop without dark pixels has no score of dark pixels."""
+    from nscc_training.statistics import summary
+
+    means = {}
+    for name in dict.fromkeys(name for item in items for name in item):
+        scored = [item for item in items if isinstance(item.get(name), int | float | str)]
+        if scored and name not in ("file", "crop", "frame"):
+            scores = [float(item[name]) for item in scored]
+            means[name] = summary(scores, [item["file"] for item in scored])["mean"]
+    return means
 
 
 def _result(values: Values) -> dict[str, Any]:
