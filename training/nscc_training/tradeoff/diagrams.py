@@ -65,7 +65,8 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
 
 def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
     """Return every point of every stage on one axis of error and one of time, a line a stage, whose
-    name says what is advised."""
+    name says which setting is advised; the point of that setting is marked."""
+    advised = {id(each.point) for each in joint.advice}
     names = {
         each.stage: f"{each.stage}: {', '.join(filter(None, (point.method, point.setting)))}"
         for each in joint.advice for point in [each.point] if point is not None
@@ -80,7 +81,10 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
         [Panel("", "RMS error, % of the mean signal", points, guides)],
         f"{joint.program} on {Path(joint.scene).name}: what each stage's time buys",
         "compile, lowering, slots: the chip's frame against the light that fell; effects: against "
-        "the reference; decoder: against the scene's light (names: what is advised; hollow: "
+        "the reference; decoder: against the scene's light (names: the advised setting; hollow: "
         f"dominated within its stage; pointing down: no error); {times} on {device}",
-        Reading("time, s", 1e-3, lambda point: names[point.case]),
+        Reading(
+            "time, s", 1e-3, lambda point: names[point.case],
+            lambda point: "advised" if id(point) in advised else "",
+        ),
     )  # fmt: skip
