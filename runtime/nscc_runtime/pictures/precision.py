@@ -23,8 +23,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _MOST_ANCHORS = 40
-"""Points of a line, besides its ends, that its name may stand at: the time to place names grows with
-their number times that of all marks."""
+"""Points of a line, besides its ends, that its name may stand at: the time to place names grows
+with their number times that of all marks."""
 _EXACT = 1e-7
 """On a logarithmic axis errors below this part of the largest are at its end, pointing down."""
 _COLUMNS = 2
