@@ -12,7 +12,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc_cli.support import show
-from nscc_cli.table import COMMANDS
+from nscc_cli.table import COMMANDS, MODULES
 
 
 class LazyGroup(click.Group):
@@ -30,7 +30,9 @@ class LazyGroup(click.Group):
         """The command of that name, imported now; None if there is none."""
         if cmd_name not in COMMANDS:
             return others().get(cmd_name)
-        command: click.Command = import_module(f"nscc_cli.{cmd_name}").command
+        name = MODULES.get(cmd_name)
+        module = import_module(f"nscc_cli.{name or cmd_name}")
+        command: click.Command = getattr(module, cmd_name if name else "command")
         return command
 
     def resolve_command(

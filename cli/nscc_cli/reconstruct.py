@@ -65,7 +65,7 @@ def command(
         image = image_of(Path(run))
         content = Content({"image": image}, image)
     elif run == "any":
-        from nscc_training.any_code.reconstruct import reconstruct_any
+        from nscc_training.reconstruct_any import reconstruct_any
 
         made = reconstruct_any(frame, program, kind, dark)
         say(made.messages)

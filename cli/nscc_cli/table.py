@@ -31,4 +31,9 @@ COMMANDS = {
     "evaluate": "Score reconstructions under a protocol.",
     "doctor": "Report on this installation.",
 }
-"""Name, that of the module here whose `command` it is, and a line of help, in the help's order."""
+"""A line of help by the name of the command, in the help's order. A command is `command` in the
+module of its name, or has its own name in that of `MODULES`."""
+MODULES = {
+    **dict.fromkeys(("asm", "disasm", "diff", "prove", "shutters"), "containers"),
+    **dict.fromkeys(("explain", "examples", "new", "doctor"), "guide"),
+}

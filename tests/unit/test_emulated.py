@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -30,18 +29,17 @@ from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
-from nscc_training.evaluation import runs  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
-from nscc_training.evaluation.runs import made_by_chip  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.frame_reading import FrameRead  # noqa: E402
+from nscc_training.loop import decoding  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
 from nscc_training.reconstruct import reconstructed  # noqa: E402
 from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
 
-RUNS = Path(__file__).resolve().parents[2] / "training/results/runs"
+RUNS = Path(__file__).resolve().parents[2] / "training/results/shipped"
 TILE = (2, 2)
 SLOTS = 8
 PROGRAM = """nsl 1
@@ -123,7 +121,7 @@ def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
 def test_a_run_is_emulated_where_it_trains(
     device: str, named: str | None, program: Container, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    run = load_run(RUNS / "hdr_learned_0")
+    run = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0")
     settings = replace(run.parts.settings, sensor=replace(run.parts.settings.sensor, effects="all"))
     run = replace(run, parts=replace(run.parts, settings=settings, device=torch.device(device)))
     asked = []
@@ -136,11 +134,12 @@ def test_a_run_is_emulated_where_it_trains(
         raise SeenError
 
     monkeypatch.setattr(emulated, "simulate", seen)
-    monkeypatch.setattr(runs, "simulate", seen)
+    monkeypatch.setattr(decoding, "simulate", seen)
     with pytest.raises(SeenError):
         run.parts.emulated  # noqa: B018  # made when it is asked for
+    sensor = run.parts.sensor
     with pytest.raises(SeenError):
-        made_by_chip(run, 0, program, "all", SimpleNamespace(light_e=np.ones((8, 8))), 0)
+        decoding.scene_by_chip(run.parts, program, sensor, np.ones((8, 8)), "all", (0, 0))
     assert asked == [named, named]
 
 
@@ -163,7 +162,7 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
 def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: Path) -> None:
     """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
     clip(tmp_path / "c.mat", 16, 256)
-    run = RUNS / "vid_learned_0"
+    run = RUNS / "clips/class-d/learned-from-2x2/unet2d/noise-alone/seed0"
     plain, _ = evaluate(str(run), tmp_path, "video-v1", 0)
     chip, _ = evaluate(str(run), tmp_path, "video-v1", 0, effects="all")
     assert chip["settings"]["effects"] == "all"
@@ -215,7 +214,7 @@ def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
     card = (begun / "model_card.md").read_text().split("\n\n")[1]
     score = json.loads((begun / "result.json").read_text())["headline"]["psnr_db"]
     assert card.startswith(f"**{score:.2f} dB")
-    assert "no other\neffects of a chip" in card
+    assert "no other effects of a chip" in card
 
 
 @pytest.mark.slow
@@ -246,7 +245,7 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
 
 def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
     """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
-    folder = load_run(RUNS / "under_still")
+    folder = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0")
     size = (folder.parts.target.rows, folder.parts.target.cols)
     generator = np.random.default_rng(5)
     codes = generator.integers(20, 90, (1, *size)).astype(np.uint8)

@@ -87,7 +87,7 @@ def test_a_run_interrupted_after_it_was_brought_goes_on(
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("nscc_training.loop.train._update", interrupted)
+        patch.setattr("nscc_training.loop.train.update", interrupted)
         with pytest.raises(KeyboardInterrupt):
             run(STILL, tmp_path / "r", resume=str(tmp_path / "begun"))
     for name in ("metrics.csv", "checkpoint.safetensors"):
@@ -103,7 +103,7 @@ def test_a_damaged_log_is_said_to_be_one(text: bytes, tmp_path: Path) -> None:
     assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
 
 
-@pytest.mark.parametrize("about", ["[]", "3", "{}", '{"step": 1}', None, "optimiser", "best"])
+@pytest.mark.parametrize("about", ["[]", "3", "{}", '{"step": 1}', None, "optimizer", "best"])
 def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: Path) -> None:
     from safetensors import safe_open
     from safetensors.torch import save_file
@@ -113,7 +113,7 @@ def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: 
     with safe_open(str(path), framework="pt") as file:
         kept = file.metadata()
     tensors = load_file(path)
-    if about in ("optimiser", "best"):
+    if about in ("optimizer", "best"):
         tensors.pop(next(name for name in tensors if name.startswith(about)))
     else:
         kept = None if about is None else {"nscc": about}

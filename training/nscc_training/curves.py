@@ -52,6 +52,13 @@ def srgb(x: Array) -> Array:
     return _as(x, xp.where(wide > 0.0031308, power, 12.92 * wide))
 
 
+def srgb_inverse(y: Array) -> Array:
+    """The linear light that `srgb` takes to y."""
+    xp, wide = _library(y), _wide(y)
+    power = ((xp.clip(wide, 0.04045, None) + 0.055) / 1.055) ** 2.4
+    return _as(y, xp.where(wide > 0.04045, power, wide / 12.92))
+
+
 def pu21(luminance: Array) -> Array:
     """Perceptually uniform units of a luminance in cd/m2: about 256 at 100 cd/m2, 0 at 0.005.
 

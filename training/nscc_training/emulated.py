@@ -23,7 +23,7 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.draws import normal
+from nscc_training.draws import normal, uniform
 from nscc_training.gradients import rounded, saturated
 from nscc_training.sensor_model import SensorModel, laid
 
@@ -87,7 +87,7 @@ class EmulatedSensor:
         if generator is not None:
             sigma = self._between(self.spread, after, known_part)
             codes = codes + model.noise_factor * sigma * normal(codes, generator, torch.float32)
-            marked = full > torch.rand(full.shape, generator=generator).to(full)
+            marked = full > uniform(full, generator)
         codes = rounded(codes) + model.adc_offset_lsb
         codes = saturated(codes, 0.0, float(model.top_code), model.slope)
         return codes.float() - model.adc_offset_lsb, marked

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.rejection import unknown_name
 
-NAMES = ("hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1")
+NAMES = (
+    "hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1",
+)  # fmt: skip
 
 
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
@@ -28,6 +30,15 @@ class Protocol:
 
     def __getitem__(self, key: str) -> Any:
         return self.values[key]
+
+    @property
+    def still(self) -> bool:
+        """Whether scenes are stills, and not clips."""
+        return self.name == "hdr-v1"
+
+    def changed(self, **values: Any) -> Protocol:
+        """Return a variant: its digest is the file's, and its numbers are not the protocol's."""
+        return replace(self, values={**self.values, **values})
 
     @property
     def mid_grey_e(self) -> float | None:

@@ -12,13 +12,15 @@ import torch
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
+from nscc.target.load import load_target
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
+from nscc_training.encoders import Encoder
 from nscc_training.import_paths import is_import_path
-from nscc_training.loop.setup import Parts, make_parts
+from nscc_training.loop.setup import Parts, make_parts, started_encoder
 from nscc_training.problems import is_out_of_memory, said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
-from nscc_training.run_files import run_path
+from nscc_training.run_files import CONFIG, run_path
 from nscc_training.settings import Settings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
@@ -94,6 +96,17 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
         raise _no_run(path, f"decoder.safetensors: {error}") from error
     parts.decoder.eval()
     return RunFolder(path, parts, program, seen, result)
+
+
+def run_codes(path: Path) -> Encoder:
+    """Return the shutters of a run without its weights; Rejected as `started_encoder`."""
+    settings = load_config(path / CONFIG)
+    chosen = replace(settings.shutter, init=str(path / CODES_FILE))
+    file = path / TARGET_FILE
+    if chosen.target.endswith(".toml") and file.is_file():
+        chosen = replace(chosen, target=str(file))
+    chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
+    return started_encoder(chosen, chip, load_target(chosen.target, Path()), 0)
 
 
 def _refuse_code(path: Path, settings: Settings) -> None:

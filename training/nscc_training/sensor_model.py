@@ -124,9 +124,10 @@ class _Masked(Function):
         to_light = grad.unsqueeze(1) * shutters if ctx.needs_input_grad[0] else None
         if not ctx.needs_input_grad[1]:
             return to_light, None
-        to_shutters = torch.zeros_like(shutters, dtype=light.dtype)
-        for lit, slope in zip(light, grad, strict=True):
-            to_shutters.addcmul_(lit, slope)
+        to_shutters = torch.empty_like(shutters, dtype=light.dtype)
+        for first in range(0, light.shape[1], _BLOCK):
+            part = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
+            to_shutters[first : first + _BLOCK] = part.sum(dim=0)
         return to_light, to_shutters.to(shutters.dtype)
 
 

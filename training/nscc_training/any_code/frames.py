@@ -18,9 +18,9 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_file import SCHEMA
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_training.any_code.measured import Measured
 from nscc_training.dark import read_dark, undarkened
 from nscc_training.frame_reading import are_lengths, is_plan, number_of
+from nscc_training.measured import Measured
 from nscc_training.problems import said, why_no_arrays
 
 _TOP = 255

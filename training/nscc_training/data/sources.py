@@ -16,11 +16,11 @@ from nscc_runtime.scenes.colour import Transfer, linear
 from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, read_picture
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
-from nscc_training.data.camera import turned
-from nscc_training.data.moving import moving, picture_of
+from nscc_training.data.moving import moving, picture_light, pictures_below, shown_picture
 from nscc_training.import_paths import imported, is_import_path, own_code
 from nscc_training.scene_files import CLIPS, files_in, frames_in, light_in
 from nscc_training.settings import DataSettings
+from nscc_training.turning_camera import turned
 
 _MOST_SIDE = 512
 """Clips are cut to this from their centre: training takes patches."""
@@ -60,14 +60,17 @@ class Scenes:
         }
 
 
-def load_scenes(settings: DataSettings, still: bool, slots: int, seed: int) -> Scenes:
-    """The scenes that a configuration names.
+def load_scenes(
+    settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False
+) -> Scenes:
+    """The scenes that a configuration names; with `pictures` those to learn from are the light of
+    all pictures below a folder.
 
     Raises Rejected: NS0811 for a folder without scenes of the kind, or where training and
     validation would share one, NS0812 for an import path.
     """
     kind = _Kind(settings, still, slots, seed)
-    train = _load(settings.train, kind, "train")
+    train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
     if settings.val:
         val = _load(settings.val, kind, "val")
     else:
@@ -96,6 +99,12 @@ class _Kind:
     still: bool
     slots: int
     seed: int
+
+
+def _pictures(folder: Path) -> list[Scene]:
+    files = pictures_below(folder)
+    return [Scene(path.name, sha256(path.read_bytes()).hexdigest(), picture_light(path))
+            for path in files]  # fmt: skip
 
 
 def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
@@ -167,7 +176,7 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
 def _moved(path: Path, digest: str, kind: _Kind) -> list[Scene]:
     """The clips of a photograph: layers that are all cut from it, so that no other file is seen."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
-    picture = picture_of(path)
+    picture = shown_picture(picture_light(path))
     transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
     return [
         _scene(

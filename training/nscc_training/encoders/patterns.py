@@ -109,8 +109,8 @@ class Codebook(_Digits):
         """The weights (rows, cols, K) of the shapes at each place: one 1 unless `soft`."""
         scores: Tensor = self.choice
         if soft and self.relaxation == "gumbel" and generator is not None:
-            drawn = torch.empty(scores.shape).exponential_(generator=generator).to(scores.device)
-            scores = scores - torch.log(drawn)
+            drawn = torch.empty(scores.shape, device=generator.device)
+            scores = scores - torch.log(drawn.exponential_(generator=generator)).to(scores)
         likely = functional.softmax(scores / self.temperature, dim=-1)
         if soft:
             return likely
@@ -125,7 +125,9 @@ class Codebook(_Digits):
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             own = scores.argmax(dim=0, keepdim=True)
-            steps = torch.randint(1, max(2, self.rows), own.shape, generator=generator)
+            steps = torch.randint(
+                1, max(2, self.rows), own.shape, generator=generator, device=generator.device
+            )
             other = (own + steps.to(own.device)) % self.rows
         fields = torch.cat([
             self.shown(self.shapes, own), scores.gather(0, own) - scores.gather(0, other)

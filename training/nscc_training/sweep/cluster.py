@@ -6,6 +6,7 @@ import logging
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
@@ -21,6 +22,8 @@ _TRIES = 2
 _POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
 """What tells libraries how many threads to start, before they are imported."""
 _PATIENCE_S = 10
+_AHEAD = 2
+"""Points for each worker that are sent to the scheduler ahead."""
 
 
 @contextmanager
@@ -81,8 +84,10 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
         running[future] = task
         return future
 
-    futures = [start(task) for task in tasks]
-    queue = as_completed(futures, loop=client.loop)
+    # Few at a time: other sweeps may claim what this one has not begun.
+    waiting = iter(tasks)
+    at_once = _AHEAD * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+    queue = as_completed([start(task) for task in islice(waiting, at_once)], loop=client.loop)
     for future in queue:
         task = running.pop(future)
         done = _done(future, task)
@@ -91,6 +96,8 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
             queue.add(start(task))
         else:
             yield done
+            for following in islice(waiting, 1):
+                queue.add(start(following))
 
 
 def _done(future: Future, task: Task) -> Done:
