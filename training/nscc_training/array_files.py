@@ -105,7 +105,7 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, read_picture
+    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, open_pages
 
     if suffix not in PICTURES:
         raise rejected(
@@ -114,8 +114,9 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    stored = read_picture(path)
-    if stored.ndim == 2:
+    pages = [*open_pages(path).read()]
+    stored = np.stack(pages) if len(pages) > 1 else pages[0]
+    if pages[0].ndim == 2:
         return stored
     if suffix in LINEAR:
         return luminance(linear(stored, "linear"))

@@ -184,6 +184,12 @@ def _gather(
     return out
 
 
+def clip_white(clip: NDArray[Any]) -> float | None:
+    """White of a clip in a .mat file: 255 of floats that go beyond 1, as the benchmark has it; None
+    where that of the type is meant."""
+    return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
+
+
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     """The scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as stored).
 

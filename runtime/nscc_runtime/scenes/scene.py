@@ -23,7 +23,8 @@ class Scene:
 
     `name` is a file, a folder or `builtin:NAME`, `exposure` is text as E[@P], `crop` as R,C.
     `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
-    `single` takes it as a still.
+    `single` takes it as a still. `white` is the sample that is white; `skip` leaves out frames that
+    are missing from a folder.
     """
 
     name: str
@@ -36,6 +37,8 @@ class Scene:
     color: bool = False
     first: int = 0
     single: bool = False
+    white: float | None = None
+    skip: bool = False
 
     def light(
         self,
@@ -71,6 +74,8 @@ class Scene:
                 fit=self.fit,
                 first=self.first,
                 single=self.single,
+                white=self.white,
+                skip=self.skip,
                 warn=told,
                 progress=progress,
                 **which,
