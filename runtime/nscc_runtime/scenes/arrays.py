@@ -33,7 +33,7 @@ Check = Callable[[tuple[int, ...]], None]
 """Raises Rejected where a light array of that shape does not fit the program and the array."""
 
 
-def check_type(name: Path, key: str, dtype: np.dtype[Any]) -> None:
+def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
     """Light is made of real numbers: anything else is NS0733."""
     if dtype.kind in "uif":
         return

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
-
-from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.errors import Path_or_name, size
@@ -18,11 +15,6 @@ class Window:
     rows: int
     cols: int
     corner: tuple[int, int] | None = None
-
-    def of(self, picture: NDArray[Any], name: Path_or_name) -> NDArray[Any]:
-        """The part (rows, cols, ...) of a picture (R, C, ...); NS0734 where it does not fit."""
-        top, left = self.place((int(picture.shape[0]), int(picture.shape[1])), name)
-        return picture[top : top + self.rows, left : left + self.cols]
 
     def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
         """Row and column of the top left corner in a picture of that size; NS0734 where the window

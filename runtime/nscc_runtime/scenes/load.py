@@ -19,9 +19,9 @@ from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
-from nscc_runtime.scenes.colour import Transfer, grey
+from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import clamped, refuse_no_light
+from nscc_runtime.scenes.errors import refuse_no_light
 from nscc_runtime.scenes.exposure import Exposure, checked_white
 from nscc_runtime.scenes.fit import (
     Fit,
@@ -36,16 +36,12 @@ from nscc_runtime.scenes.fit import (
     white_used,
 )
 from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_light import picture_light
 
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
 _BUILTINS = ("hdr", "motion", "dark")
-_STRIP = 256
-"""Rows of a picture that become light at a time: a large one never exists in double precision and
-in colours."""
-_TINY_NEGATIVE = 1e-3
-"""Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
 
 
 @dataclass(frozen=True)
@@ -377,19 +373,12 @@ def _light(
 ) -> tuple[NDArray[np.float32], Layout]:
     """A stored picture as light on the arrays, and how it lies; NS0736 for what is not light."""
     where = layout(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
-    with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
-        floats = stored.dtype.kind == "f"
-        peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
-        part = request.window.of(stored, request.name) if where.fit == "crop" else stored
-        strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
-        values = np.concatenate(
-            [grey(strip, transfer, request.channel, request.white) for strip in strips]
-        )
-        low = float(values.min())
-    if low < 0 and low >= -_TINY_NEGATIVE * peak:
-        count = int(np.count_nonzero(values < 0))
-        values = np.maximum(values, 0.0)
-        request.warn(clamped(name, count, values.size, low))
-    place = request.window.place(stored.shape[:2], request.name) if where.fit == "crop" else (0, 0)
-    refuse_no_light(values, name, place)
+    window = None
+    if where.fit == "crop":
+        top, left = request.window.place(where.picture, request.name)
+        window = slice(top, top + request.window.rows), slice(left, left + request.window.cols)
+    values = picture_light(
+        stored, transfer, name, channel=request.channel, white=request.white, window=window,
+        warn=request.warn,
+    )  # fmt: skip
     return placed(values, where), where

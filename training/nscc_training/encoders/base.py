@@ -68,6 +68,16 @@ class Encoder(nn.Module, ABC):
     def codes(self) -> Codes:
         """The legal codes that the parameters stand for now."""
 
+    def check_finite(self) -> None:
+        """ValueError for parameters that are not finite: they stand for no code."""
+        for name, parameter in self.named_parameters():
+            count = int((~torch.isfinite(parameter)).sum())
+            if count:
+                raise ValueError(
+                    f"{count} of {parameter.numel()} values of the parameter `{name}` are not "
+                    "finite, and stand for no code: lower the learning rate, or load other codes"
+                )
+
     @abstractmethod
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         """Set the parameters to these codes. ValueError for wrong names, shapes or values."""

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import torch
 from torch import Tensor
 
@@ -15,6 +16,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.setup import Parts
+from nscc_training.settings import Settings
 
 CHECKPOINT = "checkpoint.safetensors"
 
@@ -34,6 +36,11 @@ class Progress:
 
 def _file_digests(parts: Parts) -> dict[str, str]:
     return {name: sha256(data).hexdigest() for name, data in sorted(parts.files.items())}
+
+
+def _other_settings_digest(settings: Settings) -> str:
+    """The digest of all settings but `train.steps`: a run may be given more of these."""
+    return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
 def tensors_of(parts: Parts) -> dict[str, Tensor]:
@@ -70,6 +77,8 @@ def packed(
         "best_loss": repr(progress.best_loss),
         "best_step": progress.best_step,
         "config_sha256": config_digest(parts.settings),
+        "steps": parts.settings.train.steps,
+        "other_settings_sha256": _other_settings_digest(parts.settings),
         "files": _file_digests(parts),
         "split_sha256": split_digest(scenes),
     }
@@ -80,7 +89,8 @@ def packed(
 def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Optimizer) -> Progress:
     """Set everything to a checkpoint.
 
-    Rejected (NS0816) if it is damaged, of another run, or one that has seen other scenes.
+    The run may have more steps than the checkpoint's. Rejected (NS0816) if the checkpoint is
+    damaged, of another run, or one that has seen other scenes.
     """
     from safetensors import safe_open
 
@@ -91,7 +101,10 @@ def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Opti
         found = Progress(int(about["step"]), float(about["best_loss"]), int(about["best_step"]))
     except Exception as error:  # safetensors raises its own type and several others
         raise _refused(path, f"it cannot be read: {' '.join(str(error).split())[:100]}") from error
-    if about.get("config_sha256") != config_digest(parts.settings):
+    if about.get("config_sha256") != config_digest(parts.settings) and not (
+        about.get("other_settings_sha256") == _other_settings_digest(parts.settings)
+        and about.get("steps", np.inf) < parts.settings.train.steps
+    ):
         raise _refused(path, "it was made with another configuration")
     changed = [name for name, digest in _file_digests(parts).items()
                if about.get("files", {}).get(name) != digest]  # fmt: skip

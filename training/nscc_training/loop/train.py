@@ -77,7 +77,7 @@ def train(
                 helps=("start one: `nscc train` without torchrun",),
             )  # fmt: skip
         checkpoint = _checkpoint(out, resume)
-        run = _start(settings, checkpoint, ranks)
+        run = _start(settings, checkpoint, ranks, report)
         if ranks.first:
             # A checkpoint and a log of another folder become this one's: else what is in it would
             # be of two runs, or could not be gone on with.
@@ -102,10 +102,13 @@ def train(
         ranks.close()
 
 
-def _start(settings: Settings, checkpoint: Path | None, ranks: Ranks) -> Run:
+def _start(
+    settings: Settings, checkpoint: Path | None, ranks: Ranks, report: Callable[[str], None]
+) -> Run:
     """Everything at the first step, or at a checkpoint's."""
     parts = make_parts(settings)
-    scenes = load_scenes(settings.data, parts.still, parts.slots, settings.train.seed)
+    tell: Callable[[str], object] = report if ranks.first else str
+    scenes = load_scenes(settings.data, parts.still, parts.slots, settings.train.seed, tell)
     batches = Batches(
         scenes, settings.data, slots=parts.slots, full_well_e=parts.model.full_e,
         batch=settings.train.batch, seed=settings.train.seed,
