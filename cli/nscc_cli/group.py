@@ -29,7 +29,7 @@ class LazyGroup(click.Group):
         """The command of that name, imported now; None if there is none."""
         if cmd_name not in COMMANDS:
             return others().get(cmd_name)
-        command: click.Command = import_module(f"nscc_cli.{cmd_name}").command
+        command: click.Command = import_module(f"nscc_cli.{cmd_name.replace('-', '_')}").command
         return command
 
     def resolve_command(

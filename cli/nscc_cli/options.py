@@ -57,7 +57,9 @@ def some_option(
 
 
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
-pixels_option = option("--pixels", type=PATH, help="The pixels' codes (.npz).")
+pixels_option = option(
+    "--pixels", type=PATH, help="The pixels' codes (.npz), or a mask (.npy .npz .mat)."
+)
 
 build_options = together(
     option("-O", "level", type=LEVEL,

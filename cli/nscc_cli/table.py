@@ -7,6 +7,7 @@ COMMANDS = {
     "examples": "List the programs that come with nscc, or copy one.",
     "new": "Begin a program: one with a remark on every statement.",
     "design": "Write a program that is made for a scene.",
+    "import-mask": "Write a program that opens an own mask's shutters.",
     "check": "Check programs: names, ranges, time, registers.",
     "build": "Compile a program to a container of words.",
     "run": "Expose one frame of a scene with a program.",
@@ -31,4 +32,5 @@ COMMANDS = {
     "evaluate": "Score reconstructions under a protocol.",
     "doctor": "Report on this installation.",
 }
-"""Name, that of the module here whose `command` it is, and a line of help, in the help's order."""
+"""Name, that of the module here whose `command` it is (with `_` for `-`), and a line of help, in
+the help's order."""

@@ -220,7 +220,9 @@ def _load_path(request: _Request, path: Path) -> Laid:
         usual = picture_files.default_transfer(path)
         return _picture(request, picture_files.open_pages(path), usual)
     if suffix in clips.CLIPS:
-        return _clip(request, clips.read_clip(path), request.transfer or "srgb")
+        pages = clips.open_clip(path)
+        _say_notes(request, pages)
+        return _clip(request, pages.read(), request.transfer or pages.transfer or "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
@@ -233,12 +235,16 @@ def _load_path(request: _Request, path: Path) -> Laid:
 def _picture(request: _Request, pages: Pages, usual: Transfer) -> Laid:
     """A still, or the clip of a file of several pictures; `usual` is the format's curve."""
     transfer = request.transfer or pages.transfer or usual
-    for text, help_text in pages.notes if request.channel is None else ():
-        request.warn(picture_note(f"'{request.name}' {text}", help_text))
+    _say_notes(request, pages)
     if pages.count > 1:
         return _clip(request, pages.read(), transfer)
     _refuse(request, "a still is one frame", "first")
     return _still(request, lambda: next(pages.read()), transfer)
+
+
+def _say_notes(request: _Request, pages: Pages) -> None:
+    for text, help_text in pages.notes if request.channel is None else ():
+        request.warn(picture_note(f"'{request.name}' {text}", help_text))
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
