@@ -82,7 +82,12 @@ def import_mask(
         text = files.text.replace(f'"{CODES_FILE}"', f'"{codes_name}"')
         words = words_per_slot(made)
         packed = codes_bytes(codes) if codes else b""
-        found.append((words, ImportedMask(text, packed, spec.kind, mask_tile(tile), words, ())))
+        found.append(
+            (
+                words,
+                ImportedMask(text, packed, spec.kind, (tile.shape[0], tile.shape[1]), words, ()),
+            )
+        )
     if not found:
         raise rejected(
             "NS0847",
@@ -165,7 +170,7 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
     tile = places[:down, :across]
     if tile.size > MOST_LISTED and tile.shape != array:
         # So many codes are in a file, one for each pixel of the array.
-        tile = tile[np.ix_(np.arange(array[0]) % down, np.arange(array[1]) % across)]
+        tile = _over(tile, array)
     return np.ascontiguousarray(mask.reshape(slots, -1).T[first]), tile
 
 
@@ -180,17 +185,12 @@ def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
     return tile[np.ix_(np.arange(array[0]) % tile.shape[0], np.arange(array[1]) % tile.shape[1])]
 
 
-def mask_tile(tile: NDArray[np.int64]) -> tuple[int, int]:
-    """Rows and columns of a tile."""
-    return tile.shape[0], tile.shape[1]
-
-
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
     """The classes that hold all shutters, with their codes; `reasons` are told of the others."""
     count, slots = shutters.shape
-    shape = mask_tile(tile)
+    shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
     lengths = shutters.sum(axis=1)
     bumps = (lengths > 0) & (stop - start == lengths)

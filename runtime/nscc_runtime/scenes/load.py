@@ -64,6 +64,8 @@ class _Request:
     factor: float | None = None
     white: float | None = None
     skip: bool = False
+    bracket: bool = False
+    times: tuple[float, ...] | None = None
     warn: Callable[[Diagnostic], None] = lambda _: None
     progress: Progress = unseen
 
@@ -130,6 +132,8 @@ def laid_scene(
     factor: float | None = None,
     white: float | None = None,
     skip: bool = False,
+    bracket: bool = False,
+    times: tuple[float, ...] | None = None,
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
 ) -> Laid:
@@ -143,7 +147,8 @@ def laid_scene(
     green or blue (0 to 2) of a picture in colour instead of its luminance, `factor` is known
     electrons for one unit of the scene instead of an exposure. `white` is the sample that is white
     instead of the largest of its type. With `skip`, frames that are missing from a folder are left
-    out with a warning (NS0776) instead of refused.
+    out with a warning (NS0776) instead of refused. `bracket` merges the photos of a folder, or of a
+    pattern, to a still; `times` are their exposures in seconds (default: as their EXIF says).
 
     `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect of
     the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
@@ -151,7 +156,8 @@ def laid_scene(
     """
     request = _Request(
         spec, tuple(slot_us), Window(rows, cols, crop), exposure, transfer, fps, crop, frames_are,
-        fit, first, single, channel, factor, checked_white(white), skip, warn, progress,
+        fit, first, single, channel, factor, checked_white(white), skip, bracket, times,
+        warn, progress,
     )  # fmt: skip
     if crop is not None and fit != "crop":
         _refuse(request, f"--fit {fit} exposes the whole picture", "crop")
@@ -159,11 +165,17 @@ def laid_scene(
         from nscc_runtime.scenes.builtin import load_builtin
 
         why = "a builtin scene is made for the array and the program's slots"
-        _refuse(request, why, "transfer", "fps", "crop", "first", "white")
+        _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket")
         made = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
         if made.kind != "still":
             _refuse(request, why, "single")
         return Laid(made, request.on_array)
+    if bracket:
+        from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
+
+        _refuse(request, "a bracket is one still", "first", "transfer", "white")
+        files = bracket_files(spec)
+        return _still(request, lambda: merged_bracket(files, times), "linear")
     return _load_path(request, _existing(spec))
 
 

@@ -169,10 +169,8 @@ def picture_of(frame: Any) -> NDArray[Any]:
         rgb = _red_green_blue(luma, chroma, int(frame.colorspace))
     else:
         rgb = np.repeat(luma[..., None], 3, axis=-1)
-    most = 255 if bits <= 8 else 65535
-    return np.rint(np.clip(rgb, 0, 1) * np.float32(most)).astype(
-        np.uint8 if bits <= 8 else np.uint16
-    )
+    kind = np.uint8 if bits <= 8 else np.uint16
+    return np.asarray(np.rint(np.clip(rgb, 0, 1) * np.float32(np.iinfo(kind).max)).astype(kind))
 
 
 def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
@@ -198,8 +196,12 @@ def _as_fractions(
     most = (1 << bits) - 1
     luma_black, luma_span = (0, most) if full else (16 * step, 219 * step)
     chroma_span = most if full else 224 * step
-    first = [(planes[0].astype(np.float32) - luma_black) / luma_span]
-    return first + [(plane.astype(np.float32) - 128 * step) / chroma_span for plane in planes[1:]]
+    luma, *chroma = (plane.astype(np.float32) for plane in planes)
+    middle, scale = np.float32(128 * step), np.float32(chroma_span)
+    return [
+        (luma - np.float32(luma_black)) / np.float32(luma_span),
+        *((part - middle) / scale for part in chroma),
+    ]
 
 
 def _red_green_blue(

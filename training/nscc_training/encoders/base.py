@@ -13,7 +13,7 @@ from torch import Tensor, nn
 from nscc_training.code_choices import RELAXATIONS
 from nscc_training.draws import normal
 from nscc_training.encoders.trial import Over, Trial
-from nscc_training.shutter_spec import ShutterSpec
+from nscc_training.shutter_spec import ShutterSpec as ShutterSpec
 
 Codes = dict[str, NDArray[np.int64]]
 """Field values at every place of the tile, by field name, each (rows, cols)."""
