@@ -313,3 +313,43 @@ def test_pages_are_a_clip_for_measures_and_demos(tmp_path: Path) -> None:
     tifffile.imwrite(tmp_path / "c.tif", pages, photometric="minisblack")
     np.testing.assert_array_equal(read_picture_or_clip(tmp_path / "c.tif"), pages)
     assert not subject(Scene(str(tmp_path / "c.tif")), 16, 0.002).still
+
+
+@pytest.mark.parametrize("suffix", [".dng", ".nef"])
+def test_raw_files_have_black_and_white_level_applied(tmp_path: Path, suffix: str) -> None:
+    """A mosaic of 1000 red, 2000 green, 3000 blue above a black level of 200, white 4095."""
+    pytest.importorskip("rawpy")
+    rows, cols = np.mgrid[:64, :80] % 2
+    mosaic = np.choose(rows + cols, (1000, 2000, 3000)).astype(np.uint16)
+    identity = (1, 1, 0, 1, 0, 1, 0, 1, 1, 1, 0, 1, 0, 1, 0, 1, 1, 1)
+    tags = [
+        (50706, "B", 4, (1, 4, 0, 0), True), (50707, "B", 4, (1, 1, 0, 0), True),
+        (50708, "s", 0, "Test", True), (33421, "H", 2, (2, 2), True),
+        (33422, "B", 4, (0, 1, 1, 2), True), (50714, "H", 1, 200, True),
+        (50717, "H", 1, 4095, True), (50721, "2i", 9, identity, True),
+        (50728, "2I", 3, (1, 1, 1, 1, 1, 1), True), (50778, "H", 1, 21, True),
+    ]  # fmt: skip
+    path = tmp_path / f"p{suffix}"
+    tifffile.imwrite(path, mosaic, photometric=32803, extratags=tags, metadata=None)
+    pages = open_pages(path)
+    (picture,) = pages.read()
+    assert (picture.dtype, "colours as the camera has them" in pages.notes[0][0]) == ("u2", True)
+    expected = (np.array([1000, 2000, 3000]) - 200) / (4095 - 200) * 65535
+    np.testing.assert_allclose(
+        picture[20:40, 20:40], np.broadcast_to(expected, (20, 20, 3)), atol=1
+    )
+
+
+def test_a_reader_that_is_missing_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    import sys
+
+    from nscc_command import invoke
+
+    monkeypatch.setitem(sys.modules, "rawpy", None)
+    (tmp_path / "p.dng").write_bytes(b"raw")
+    text = "nsl 1\nframe 1 slots of 1ms\nopen when true\n"
+    (tmp_path / "p.nsl").write_text(text)
+    line = ["run", "p.nsl", "--scene", "p.dng", "--exposure", "1", "-o", "f.npz"]
+    refused = invoke(line, tmp_path)
+    assert (refused.status, refused.codes) == (2, ["NS0904"])
+    assert "rawpy" in refused.err

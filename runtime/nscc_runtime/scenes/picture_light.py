@@ -28,7 +28,7 @@ def picture_light(
     channel: int | None = None,
     white: float | None = None,
     window: tuple[slice, slice] | None = None,
-    warn: Callable[[Diagnostic], None] = lambda _: None,
+    warn: Callable[[Diagnostic], object] = lambda _: None,
 ) -> NDArray[np.float64]:
     """Convert a stored picture to linear light (rows, cols).
 

@@ -90,10 +90,10 @@ def load_scenes(
         kept = set(list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION])
         val = [scene for scene in train if scene.sha256 in kept]
         train = [scene for scene in train if scene.sha256 not in kept]
-        names = ", ".join(dict.fromkeys(scene.name.partition(", path ")[0] for scene in val))
+        kept_back = ", ".join(dict.fromkeys(scene.name.partition(", path ")[0] for scene in val))
         tell(
             f"validation: {len(kept)} of {len(kept) + len({s.sha256 for s in train})} scenes of "
-            f"'{settings.train}' ({names[:200]}), every fifth; data.val names a folder instead"
+            f"'{settings.train}' ({kept_back[:200]}), every fifth; data.val names a folder instead"
         )
     shared = {s.sha256 for s in train} & {s.sha256 for s in val}
     if shared or not train or not val:
