@@ -143,7 +143,11 @@ def _dark_of(
     program, or with light."""
     found = read_dark(path, arrays["decode_shutter"].shape[-2])
     own, dark = arrays["frame"].shape[-2:], found.offset.shape[-2:]
-    if any(most < side or most % side for most, side in zip(own, dark, strict=True)):
+    # A picture that was laid on arrays may end within the last of them.
+    laid = meta.get("laid")
+    needed = [-(-most // side) for most, side in zip(own, dark, strict=True)]
+    fits = isinstance(laid, dict) and needed == laid.get("arrays")
+    if not fits and any(most < side or most % side for most, side in zip(own, dark, strict=True)):
         sizes = f"{dark[0]} x {dark[1]} pixels, the frame {own[0]} x {own[1]}"
         raise nocoded_frame(path, f"without light it has {sizes}",
                              "expose the dark frame with the same program")  # fmt: skip
