@@ -70,6 +70,8 @@ def test_what_cannot_be_merged(tmp_path: Path) -> None:
             parse_times(text)
     with pytest.raises(Rejected, match="NS0777"):
         found(f"{tmp_path}/*.png")
+    with pytest.raises(Rejected, match="NS0739"):
+        load_scene("x.png", slot_us=(1.0,), rows=ROWS, cols=COLS, times=(1.0,))
     for number in range(2):
         cv2.imwrite(str(tmp_path / f"{number}.png"), np.ones((ROWS, COLS), np.uint16))
     with pytest.raises(Rejected, match="NS0777"):

@@ -146,9 +146,8 @@ def laid_scene(
     A clip begins with frame `first`; with `single` that frame is a still. `channel` exposes red,
     green or blue (0 to 2) of a picture in colour instead of its luminance, `factor` is known
     electrons for one unit of the scene instead of an exposure. `white` is the sample that is white
-    instead of the largest of its type. With `skip`, frames that are missing from a folder are left
-    out with a warning (NS0776) instead of refused. `bracket` merges the photos of a folder, or of a
-    pattern, to a still; `times` are their exposures in seconds (default: as their EXIF says).
+    instead of the largest of its type. `skip` leaves out frames that a folder lacks, with a
+    warning (NS0776). `bracket` merges photos to a still; `times` are their exposures in seconds.
 
     `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect of
     the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
@@ -170,7 +169,9 @@ def laid_scene(
         if made.kind != "still":
             _refuse(request, why, "single")
         return Laid(made, request.on_array)
-    if bracket:
+    if not bracket:
+        _refuse(request, "the exposure times are those of a bracket", "times")
+    else:
         from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
 
         _refuse(request, "a bracket is one still", "first", "transfer", "white")
@@ -329,7 +330,9 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Laid:
     """Frames of a clip: one a slot, or as `--fps` lays them under the slots; or one, as a still."""
     if request.single:
-        return _still(request, partial(_only_frame, request, stored), transfer)
+        return _still(
+            request, partial(timing.only_frame, request.name, stored, request.first), transfer
+        )
     request.check_exposure()
     fps = None if request.fps is None else timing.check_fps(request.fps)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
@@ -359,15 +362,6 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     if request.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate)
     return Laid(clip, where, colour)
-
-
-def _only_frame(request: _Request, stored: Iterator[NDArray[Any]]) -> NDArray[Any]:
-    """The frame of a clip that is taken as a still; NS0735 beyond its end."""
-    have = 0
-    for have, picture in enumerate(stored, 1):
-        if have > request.first:
-            return picture
-    raise timing.no_such_frame(request.name, have, request.first)
 
 
 def _say_changes(
