@@ -37,7 +37,8 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    more = {name: options[name] for name in ("fit", "color", "first", "single") if name in options}
+    others = ("fit", "color", "first", "single", "white", "skip", "bracket", "times")
+    more = {name: options[name] for name in others if name in options}
     return Scene(*(options[name] for name in named), **more)
 
 

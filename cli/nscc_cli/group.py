@@ -31,7 +31,7 @@ class LazyGroup(click.Group):
         if cmd_name not in COMMANDS:
             return others().get(cmd_name)
         name = MODULES.get(cmd_name)
-        module = import_module(f"nscc_cli.{name or cmd_name}")
+        module = import_module(f"nscc_cli.{name or cmd_name.replace('-', '_')}")
         command: click.Command = getattr(module, cmd_name if name else "command")
         return command
 

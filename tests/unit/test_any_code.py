@@ -414,6 +414,30 @@ def test_older_files_need_their_program_and_others_are_refused(tmp_path: Path) -
     assert invoke(["reconstruct", "./any", *named[2:]], tmp_path).status == 2
 
 
+def test_frames_of_another_program_are_refused(tmp_path: Path) -> None:
+    """By the shutters that a frame holds, and by its program's digest where it holds none."""
+    for name, stop in (("p", "x % 5"), ("q", "y % 5")):
+        text = "nsl 1\nframe 4 slots of 1ms\ncode stop : 0..4\nopen when n < stop\n"
+        text += f"pixels stop = {stop}\n"
+        (tmp_path / f"{name}.nsl").write_text(text)
+        assert (
+            invoke(["build", f"{name}.nsl", "-o", f"{name}.icw", "-O", "1"], tmp_path).status == 0
+        )
+    line = ["run", "p.icw", "--scene", "builtin:hdr", "-o", "f.npz"]
+    assert invoke(line, tmp_path).status == 0
+    with np.load(tmp_path / "f.npz") as file:
+        old = {key: values for key, values in file.items() if key[:7] != "decode_"}
+    np.savez(tmp_path / "old.npz", **old)
+    for frame in ("f.npz", "old.npz"):
+        line = ["reconstruct", "any", frame, "-o", "o.npz", "--as", "image", "--program"]
+        for program in ("q.icw", "q.nsl"):
+            refused = invoke([*line, program], tmp_path)
+            assert (refused.status, refused.codes) == (2, ["NS0819"])
+            assert "program_sha256" in refused.err
+        for program in ("p.icw", "p.nsl"):
+            assert invoke([*line, program], tmp_path).status == 0
+
+
 @pytest.mark.parametrize("laid", [1, 2])
 def test_what_pixels_read_without_light_is_taken_in_place_of_their_words_mean(laid: int) -> None:
     generator = np.random.default_rng(laid)

@@ -56,6 +56,12 @@ def test_a_photo_becomes_a_sheet_and_a_picture(folder: Path, run_nscc: RunNscc) 
     for line in lines:
         assert run_nscc(line.split()[1:], folder).status == 0
     assert (made / "picture.hdr").read_bytes() == before["picture.hdr"]
+    (made / "picture_frame.npz").write_bytes(before["picture_frame.npz"])
+    line = ["reconstruct", "any", "out/picture_frame.npz", "--dark", "out/picture_dark.npz"]
+    outcome = run_nscc([*line, "-o", "any.npz"], folder)
+    assert outcome.status == 0, outcome.err
+    with np.load(folder / "any.npz") as found:
+        assert found["image"].shape[:2] == (192, 256)
     with np.load(made / "picture_frame.npz") as now:
         assert now["frame"].shape == (1, 192, 256)
 

@@ -202,6 +202,23 @@ def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
     assert not np.array_equal(*codes)
 
 
+def test_a_finished_run_goes_on_with_more_steps_and_not_with_fewer(tmp_path: Path) -> None:
+    from nscc_training.run_folder import load_run
+
+    run(STILL, tmp_path / "r")
+    steps = STILL["train"]["steps"]
+    log = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
+    run(changed(STILL, "train", steps=steps + 2), tmp_path / "r")
+    longer = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
+    assert longer[: len(log)] == log
+    assert int(longer[-1].split(",")[0]) == steps + 2
+    assert load_run(tmp_path / "r").parts.settings.train.steps == steps + 2
+    with pytest.raises(Rejected, match="NS0816"):
+        run(STILL, tmp_path / "r")
+    with pytest.raises(Rejected, match="NS0816"):
+        run(changed(STILL, "train", steps=steps + 4, rate=0.5), tmp_path / "r")
+
+
 def test_never_begins_anew_and_another_configuration_is_refused(tmp_path: Path) -> None:
     run(STILL, tmp_path / "r", stop_after=2)
     with pytest.raises(Rejected, match="NS0816"):

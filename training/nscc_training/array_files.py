@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
+from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
@@ -77,10 +78,8 @@ def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
     if suffix == ".npz":
         with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
             return np.asarray(file[_chosen(path, list(file.files), key)])
-    from scipy.io import loadmat, whosmat
-
-    name = _chosen(path, [str(entry[0]) for entry in whosmat(path)], key)
-    found = np.asarray(loadmat(path, variable_names=[name])[name])
+    name = _chosen(path, mat_names(path), key)
+    found = mat_array(path, name)
     return np.moveaxis(found, 2, 0) if name in ("orig", "video") and found.ndim == 3 else found
 
 
@@ -103,7 +102,7 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, read_picture
+    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, open_pages
 
     if suffix not in PICTURES:
         raise rejected(
@@ -112,8 +111,9 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    stored = read_picture(path)
-    if stored.ndim == 2:
+    pages = [*open_pages(path).read()]
+    stored = np.stack(pages) if len(pages) > 1 else pages[0]
+    if pages[0].ndim == 2:
         return stored
     if suffix in LINEAR:
         return luminance(linear(stored, "linear"))

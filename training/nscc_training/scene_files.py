@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
-from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_mat
+from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, clip_white, read_mat
 from nscc_runtime.scenes.clips import read_clip
 from nscc_runtime.scenes.colour import Transfer, linear, luminance
 
@@ -87,11 +87,14 @@ def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """The frames of a clip as they are stored, one after the other."""
+    """The frames of a clip as they are stored, one after the other; floats have 1 for white."""
     if path.suffix.lower() != ".mat":
         return read_clip(path)
     key, found = read_mat(path, lambda _shape: None)
-    return np.moveaxis(found, 2, 0) if key == MAT_CLIP_KEY else found
+    if key != MAT_CLIP_KEY:
+        return found
+    white = clip_white(found)
+    return np.moveaxis(found if white is None else found / white, 2, 0)
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:

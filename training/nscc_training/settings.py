@@ -142,7 +142,9 @@ class DataSettings:
     """[data]: scenes. Training and validation never share one."""
 
     train: str = key(Text(), "a folder, procedural, or one's own as module:name", "procedural")
-    val: str = key(Text(), "the same; empty: every fifth file of `train`", "procedural")
+    val: str = key(
+        Text(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
+    )
     protocol: str = key(Text(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
     transfer: str = key(
         Text(("", "linear", "srgb")), "curve of clips: linear or srgb; empty: as the protocol says",

@@ -25,7 +25,7 @@ from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes.clips import CLIPS, read_clip
-from nscc_runtime.scenes.picture_files import PICTURES, default_transfer, read_picture
+from nscc_runtime.scenes.picture_files import PICTURES, open_pages, transfer_of
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import light_in
 from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
@@ -66,11 +66,13 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     if suffix == ".npz":
         return _of_arrays(path, tone)
     if suffix in PICTURES:
-        stored = read_picture(path)
-        linear = default_transfer(path) == "linear" or stored.dtype.kind == "f"
-        light = light_in(stored, "linear" if linear else "srgb")
+        pages = open_pages(path)
+        stored = [*islice(pages.read(), _MOST_FRAMES)]
+        linear = transfer_of(path) == "linear" or stored[0].dtype.kind == "f"
+        clip = np.stack([light_in(page, "linear" if linear else "srgb") for page in stored])
+        light = clip if pages.count > 1 else clip[0]
         usual, unit = ("log", "e") if linear else ("srgb", "")
-        content = Content({}, light, tone=tone, usual=usual, unit=unit)
+        content = Content({}, light, moving=pages.count > 1, tone=tone, usual=usual, unit=unit)
         return png_of(content_sheet, content, path.name)
     if suffix in CLIPS:
         frames = islice(read_clip(path), _MOST_FRAMES)

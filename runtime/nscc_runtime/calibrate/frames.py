@@ -264,9 +264,10 @@ def _pictures(path: Path) -> NDArray[Any]:
     from nscc_runtime.scenes import picture_files
 
     if path.is_dir():
-        found = list(picture_files.read_folder(picture_files.files_of(path)))
+        # Frames of one kind have no order: a gap in their numbers is none in time.
+        found = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
     elif path.suffix.lower() in picture_files.PICTURES:
-        found = [picture_files.read_picture(path)]
+        found = list(picture_files.open_pages(path).read())
     else:
         raise _no_frames(
             f"'{path}' does not end like frames",

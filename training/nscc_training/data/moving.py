@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes.picture_files import PICTURES, default_transfer, read_picture
+from nscc_runtime.scenes.picture_files import PICTURES, read_picture, transfer_of
+from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb
-from nscc_training.scene_files import light_in
 
 Picture = NDArray[np.uint8]
 Generator = np.random.Generator
@@ -181,16 +181,16 @@ def pictures_below(folder: Path) -> list[Path]:
     return files
 
 
-def picture_light(path: Path) -> NDArray[np.float32]:
+def light_of_picture(path: Path) -> NDArray[np.float32]:
     """Return the light of a picture, halved until its shorter side is below 1000 pixels: detail as
     sharp as small cameras have it."""
     import cv2
 
-    light = light_in(read_picture(path), default_transfer(path)).astype(np.float32)
+    light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)
     while min(light.shape) >= _SHORT:
         half = cv2.resize(light, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
         light = np.asarray(half, np.float32)
-    return np.maximum(light, 0)
+    return light
 
 
 def shown_picture(light: NDArray[np.float32]) -> Picture:

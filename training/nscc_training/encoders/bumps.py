@@ -157,6 +157,7 @@ class Bump(Encoder):
         return [(self.get_parameter(name), limits) for name, limits in self.limits.items()]
 
     def codes(self) -> Codes:
+        self.check_finite()
         with torch.no_grad():
             values = self.snapped(self.fields(None)).to("cpu", torch.int64).numpy()
         return dict(zip(self.limits, values, strict=True))

@@ -64,6 +64,7 @@ class Bits(_Digits):
         return [(self.logits, (-1.0, 1.0))]
 
     def codes(self) -> Codes:
+        self.check_finite()
         if self.spec.slots > MOST_BITS:
             raise ValueError(f"class e has at most {MOST_BITS} slots, not {self.spec.slots}")
         opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
@@ -159,6 +160,7 @@ class Codebook(_Digits):
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
     def codes(self) -> Codes:
+        self.check_finite()
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import torch
 from torch import Tensor
 from torch.optim.swa_utils import AveragedModel
@@ -17,6 +18,7 @@ from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.optimizers import Muon
 from nscc_training.loop.setup import Parts
+from nscc_training.settings import Settings
 
 CHECKPOINT = "checkpoint.safetensors"
 _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
@@ -65,6 +67,11 @@ class State:
             _set_optimizer(optimizer, _below(f"optimizer.{number}.", tensors))
 
 
+def _other_settings_digest(settings: Settings) -> str:
+    """The digest of all settings but `train.steps`: a run may be given more of these."""
+    return config_digest(replace(settings, train=replace(settings.train, steps=1)))
+
+
 def tensors_of(parts: Parts) -> dict[str, Tensor]:
     """Copies of the parameters of encoder and decoder, by name."""
     return {
@@ -91,6 +98,8 @@ def packed(state: State, scenes: Scenes, progress: Progress) -> bytes:
         "best_loss": repr(progress.best_loss),
         "best_step": progress.best_step,
         "config_sha256": config_digest(state.parts.settings),
+        "steps": state.parts.settings.train.steps,
+        "other_settings_sha256": _other_settings_digest(state.parts.settings),
         "files": _file_digests(state.parts),
         "split_sha256": split_digest(scenes),
     }
@@ -101,7 +110,8 @@ def packed(state: State, scenes: Scenes, progress: Progress) -> bytes:
 def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
     """Set everything to a checkpoint.
 
-    Rejected (NS0816) if it is damaged, of another run, or one that has seen other scenes.
+    The run may have more steps than the checkpoint's. Rejected (NS0816) if the checkpoint is
+    damaged, of another run, or one that has seen other scenes.
     """
     from safetensors import safe_open
 
@@ -112,7 +122,11 @@ def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
         found = Progress(int(about["step"]), float(about["best_loss"]), int(about["best_step"]))
     except Exception as error:  # safetensors raises its own type and several others
         raise _refused(path, f"it cannot be read: {' '.join(str(error).split())[:100]}") from error
-    if about.get("config_sha256") != config_digest(state.parts.settings):
+    settings = state.parts.settings
+    if about.get("config_sha256") != config_digest(settings) and not (
+        about.get("other_settings_sha256") == _other_settings_digest(settings)
+        and about.get("steps", np.inf) < settings.train.steps
+    ):
         raise _refused(path, "it was made with another configuration")
     changed = [name for name, digest in _file_digests(state.parts).items()
                if about.get("files", {}).get(name) != digest]  # fmt: skip

@@ -80,7 +80,7 @@ def train(
     try:
         _check_ranks(settings, ranks)
         checkpoint = _checkpoint(out, resume)
-        run = start(settings, checkpoint, ranks, out)
+        run = start(settings, checkpoint, ranks, out, report)
         if ranks.first:
             # A checkpoint and a log of another folder become this one's: else what is in it would
             # be of two runs, or could not be gone on with.
@@ -106,11 +106,15 @@ def train(
         ranks.close()
 
 
-def start(settings: Settings, checkpoint: Path | None, ranks: Ranks, out: Path) -> Run:
+def start(
+    settings: Settings, checkpoint: Path | None, ranks: Ranks, out: Path,
+    report: Callable[[str], None] = lambda _text: None,
+) -> Run:  # fmt: skip
     """Everything at the first step, or at a checkpoint's."""
     parts = make_parts(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
-    scenes = load_scenes(data, parts.still, parts.slots, seed, pictures=bool(lessons))
+    tell: Callable[[str], object] = report if ranks.first else str
+    scenes = load_scenes(data, parts.still, parts.slots, seed, pictures=bool(lessons), tell=tell)
     dataset: Dataset[Any]
     if lessons:
         lights = [scene.light for scene in scenes.train]
