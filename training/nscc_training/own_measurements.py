@@ -115,7 +115,7 @@ def reconstruct_measurement(measurement: Measurement, noise: NoiseModel) -> Reco
     import torch
 
     from nscc_training.any_code.decode import decoded_clip
-    from nscc_training.any_code.measured import Measured
+    from nscc_training.measured import Measured
 
     begin = perf_counter()
     opened = torch.from_numpy(np.ascontiguousarray(measurement.mask, np.float32))[None, None]
