@@ -167,7 +167,7 @@ def test_chances_are_light_and_its_differences_to_each_neighbour(shape: tuple[in
         return np.where(drawn, values + sum(np.abs(values - each) for each in beside), 0.0)
 
     within, square = contrast(np.minimum(light, well_e)), contrast(light) ** 2
-    expected = 2.0 * drawn / drawn.sum() + within / within.sum() + square / square.sum()
+    expected = 4 * drawn / drawn.sum() + 2 * within / within.sum() + square / square.sum()
     assert chances(light, well_e, never) == pytest.approx(expected)
 
 

@@ -1,7 +1,7 @@
 """Step 1 of planning: a sample of the pixels of a scene, and how many pixels each stands for.
 
 Errors grow with light and with its differences between neighbours, and a few lamps may carry most
-of them. So half of the tiles of 2 x 2 pixels are drawn evenly, and half by both (`chances`).
+of them. So tiles of 2 x 2 pixels are drawn evenly and by both (`chances`).
 Each lies in a tile of 4 x 4, so that its neighbours are there, too. Pixels near
 saturation are a stratum of their own, and so are those that only their neighbours' light brings
 there; they are drawn one by one, in the order of what they see, as likely as pixels of tiles.
@@ -22,7 +22,7 @@ from nscc_runtime.planning.differences import WeightedPixels
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 
-TILES, _SIDE = 128, 2
+TILES, _SIDE = 160, 2
 """How many tiles are drawn, and how many pixels in each direction have all their neighbours."""
 _WHOLE = 2048
 """Scenes of so few pixels are measured whole."""
@@ -248,14 +248,14 @@ def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
 def chances(total_e: Values, full_well_e: float, never: Places) -> Values:
     """How likely each pixel (rows, cols) is to be drawn, up to a factor; places `never` are not.
 
-    Half of the draws fall evenly, a quarter by light and its differences between neighbours up to
-    a full well, and a quarter by the square of all of both: neighbours of lamps and suns may have
-    most of the mean square error.
+    Four draws of seven fall evenly, two by light and its differences between neighbours up to a
+    full well, and one by the square of all of both: neighbours of lamps and suns may have most of
+    the mean square error.
     """
     even = np.ones(total_e.shape)
     within_well = _contrast(np.minimum(total_e, full_well_e))
     chance = np.zeros(total_e.shape)
-    for share, part in ((2.0, even), (1.0, within_well), (1.0, _contrast(total_e) ** 2)):
+    for share, part in ((4.0, even), (2.0, within_well), (1.0, _contrast(total_e) ** 2)):
         part.reshape(-1)[never] = 0.0
         chance += part * (share / max(float(part.sum()), 1e-300))
     return chance
