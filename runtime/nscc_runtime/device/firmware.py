@@ -22,6 +22,8 @@ from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
 from nscc.cache.store import cache_folder
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.files import write_together
 from nscc.words.container import Launch
 from nscc_runtime.device.board import in_background
 from nscc_runtime.device.objects import RUN, WORD
@@ -97,11 +99,39 @@ def compiled(
         raise NotBuilt(str(reason)) from None
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
     key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
-    place = (folder or _kept()) / f"loader-{key.hexdigest()[:32]}"
-    if not place.exists():
+    name = f"loader-{key.hexdigest()[:32]}"
+    place = (folder or _kept()) / name
+    if not _is_whole(place):
         includes = [f"-I{SOURCES / part}" for part in parts]
-        _compile([*command, *includes, *map(str, sources)], header, place)
+        image = _compile([*command, *includes, *map(str, sources)], header)
+        try:
+            _keep(place, image)
+        except Rejected as reason:
+            if folder is not None:
+                raise NotBuilt(reason.diagnostics[0].message) from None
+            place = _passing() / name  # a full or damaged cache does not stop the loader
+            _keep(place, image)
     return place
+
+
+def _digest_of(place: Path) -> Path:
+    """The file with the SHA-256 of a kept loader."""
+    return place.with_name(f"{place.name}.sha256")
+
+
+def _is_whole(place: Path) -> bool:
+    """Whether a kept loader may be executed: its bytes are those that were compiled."""
+    try:
+        digest = sha256(place.read_bytes()).hexdigest().encode()
+        return _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
+    except OSError:
+        return False
+
+
+def _keep(place: Path, image: bytes) -> None:
+    """Keep a loader with its SHA-256; raises Rejected where the folder cannot be written."""
+    write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
+    place.chmod(0o755)
 
 
 def _kept() -> Path:
@@ -112,12 +142,17 @@ def _kept() -> Path:
             folder.mkdir(parents=True, exist_ok=True)
             if os.access(folder, os.W_OK):
                 return folder
-    passing = tempfile.mkdtemp(prefix="nscc-firmware-")
-    register(shutil.rmtree, passing, ignore_errors=True)
-    return Path(passing)
+    return _passing()
 
 
-def _compile(command: list[str], header: str, place: Path) -> None:
+def _passing() -> Path:
+    """A folder that is removed when this process ends."""
+    folder = tempfile.mkdtemp(prefix="nscc-firmware-")
+    register(shutil.rmtree, folder, ignore_errors=True)
+    return Path(folder)
+
+
+def _compile(command: list[str], header: str) -> bytes:
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
@@ -127,12 +162,7 @@ def _compile(command: list[str], header: str, place: Path) -> None:
         if done.returncode:
             lines = done.stderr.strip().splitlines() or [command[0]]
             raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
-        beside = place.with_name(f".{place.name}.{os.getpid()}")
-        try:
-            shutil.copy2(out, beside)
-            os.replace(beside, place)
-        except OSError as error:
-            raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
+        return out.read_bytes()
 
 
 class Recording:
@@ -359,8 +389,13 @@ class Process(Running):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__([str(loader.path), "--pty"], loader.target, chip)
-        self.port = self._named()
+        try:
+            super().__init__([str(loader.path), "--pty"], loader.target, chip)
+            self.port = self._named()
+        except (OSError, RuntimeError) as error:
+            if hasattr(self, "_out"):
+                self.close()
+            raise NotBuilt(f"it does not start: {error}") from None
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:

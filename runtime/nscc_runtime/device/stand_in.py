@@ -95,6 +95,7 @@ def loaded(
     if choice != "python":
         try:
             built = firmware.built(target)
+            process = firmware.Process(built, chip)
         except firmware.NotBuilt as reason:
             if choice == "firmware":
                 raise rejected(
@@ -107,7 +108,7 @@ def loaded(
                 ) from None
             why = str(reason)
         else:
-            with firmware.Process(built, chip) as process:
+            with process:
                 say(f"loader: the firmware, compiled by {built.compiler}")
                 yield process
             return
