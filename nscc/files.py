@@ -50,6 +50,28 @@ def reads(*paths: Path) -> None:
             known[found.st_dev, found.st_ino] = path
 
 
+def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
+    """Read an input file, and note it with `reads`.
+
+    Raises OSError where it cannot be read, ValueError where it has more than `most_bytes`, however
+    long it says that it is: a device has no end.
+    """
+    reads(path)
+    with open(path, "rb") as file:
+        data = file.read(most_bytes + 1)
+    if len(data) > most_bytes:
+        raise ValueError(f"it has more than {most_bytes >> 20} MiB")
+    return data
+
+
+def file_sha256(path: Path) -> str:
+    """The SHA-256 of a file in hexadecimal, read block by block."""
+    from hashlib import file_digest
+
+    with open(path, "rb") as file:
+        return file_digest(file, "sha256").hexdigest()
+
+
 def write_whole(path: Path, data: Product) -> None:
     """Write a file whole or not at all; one that is replaced keeps its rights.
 

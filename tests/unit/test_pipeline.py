@@ -121,3 +121,20 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
         compiled()
     (tmp_path / "p.nsl").write_text(TEXT)
     assert invoke(["build", "p.nsl", "-O", "0"], tmp_path).status == 70
+
+
+def test_the_tree_is_printed_node_by_node() -> None:
+    text = text_after("parse", dict(compiled()[0])["parse"])
+    assert text.splitlines()[0].startswith("Frame 1:7")
+    assert ".. and" not in text
+
+
+def test_long_lists_of_the_tree_are_cut() -> None:
+    entries = ", ".join(map(str, range(25)))
+    source = Source("p.nsl", f"nsl 1\nframe 8 slots of 1ms\ntile [[{entries}]]\n")
+    from nscc.syntax.parse import parse
+    from nscc.syntax.printing import print_tree
+
+    lines = print_tree(parse(source)[0], source).splitlines()
+    cut = [line.strip() for line in lines if ".. and" in line]
+    assert cut == [".. and 5 more"]

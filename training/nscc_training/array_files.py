@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -11,10 +12,15 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest
+from nscc.npy import check_size, npy_header, npz_arrays
+from nscc_runtime.mat_file import mat_arrays, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
 """The arrays that a file of several is taken to mean, the first that it has."""
+
+_MOST_BYTES = 1 << 28
+"""Of one array: to compare two takes some times as much."""
 
 ARRAYS = (".mat", ".npy", ".npz")
 
@@ -73,14 +79,16 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
 
 def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
     if suffix == ".npy":
+        with open(path, "rb") as stream:
+            _, shape, _, dtype = npy_header(stream)
+            check_size(prod(shape) * dtype.itemsize, _MOST_BYTES)
         return np.asarray(np.load(path, allow_pickle=False))
     if suffix == ".npz":
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            return np.asarray(file[_chosen(path, list(file.files), key)])
-    from scipy.io import loadmat, whosmat
-
-    name = _chosen(path, [str(entry[0]) for entry in whosmat(path)], key)
-    found = np.asarray(loadmat(path, variable_names=[name])[name])
+        _, names = npz_arrays(path, lambda _: False)
+        name = _chosen(path, names, key)
+        return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
+    name = _chosen(path, mat_names(path), key)
+    found = mat_arrays(path, [name], _MOST_BYTES)[name]
     return np.moveaxis(found, 2, 0) if name in ("orig", "video") and found.ndim == 3 else found
 
 

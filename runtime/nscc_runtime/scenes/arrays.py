@@ -17,15 +17,19 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import npy_header_2
+from nscc_runtime.mat_file import mat_arrays, mat_names
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, size
 
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
-NPY_HEADERS = {
+NPY_HEADERS: dict[
+    tuple[int, int], Callable[[IO[bytes]], tuple[tuple[int, ...], bool, np.dtype[Any]]]
+] = {
     (1, 0): np.lib.format.read_array_header_1_0,
-    (2, 0): np.lib.format.read_array_header_2_0,
+    (2, 0): npy_header_2,
 }
 """What reads shape, order and type at the beginning of an .npy file, by its version."""
 
@@ -189,23 +193,19 @@ def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
 
     `light` wins where both are there. Files of MATLAB 7.3 (HDF5) are refused (NS0732).
     """
-    from scipy.io import loadmat, whosmat
-
     wanted = (KEY, MAT_CLIP_KEY)
     try:
-        names = [str(name) for name, _, _ in whosmat(path)]
+        names = mat_names(path)
         key = next((k for k in wanted if k in names), None)
         if key is None:
             raise missing_key(path, names, wanted)
-        found: NDArray[Any] = loadmat(path, variable_names=[key])[key]
+        found = mat_arrays(path, [key])[key]
     except Rejected:
         raise
     except NotImplementedError as error:
         raise damaged(path, error, helps=("save it in MATLAB with the option -v7",)) from error
     except Exception as error:  # scipy.io raises a dozen types for damaged files
         raise damaged(path, error) from error
-    if not isinstance(found, np.ndarray):
-        raise damaged(path, f"'{key}' is a {type(found).__name__}, not an array")
     check_type(path, key, found.dtype)
     if key == KEY:
         check(found.shape)

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.scenes.errors import damaged
 from nscc_runtime.scenes.picture_files import quiet
+from nscc_runtime.scenes.picture_size import refuse_size
 
 CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
 
@@ -32,6 +33,8 @@ def _read_video(path: Path) -> Iterator[NDArray[Any]]:
         video = cv2.VideoCapture(str(path), cv2.CAP_FFMPEG)
     found = 0
     try:
+        sides = (cv2.CAP_PROP_FRAME_HEIGHT, cv2.CAP_PROP_FRAME_WIDTH)
+        refuse_size(path, *(int(video.get(side)) for side in sides))
         while True:
             with quiet():
                 good, frame = video.read()
@@ -56,6 +59,7 @@ def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
     except Exception as error:  # Pillow's plugins raise what they like
         raise damaged(path, error) from error
     with image:
+        refuse_size(path, image.height, image.width)
         for number in count():
             try:
                 image.seek(number)

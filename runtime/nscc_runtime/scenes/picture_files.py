@@ -20,6 +20,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import damaged
+from nscc_runtime.scenes.picture_size import refuse_huge
 
 LINEAR = (".exr", ".hdr", ".pfm")
 DISPLAY = (".bmp", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
@@ -39,6 +40,7 @@ def read_picture(path: Path) -> NDArray[Any]:
     reads(path)
     try:
         with quiet():
+            refuse_huge(path)
             picture = _READERS.get(path.suffix.lower(), _read_opencv)(path)
     except Rejected:
         raise

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,12 +14,13 @@ from numpy.typing import NDArray
 from nscc.containers import load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import InvalidArrays
 from nscc_runtime.decode_table import decode_arrays
-from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.any_code.measured import Measured
 from nscc_training.dark import read_dark, undarkened
-from nscc_training.frame_reading import are_lengths, is_plan, number_of
+from nscc_training.frame_reading import are_lengths, number_of
 from nscc_training.problems import said, why_no_arrays
 
 _TOP = 255
@@ -91,15 +91,9 @@ def read_coded_frames(
     is taken off, in place of what its words add in the mean; `warn` is told doubts about it.
     """
     try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
-        meta = json.loads(str(arrays["meta"]))
-    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise nocoded_frame(path, why_no_arrays(path, error)) from error
-    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
-        raise nocoded_frame(path, f"its schema is not {SCHEMA}")
-    if not is_plan(meta.get("plan")):
-        raise nocoded_frame(path, "the `plan` of its meta does not say which effects it has")
+        arrays, meta = read_frame_arrays(path, lambda name: name not in ("light", "truth_e"))
+    except (InvalidArrays, OSError) as error:
+        raise nocoded_frame(path, why_no_arrays(error)) from error
     if program is not None:
         arrays |= _table_of(path, program, meta)
         pixels, own = (arrays[name].shape[-2:] for name in ("decode_row", "frame"))

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import file_sha256
 from nscc_runtime.scenes.colour import Transfer, linear
 from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, read_picture
 from nscc_training import made_scenes
@@ -137,7 +138,7 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
 
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama or a photograph."""
-    digest = sha256(path.read_bytes()).hexdigest()
+    digest = file_sha256(path)
     if path.suffix.lower() in DISPLAY:
         return _moved(path, digest, kind)
     if path.suffix.lower() in LINEAR:

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import read_whole
 from nscc_training.measures import number, stamp
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import labels
@@ -178,7 +179,7 @@ def with_arrays(
 def read_result(path: Path) -> dict[str, Any]:
     """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        found = json.loads(read_whole(path))
         if isinstance(found, dict) and found.get("schema") == SCHEMA:
             if not isinstance(found.get("mean"), int | float | None):
                 raise ValueError("its mean is no number")

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_runtime.mat_file import mat_arrays
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.loops import denoise
 from nscc_training.baselines.tv import Clip
@@ -43,11 +44,8 @@ def sci_clips(where: Path) -> list[Path]:
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     """The clip in a `.mat` file; Rejected (NS0809) where it is not one of the benchmark's kind."""
-    from scipy.io import loadmat
-
     try:
-        with open(path, "rb") as stream:  # of a path scipy does not say that there is no such file
-            found = loadmat(stream, variable_names=["orig", "mask", "meas"])
+        found = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:
         raise _unusable(path, "there is no such file") from None
     except Exception as error:  # scipy.io raises a dozen types for damaged files

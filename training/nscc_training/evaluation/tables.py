@@ -9,13 +9,12 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from hashlib import sha256
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.files import write_together
+from nscc.files import file_sha256, write_together
 from nscc_training.config import load_config
 from nscc_training.evaluation.hdr import ENDINGS
 from nscc_training.evaluation.result_text import result_json
@@ -142,7 +141,7 @@ class _Place:
         name, endings = ("hdr", ENDINGS) if protocol == "hdr-v1" else ("video", CLIPS)
         for folder in (data / name, data):
             if files := files_in(folder, endings):
-                digests = frozenset(sha256(path.read_bytes()).hexdigest() for path in files)
+                digests = frozenset(file_sha256(path) for path in files)
                 return cls(folder, digests)
         return cls(None, frozenset())
 
@@ -196,7 +195,7 @@ def _runs(folder: Path | None) -> list[_Run]:
     found = []
     for place in sorted(p for p in folder.iterdir() if (p / "result.json").is_file()):
         file = place / "config.resolved.toml"
-        found.append(_Run(place, load_config(file), sha256(file.read_bytes()).hexdigest()))
+        found.append(_Run(place, load_config(file), file_sha256(file)))
     return found
 
 

@@ -12,6 +12,7 @@ import torch
 from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import check_size
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.setup import Parts
@@ -85,6 +86,7 @@ def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Opti
     from safetensors import safe_open
 
     try:
+        check_size(path.stat().st_size)
         with safe_open(str(path), framework="pt", device="cpu") as file:
             about = dict(json.loads(file.metadata()["nscc"]))
             tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -19,6 +20,7 @@ from nscc_runtime.progress import unseen
 from nscc_training.config import config_toml
 from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
+from nscc_training.loop.folder_lock import locked_folder
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.searching import search, within
 from nscc_training.loop.setup import Parts, make_parts
@@ -61,6 +63,16 @@ def train(
     both in the process that writes. With `stop_after` the run ends after that step, as if
     interrupted, but with a checkpoint.
     """
+    if os.environ.get("RANK", "0") != "0":  # of several processes of one run the first writes
+        return _train(settings, out, resume, track, report, stop_after)
+    with locked_folder(out):
+        _train(settings, out, resume, track, report, stop_after)
+
+
+def _train(
+    settings: Settings, out: Path, resume: str, track: Track, report: Callable[[str], None],
+    stop_after: int | None,
+) -> None:  # fmt: skip
     ranks = Ranks()
     try:
         if settings.train.batch < ranks.count:
