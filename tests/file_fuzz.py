@@ -71,7 +71,10 @@ READERS: dict[str, tuple[str, ...]] = {
     **{f"pic.{kind}": (f"run flat.nsl --scene pic.{kind} {_SCENE}",)
        for kind in ("hdr", "exr", "tiff", "png", "jpg", "pfm")},
     **{f"clip.{kind}": (f"run flat.nsl --scene clip.{kind} {_SCENE}",) for kind in ("avi", "gif")},
-    "config.toml": ("train config.toml --out out",),
+    "config.toml": (
+        "train config.toml --out out --set train.steps=1 --set train.batch=1 --set data.patch=16 "
+        "--set data.scenes=2 --set data.val_items=1 --set shutter.slots=8",
+    ),
     "run/decoder.safetensors": ("reconstruct run run_frame.npz -o out.png",),
     "run/result.json": ("view run -o out.png", "reconstruct run run_frame.npz -o out.png"),
 }  # fmt: skip

@@ -29,6 +29,8 @@ _KINDS = {
     DEVIATION: ("f", "standard deviations, floats"),
 }
 """Arrays of the frame's shape: the kinds of numpy type that they may have, in words."""
+_MOST_LIGHT = 1e30
+"""Electrons, or electrons a second: no frame has more, and float32 holds their sums."""
 
 
 def read_frame_arrays(
@@ -63,6 +65,8 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
             raise InvalidArrays(f"`{name}` is {values.dtype}, not {words}")
         if values.shape != shape:
             raise InvalidArrays(f"`{name}` is {values.shape}, its frame {shape}")
+        if kinds == "f" and (np.abs(values[np.isfinite(values)]) > _MOST_LIGHT).any():
+            raise InvalidArrays(f"`{name}` has values above {_MOST_LIGHT:g}")
     if not is_plan(meta.get("plan")):
         raise InvalidArrays("the `plan` of its meta does not say which effects it has")
     return meta

@@ -89,7 +89,5 @@ if __name__ == "__main__":
     with TemporaryDirectory() as name:
         make_files(Path(name), with_run="--run" in sys.argv)
         names = EVERY if "--run" in sys.argv else QUICK
-        print(
-            *faults(Path(name), names, int(sys.argv[1]), int(sys.argv[2])),
-            sep="\n" + "-" * 80 + "\n",
-        )
+        found = faults(Path(name), names, int(sys.argv[1]), int(sys.argv[2]))
+        print(*found, f"{len(found)} faults", sep="\n" + "-" * 80 + "\n")
