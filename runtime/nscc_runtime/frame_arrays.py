@@ -47,7 +47,7 @@ def read_frame_arrays(
 
 def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     """Check the arrays of a frame file, and return its meta; raises InvalidArrays."""
-    for name in ("frame", "meta"):
+    for name in ("meta", "frame"):
         if name not in arrays:
             raise InvalidArrays(f"it has no array `{name}`")
     meta = frame_meta(arrays)

@@ -16,6 +16,8 @@ from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
+from nscc.syntax.parse import parse
+from nscc.syntax.printing import print_tree
 
 NAMES = [each.name for each in PASSES]
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 1..7 open when n < stop pixels stop = 1 + x % 7\n"
@@ -124,17 +126,19 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
 
 
 def test_the_tree_is_printed_node_by_node() -> None:
-    text = text_after("parse", dict(compiled()[0])["parse"])
-    assert text.splitlines()[0].startswith("Frame 1:7")
-    assert ".. and" not in text
+    source = Source("p.nsl", "nsl 1\nframe 8 slots of 1ms\nopen when n < 2\n")
+    assert print_tree(parse(source)[0], source).splitlines() == [
+        "Version 1:1", "  Int 1:5 value=1", "EqualSlots 2:1", "  Int 2:7 value=8",
+        "  Time 2:18 us=1000", "Open 3:1", "  Compare 3:11 ops=('<',)", "    Name 3:11 text=n",
+        "    Int 3:15 value=2",
+    ]  # fmt: skip
 
 
-def test_long_lists_of_the_tree_are_cut() -> None:
-    entries = ", ".join(map(str, range(25)))
-    source = Source("p.nsl", f"nsl 1\nframe 8 slots of 1ms\ntile [[{entries}]]\n")
-    from nscc.syntax.parse import parse
-    from nscc.syntax.printing import print_tree
-
-    lines = print_tree(parse(source)[0], source).splitlines()
-    cut = [line.strip() for line in lines if ".. and" in line]
-    assert cut == [".. and 5 more"]
+@pytest.mark.parametrize(("count", "shown", "cut"), [(20, 20, []), (25, 20, [".. and 5 more"])])
+def test_long_lists_of_the_tree_are_cut(count: int, shown: int, cut: list[str]) -> None:
+    numbers = ", ".join(map(str, range(count)))
+    source = Source("p.nsl", f"nsl 1\nframe 8 slots of 1ms\npixels a = tile [[{numbers}]]\n")
+    lines = [line.strip() for line in print_tree(parse(source)[0], source).splitlines()]
+    row = lines[lines.index("TileRow 3:18") + 1 :]
+    assert len([line for line in row if line.startswith("Int")]) == shown
+    assert [line for line in lines if ".. and" in line] == cut
