@@ -14,6 +14,7 @@ MOST_BYTES = 1 << 30
 """What the arrays of one file may take in memory, unless its reader states another bound."""
 
 _MOST_HEADER_BYTES = 1 << 16
+_BLOCK_BYTES = 1 << 24
 
 
 class InvalidArrays(ValueError):
@@ -50,9 +51,14 @@ def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
     """The values behind that header; None if the stream is cut short or too long."""
-    size = prod(shape) * dtype.itemsize
-    data = stream.read(size + 1)
-    if len(data) != size:
+    data = memoryview(bytearray(prod(shape) * dtype.itemsize))
+    filled = 0
+    while block := stream.read(min(len(data) - filled, _BLOCK_BYTES) or 1):
+        if filled + len(block) > len(data):
+            return None
+        data[filled : filled + len(block)] = block
+        filled += len(block)
+    if filled < len(data):
         return None
     values = np.frombuffer(data, dtype=dtype)
     return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)

@@ -31,3 +31,12 @@ def test_reinhard_of_the_dark_shows_light_by_its_white() -> None:
 @pytest.mark.parametrize("name", ["log", "reinhard", "mu-law", "srgb", "linear"])
 def test_the_dark_without_a_white_is_black(name: str) -> None:
     assert fitted(name, np.zeros((3, 4)))(np.ones((3, 4))).max() == 0
+
+
+@pytest.mark.parametrize("name", ["log", "reinhard", "mu-law", "srgb", "linear"])
+def test_what_is_not_finite_has_no_part_in_the_curve(name: str) -> None:
+    light = np.linspace(0, 900, 12)
+    tone, whole = fitted(name, np.append(light, [np.inf, np.nan, -np.inf])), fitted(name, light)
+    assert tone.white == whole.white
+    np.testing.assert_array_equal(tone(light), whole(light))
+    assert tone(np.array([np.inf, 1e308, np.nan, -np.inf])).tolist() == [255, 255, 0, 0]
