@@ -72,12 +72,8 @@ def npz_arrays(
     The sizes that the file states are checked before anything is unpacked: together the arrays
     take at most `most_bytes`.
 
-    Raises
-    ------
-    InvalidArrays
-        Where the file is no .npz file, too large, damaged, or holds Python objects.
-    OSError
-        Where the file cannot be read.
+    Raises InvalidArrays for a file that is no .npz file, too large, damaged, or holds Python
+    objects; OSError where it cannot be read.
     """
     from zipfile import BadZipFile, ZipFile
 

@@ -31,6 +31,7 @@ _KINDS = {
 """Arrays of the frame's shape: the kinds of numpy type that they may have, in words."""
 _MOST_LIGHT = 1e30
 """Electrons, or electrons a second: no frame has more, and float32 holds their sums."""
+_MOST_FRAME_S = 1e8
 
 
 def read_frame_arrays(
@@ -56,6 +57,9 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     shape = arrays["frame"].shape
     if not 3 <= len(shape) <= 5 or 0 in shape:
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
+    for name, values in arrays.items():
+        if name != "meta" and values.dtype.kind not in "buif":
+            raise InvalidArrays(f"`{name}` is {values.dtype}, not real numbers")
     for name, (kinds, words) in _KINDS.items():
         values = arrays.get(name)
         if values is None:
@@ -107,7 +111,7 @@ def image_of(frame: Path) -> NDArray[np.float32]:
         arrays, meta = read_frame_arrays(frame, {LIGHT, DEVIATION}.__contains__)
         light, deviation = arrays[LIGHT], arrays[DEVIATION]
         frame_s = float(meta["frame_us"]) * 1e-6
-        if light.ndim > 4 or not 0 < frame_s < float("inf"):
+        if light.ndim > 4 or not 0 < frame_s < _MOST_FRAME_S:
             raise InvalidArrays(f"it has light {light.shape} of a frame of {frame_s:g} s")
     except (OSError, ValueError, KeyError, TypeError) as error:
         reason = error if isinstance(error, InvalidArrays) else f"{type(error).__name__}: {error}"

@@ -46,6 +46,7 @@ DAMAGED: dict[str, tuple[dict[str, Any], str]] = {
     "huge light": ({"light_e_per_s": np.full(SHAPE, 1e300)}, "values above 1e+30"),
     "slots": ({"open_slots": np.ones(SHAPE)}, "`open_slots` is float64"),
     "schema": ({"meta": np.array('{"schema": 1}')}, "its schema is not"),
+    "complex": ({"decode_gain": np.ones(3, complex)}, "`decode_gain` is complex128"),
     "no JSON": ({"meta": np.array("{")}, "its schema is not"),
     "nested": ({"meta": np.array("[" * 100_000)}, "its schema is not"),
     "plan": (
@@ -73,13 +74,13 @@ def test_what_is_wrong_is_said(tmp_path: Path, name: str) -> None:
 READERS: dict[str, tuple[str, Callable[[str], bool]]] = {
     "reconstruct any f.npz -o out.png": ("NS0819", lambda _: True),
     "reconstruct hdr f.npz -o out.png": ("NS0819", lambda name: name not in (
-        "huge light", "other kind")),
+        "huge light", "other kind", "complex")),
     "reconstruct f.npz -o out.png": ("NS0819", lambda name: name in (
         "no frame", "no meta", "huge light", "schema", "empty", "plan")),
     "view f.npz -o out.png": ("NS0801", lambda name: name not in (
-        "huge light", "other kind", "other shape", "slots")),
+        "huge light", "other kind", "other shape", "slots", "complex")),
     "calibrate f.npz --dark f.npz -o out.toml": ("NS0757", lambda name: name not in (
-        "huge light", "other shape", "slots", "no meta", "schema", "no JSON", "nested")),
+        "huge light", "other shape", "slots", "no meta", "complex", "schema", "no JSON", "nested")),
 }  # fmt: skip
 """Commands that read frame files: their code, and what they read of the file."""
 

@@ -93,7 +93,7 @@ def frame_arrays(path: Path) -> FrameRead:
 
 def are_lengths(slot_us: Array) -> bool:
     """Whether slots may be that long: finite numbers (N,) above 0."""
-    numbers = slot_us.ndim == 1 and slot_us.dtype.kind in "fiu"
+    numbers = slot_us.ndim == 1 and slot_us.size > 0 and slot_us.dtype.kind in "fiu"
     return numbers and bool((np.isfinite(slot_us) & (slot_us > 0)).all())
 
 

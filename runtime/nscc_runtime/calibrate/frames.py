@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc.npy import InvalidArrays, npz_arrays
+from nscc.npy import npz_arrays
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.mat_file import mat_arrays
 from nscc_runtime.scenes.arrays import NPY_HEADERS
@@ -77,7 +77,6 @@ def load_stack(given: str, top_code: int) -> Stack:
         key, values = _chosen(name, found)
         meta = frame_meta(found)
         if meta is not None:
-            _check_frame(name, found)
             values, from_meta = _ours(name, values, meta)
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
             time_s = from_meta if time_s is None else time_s
@@ -165,7 +164,10 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
             for key in sorted(names):
                 with archive.zip.open(f"{key}.npy") as entry:
                     _check_header(path, key, entry)
-        return npz_arrays(path, names.__contains__)[0]
+        found, _ = npz_arrays(path, names.__contains__)
+        if frame_meta(found) is not None:
+            checked_meta(found)
+        return found
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
@@ -216,16 +218,6 @@ def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[
         notes=(f"it holds {shown}",),
         helps=("save the codes under that name: np.savez(file, frame=a), (K, rows, cols)",),
     )
-
-
-def _check_frame(name: str, found: Mapping[str, NDArray[Any]]) -> None:
-    try:
-        checked_meta(found)
-    except InvalidArrays as error:
-        raise _no_frames(
-            f"the frames '{name}' cannot be read: {error}",
-            helps=("`nscc run FILE --scene .. -o FRAME.npz` writes frame files",),
-        ) from None
 
 
 def _ours(

@@ -10,7 +10,6 @@ import os
 import shutil
 import subprocess
 import tempfile
-from atexit import register
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
@@ -21,11 +20,10 @@ from select import select
 from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
-from nscc.cache.store import cache_folder
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.files import write_together
 from nscc.words.container import Launch
 from nscc_runtime.device.board import in_background
+from nscc_runtime.device.kept_loaders import cached_folder, is_whole, keep, passing_folder
 from nscc_runtime.device.objects import RUN, WORD
 from nscc_runtime.device.parsing import container_of
 from nscc_runtime.device.target_header import target_header
@@ -100,56 +98,18 @@ def compiled(
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
     key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
     name = f"loader-{key.hexdigest()[:32]}"
-    place = (folder or _kept()) / name
-    if not _is_whole(place):
+    place = (folder or cached_folder()) / name
+    if not is_whole(place):
         includes = [f"-I{SOURCES / part}" for part in parts]
         image = _compile([*command, *includes, *map(str, sources)], header)
         try:
-            _keep(place, image)
+            keep(place, image)
         except Rejected as reason:
             if folder is not None:
                 raise NotBuilt(reason.diagnostics[0].message) from None
-            place = _passing() / name  # a full or damaged cache does not stop the loader
-            _keep(place, image)
+            place = passing_folder() / name  # a full or damaged cache does not stop the loader
+            keep(place, image)
     return place
-
-
-def _digest_of(place: Path) -> Path:
-    """The file with the SHA-256 of a kept loader."""
-    return place.with_name(f"{place.name}.sha256")
-
-
-def _is_whole(place: Path) -> bool:
-    """Whether a kept loader may be executed: its bytes are those that were compiled."""
-    try:
-        digest = sha256(place.read_bytes()).hexdigest().encode()
-        return _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
-    except OSError:
-        return False
-
-
-def _keep(place: Path, image: bytes) -> None:
-    """Keep a loader with its SHA-256; raises Rejected where the folder cannot be written."""
-    write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
-    place.chmod(0o755)
-
-
-def _kept() -> Path:
-    cache = cache_folder()
-    if cache is not None:
-        folder = cache / "firmware"
-        with suppress(OSError):
-            folder.mkdir(parents=True, exist_ok=True)
-            if os.access(folder, os.W_OK):
-                return folder
-    return _passing()
-
-
-def _passing() -> Path:
-    """A folder that is removed when this process ends."""
-    folder = tempfile.mkdtemp(prefix="nscc-firmware-")
-    register(shutil.rmtree, folder, ignore_errors=True)
-    return Path(folder)
 
 
 def _compile(command: list[str], header: str) -> bytes:

@@ -60,8 +60,8 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
     Raises Rejected as `check_tone`.
     """
     check_tone(tone)
-    values = np.maximum(np.asarray(light, np.float64), 0.0).ravel()
-    values = values[np.isfinite(values)]
+    values = np.asarray(light, np.float64).ravel()
+    values = np.maximum(values[np.isfinite(values)], 0.0)
     if white is None:
         white = float(np.percentile(values, WHITE_PERCENTILE)) if values.size else 0.0
         white = white or (float(values.max()) if values.size else 0.0)

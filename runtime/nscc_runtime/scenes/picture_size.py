@@ -31,7 +31,6 @@ def refuse_size(path: Path, rows: int, cols: int) -> None:
             "NS0734",
             f"'{path}' is {rows:,} x {cols:,} pixels: at most {MOST_PIXELS:,} are read",
             helps=("make the picture smaller, or cut out a part of it",),
-            data={"pixels": rows * cols, "available": MOST_PIXELS},
         )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
@@ -63,9 +63,8 @@ def train(
     both in the process that writes. With `stop_after` the run ends after that step, as if
     interrupted, but with a checkpoint.
     """
-    if os.environ.get("RANK", "0") != "0":  # of several processes of one run the first writes
-        return _train(settings, out, resume, track, report, stop_after)
-    with locked_folder(out):
+    is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
+    with locked_folder(out) if is_first else nullcontext():
         _train(settings, out, resume, track, report, stop_after)
 
 

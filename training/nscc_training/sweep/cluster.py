@@ -40,8 +40,7 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
         "distributed.admin.tick.limit": "1h",
     }
     with dask.config.set(settings):
-        # A terminal interrupts workers, too. They and the thread that starts them leave that to the
-        # main thread, which ends them: else each would print where it was.
+        # A terminal interrupts workers, too: they leave that to the main thread, which ends them.
         before = pthread_sigmask(SIG_BLOCK, {SIGINT})
         try:
             cluster = LocalCluster(
