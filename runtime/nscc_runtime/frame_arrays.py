@@ -111,8 +111,8 @@ def image_of(frame: Path) -> NDArray[np.float32]:
         arrays, meta = read_frame_arrays(frame, {LIGHT, DEVIATION}.__contains__)
         light, deviation = arrays[LIGHT], arrays[DEVIATION]
         frame_s = float(meta["frame_us"]) * 1e-6
-        if light.ndim > 4 or not 0 < frame_s < _MOST_FRAME_S:
-            raise InvalidArrays(f"it has light {light.shape} of a frame of {frame_s:g} s")
+        if light.ndim > 4 or np.isinf(light).any() or not 0 < frame_s < _MOST_FRAME_S:
+            raise InvalidArrays(f"it has light {light.shape} of a frame of {frame_s:g} s, or inf")
     except (OSError, ValueError, KeyError, TypeError) as error:
         reason = error if isinstance(error, InvalidArrays) else f"{type(error).__name__}: {error}"
         raise rejected(
