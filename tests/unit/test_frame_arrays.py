@@ -97,3 +97,18 @@ def test_all_commands_refuse_what_they_read(tmp_path: Path, run_nscc: RunNscc, l
         if code == "NS0819" and line.startswith("reconstruct any"):
             assert said in outcome.err
         assert [path.name for path in tmp_path.iterdir()] == ["f.npz"], name
+
+
+@pytest.mark.parametrize("name", ["decode_gain", "decode_bias_e", "decode_variance_e2"])
+def test_responses_have_the_shape_of_the_shutters(
+    tmp_path: Path, run_nscc: RunNscc, name: str
+) -> None:
+    (tmp_path / "p.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
+    line = "run p.nsl --scene builtin:dark -o f.npz"
+    assert run_nscc(line.split(), tmp_path).status == 0
+    with np.load(tmp_path / "f.npz") as file:
+        whole = dict(file)
+    np.savez(tmp_path / "f.npz", **whole | {name: whole[name][:, :0]})
+    outcome = run_nscc(["reconstruct", "any", "f.npz", "-o", "out.png"], tmp_path)
+    assert outcome.codes == ["NS0819"], outcome.err
+    assert "responses of other shapes" in outcome.err

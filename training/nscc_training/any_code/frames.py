@@ -155,10 +155,10 @@ def coded_frame(
         raise ValueError("`decode_slot_us` are no lengths of slots")
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
-    gain, bias_e, variance_e2 = (
-        arrays[f"decode_{name}"][row].transpose(2, 0, 1)
-        for name in ("gain", "bias_e", "variance_e2")
-    )
+    responses = [arrays[f"decode_{name}"] for name in ("gain", "bias_e", "variance_e2")]
+    if any(response.shape != opened.shape[:2] for response in responses):
+        raise ValueError(f"responses of other shapes than the shutters, {opened.shape[:2]}")
+    gain, bias_e, variance_e2 = (response[row].transpose(2, 0, 1) for response in responses)
     # A variance may be infinite: such a code says nothing about the light.
     known = np.isfinite(gain) & (gain != 0) & np.isfinite(bias_e) & (variance_e2 >= 0)
     if not known.all():
