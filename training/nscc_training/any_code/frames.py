@@ -156,11 +156,15 @@ def coded_frame(
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
     responses = [arrays[f"decode_{name}"] for name in ("gain", "bias_e", "variance_e2")]
-    if any(response.shape != opened.shape[:2] for response in responses):
+    if any(each.shape != opened.shape[:2] or each.dtype.kind != "f" for each in responses):
         raise ValueError(f"responses of other shapes than the shutters, {opened.shape[:2]}")
     gain, bias_e, variance_e2 = (response[row].transpose(2, 0, 1) for response in responses)
     # A variance may be infinite: such a code says nothing about the light.
-    known = np.isfinite(gain) & (gain != 0) & np.isfinite(bias_e) & (variance_e2 >= 0)
+    known = (
+        (np.abs(gain) > 1e-15)
+        & (np.maximum(np.abs(gain), np.abs(bias_e)) < 1e15)
+        & (variance_e2 >= 0)
+    )
     if not known.all():
         raise ValueError("how light follows from an exposure (`decode_gain`, `decode_bias_e`, "
                          "`decode_variance_e2`) is not said in numbers")  # fmt: skip
