@@ -37,10 +37,9 @@ _MOST_FRAME_S = 1e8
 def read_frame_arrays(
     path: Path, wanted: Callable[[str], bool] = lambda name: True
 ) -> tuple[Arrays, dict[str, Any]]:
-    """Read and check the `wanted` arrays of a frame file, and its meta.
+    """Read and check the `wanted` arrays of a frame file, `frame` and its meta.
 
-    `frame` and `meta` are always read. Raises InvalidArrays for a file that is no sound frame file,
-    OSError where it cannot be read.
+    Raises InvalidArrays for a file that is no sound frame file, OSError where it cannot be read.
     """
     arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or wanted(name))
     return arrays, checked_meta(arrays)
@@ -57,9 +56,9 @@ def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
     shape = arrays["frame"].shape
     if not 3 <= len(shape) <= 5 or 0 in shape:
         raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
-    for name, values in arrays.items():
-        if name != "meta" and values.dtype.kind not in "buif":
-            raise InvalidArrays(f"`{name}` is {values.dtype}, not real numbers")
+    for name, held in arrays.items():
+        if name != "meta" and held.dtype.kind not in "buif":
+            raise InvalidArrays(f"`{name}` is {held.dtype}, not real numbers")
     for name, (kinds, words) in _KINDS.items():
         values = arrays.get(name)
         if values is None:

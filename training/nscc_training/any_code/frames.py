@@ -160,11 +160,8 @@ def coded_frame(
         raise ValueError(f"responses of other shapes than the shutters, {opened.shape[:2]}")
     gain, bias_e, variance_e2 = (response[row].transpose(2, 0, 1) for response in responses)
     # A variance may be infinite: such a code says nothing about the light.
-    known = (
-        (np.abs(gain) > 1e-15)
-        & (np.maximum(np.abs(gain), np.abs(bias_e)) < 1e15)
-        & (variance_e2 >= 0)
-    )
+    largest = np.maximum(np.abs(gain), np.abs(bias_e))
+    known = (np.abs(gain) > 1e-15) & (largest < 1e15) & (variance_e2 >= 0)
     if not known.all():
         raise ValueError("how light follows from an exposure (`decode_gain`, `decode_bias_e`, "
                          "`decode_variance_e2`) is not said in numbers")  # fmt: skip
