@@ -13,7 +13,7 @@ from nscc.words.container import Container
 MOST_WORDS = 1 << 18
 MOST_SLOTS = 1 << 20
 _LONGEST_NAME = 200
-_SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-6, 1e15
+_SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 
 
 def faults(container: Container) -> list[str]:
