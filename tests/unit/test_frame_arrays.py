@@ -72,7 +72,8 @@ def test_what_is_wrong_is_said(tmp_path: Path, name: str) -> None:
 
 
 READERS: dict[str, tuple[str, Callable[[str], bool]]] = {
-    "reconstruct any f.npz -o out.png": ("NS0819", lambda _: True),
+    "reconstruct any f.npz -o out.png": ("NS0819", lambda name: name not in (
+        "huge light", "other kind", "slots")),
     "reconstruct hdr f.npz -o out.png": ("NS0819", lambda name: name not in (
         "huge light", "other kind", "complex")),
     "reconstruct f.npz -o out.png": ("NS0819", lambda name: name in (

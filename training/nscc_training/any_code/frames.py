@@ -91,7 +91,9 @@ def read_coded_frames(
     is taken off, in place of what its words add in the mean; `warn` is told doubts about it.
     """
     try:
-        arrays, meta = read_frame_arrays(path, lambda name: name not in ("light", "truth_e"))
+        arrays, meta = read_frame_arrays(
+            path, lambda name: name == "saturated" or name.startswith("decode_")
+        )
     except (InvalidArrays, OSError) as error:
         raise nocoded_frame(path, why_no_arrays(error)) from error
     if program is not None:
