@@ -6,6 +6,7 @@
 # make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make vsix      the extension for VS Code in build/nscc.vsix: needs npm
+# make mutants    change product code in 40 places, one at a time, and see whether tests notice: an hour
 # make lint       ruff; make types: mypy; make format: put right what ruff can
 # make clean      remove what was built; the environment stays
 #
@@ -26,7 +27,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-pages test-slow bench docs linkcheck pictures figures vsix lint format types clean
+.PHONY: help demo test quick test-pages test-slow bench docs linkcheck mutants pictures figures vsix lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -114,6 +115,11 @@ test-pages: $(VENV)/.test-installed $(VENV)/.compiled
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
+
+# SEED chooses the places; the first run of a commit records what each file of tests runs.
+SEED ?= 1
+mutants: $(VENV)/.test-installed $(VENV)/.compiled
+	$(BIN)/python tests/mutants.py --seed $(SEED) --build $(OUT)
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
 	$(PIP) --no-build-isolation --editable '.[bench,test]'

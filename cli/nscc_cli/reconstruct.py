@@ -74,7 +74,7 @@ def command(
         check_ending(png, (".png",), "a picture")
         refuse_same([out, png], "-o and --png")
     if frame is None:
-        from nscc_runtime.looked_light import image_of
+        from nscc_runtime.frame_arrays import image_of
 
         image = image_of(Path(run))
         content = Content({"image": image}, image)

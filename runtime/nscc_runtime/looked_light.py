@@ -9,16 +9,12 @@ is infinite where a pixel was full, for there the light was at least so much.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
-from nscc.files import reads
 from nscc.words.container import Container
 from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
@@ -152,30 +148,3 @@ def merged_image(light: Values, deviation: Values) -> Values:
     mean = (np.nan_to_num(light) * weight).sum(axis=0) / np.where(known > 0, known, 1.0)
     least = np.nan_to_num(np.fmax.reduce(light, axis=0))
     return np.asarray(np.where(known > 0, mean, least))
-
-
-def image_of(frame: Path) -> NDArray[np.float32]:
-    """What `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols), from the light
-    that the frame file has; of repeats, their mean.
-
-    Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
-    """
-    reads(frame)
-    try:
-        with np.load(frame, allow_pickle=False) as file:
-            arrays: Mapping[str, Any] = {key: file[key] for key in (LIGHT, DEVIATION)}
-            meta = json.loads(str(file["meta"]))
-        frame_s = float(meta["frame_us"]) * 1e-6
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise rejected(
-            "NS0819",
-            f"'{frame.as_posix()}' says no light by itself: it is no frame file of a program whose "
-            "pixels look at the light",
-            notes=(f"{type(error).__name__}: {error}",),
-            helps=("name the run that the frame was taken for: `nscc reconstruct RUN FRAME.npz`",),
-        ) from None
-    light, deviation = arrays[LIGHT], arrays[DEVIATION]
-    if light.ndim == 3:
-        light, deviation = light[None], deviation[None]
-    images = [merged_image(*each) for each in zip(light, deviation, strict=True)]
-    return np.asarray(np.mean(images, axis=0) * frame_s, np.float32)

@@ -9,6 +9,7 @@ from weakref import WeakKeyDictionary
 
 from nscc.words.container import Container
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.pool import after_fork
 
 T = TypeVar("T")
 
@@ -19,6 +20,10 @@ class OfContainer(Generic[T]):
     def __init__(self, make: Callable[[Container], T]) -> None:
         self._make = make
         self._found: WeakKeyDictionary[Container, T] = WeakKeyDictionary()
+        self._renew()
+        after_fork(self._renew)  # a thread of the parent process may hold the lock
+
+    def _renew(self) -> None:
         self._making = Lock()
 
     def __call__(self, container: Container) -> T:
@@ -34,6 +39,10 @@ class MadeReady(Generic[T]):
     def __init__(self, make: Callable[[Container, Sensor], T]) -> None:
         self._make = make
         self._of: OfContainer[dict[Sensor, T]] = OfContainer(lambda _container: {})
+        self._renew()
+        after_fork(self._renew)
+
+    def _renew(self) -> None:
         self._making = Lock()
 
     def __call__(self, container: Container, sensor: Sensor) -> T:

@@ -139,6 +139,21 @@ def test_two_sweeps_at_once_lose_nothing(serial: tuple[Path, bytes]) -> None:
     assert len(set(workers_of(folder, "both"))) == 2, "each of them computed some"
 
 
+def test_an_interrupted_sweep_prints_no_traceback(serial: tuple[Path, bytes]) -> None:
+    """A terminal interrupts all processes of a command at once."""
+    folder, table = serial
+    process = started(folder, "interrupted", 2)
+    while len(workers_of(folder, "interrupted")) < 3:
+        assert process.poll() is None, process.communicate()
+        time.sleep(0.02)
+    os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=600)
+    assert process.returncode == 130
+    assert b"Traceback" not in said
+    assert b"KeyboardInterrupt" not in said
+    assert finished(folder, "interrupted", 0) == table
+
+
 def test_a_scheduler_of_ones_own(serial: tuple[Path, bytes]) -> None:
     from distributed import LocalCluster
 

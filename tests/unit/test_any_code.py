@@ -465,7 +465,8 @@ def test_a_dark_frame_is_of_the_program(tmp_path: Path) -> None:
     assert invoke([*line, "d.npz"], tmp_path).status == 0
     with np.load(tmp_path / "d.npz") as file:
         whole = dict(file)
-    np.savez(tmp_path / "s.npz", **{**whole, "frame": whole["frame"][..., :99]})
+    cut = {name: whole[name][..., :99] for name in ("frame", "saturated")}
+    np.savez(tmp_path / "s.npz", **{**whole, **cut})
     refused = invoke([*line, "s.npz"], tmp_path)
     assert (refused.status, refused.codes) == (2, ["NS0819"])
     assert "without light it has 256 x 99 pixels, the frame 256 x 256" in refused.err

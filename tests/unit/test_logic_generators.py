@@ -13,6 +13,7 @@ from marks import slow
 
 from nscc.logic.bound import level_bound
 from nscc.logic.cubes import Budget, cover
+from nscc.logic.encodings import covered_fields
 from nscc.logic.gates import Gates
 from nscc.logic.generate import GENERATORS, solutions
 from nscc.logic.problem import GaveUp, Machine
@@ -295,3 +296,16 @@ def test_the_bound_of_bumps_counts_the_registers_that_can_be_loaded_at_first(slo
         if sum(not any(a <= n <= b for n in loaded) for a, b in bumps) <= 1 << registers - size
     )
     assert level_bound("d", len(bumps), slots, registers) == slots + slots - loadable
+
+
+def test_fields_are_encoded_where_there_are_two_and_room_for_their_bits():
+    asked, machine = problem("bumps", "edges"), MACHINES["scamp5"]
+    assert len(asked.values) == 2
+    planes = covered_fields(asked, machine, Budget(100_000)).planes
+    assert {name.split(",")[0] for _, name in planes} == {"first", "count"}
+    with pytest.raises(GaveUp, match="one field"):
+        covered_fields(replace(asked, values={"first": asked.values["first"]}), machine, Budget(9))
+    exact = replace(machine, registers=len(planes) + 1)
+    assert covered_fields(asked, exact, Budget(100_000)).planes == planes
+    with pytest.raises(GaveUp, match="no register to compute with"):
+        covered_fields(asked, replace(exact, registers=len(planes)), Budget(100_000))

@@ -17,7 +17,8 @@ from nscc.operations import Effect, Op
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
-from nscc.syntax.parse import read_source
+from nscc.syntax.parse import parse, read_source
+from nscc.syntax.printing import print_tree
 
 ROOT = Path(__file__).parents[2]
 NAMES = [each.name for each in PASSES]
@@ -186,3 +187,22 @@ def test_passes_of_other_chips_and_of_looks_are_verified(
     monkeypatch.setattr(pipeline, passes, tuple(map(spoilt, getattr(pipeline, passes))))
     with pytest.raises(Inconsistent):
         run_passes(read_source(path), path.parent, given)
+
+
+def test_the_tree_is_printed_node_by_node() -> None:
+    source = Source("p.nsl", "nsl 1\nframe 8 slots of 1ms\nopen when n < 2\n")
+    assert print_tree(parse(source)[0], source).splitlines() == [
+        "Version 1:1", "  Int 1:5 value=1", "EqualSlots 2:1", "  Int 2:7 value=8",
+        "  Time 2:18 us=1000", "Open 3:1", "  Compare 3:11 ops=('<',)", "    Name 3:11 text=n",
+        "    Int 3:15 value=2",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("count", "shown", "cut"), [(20, 20, []), (25, 20, [".. and 5 more"])])
+def test_long_lists_of_the_tree_are_cut(count: int, shown: int, cut: list[str]) -> None:
+    numbers = ", ".join(map(str, range(count)))
+    source = Source("p.nsl", f"nsl 1\nframe 8 slots of 1ms\npixels a = tile [[{numbers}]]\n")
+    lines = [line.strip() for line in print_tree(parse(source)[0], source).splitlines()]
+    row = lines[lines.index("TileRow 3:18") + 1 :]
+    assert len([line for line in row if line.startswith("Int")]) == shown
+    assert [line for line in lines if ".. and" in line] == cut

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import npz_arrays
+from nscc_runtime.scenes.mat_files import mat_arrays
 from nscc_training.problems import unreadable
 
 Codes = Mapping[str, NDArray[np.int64]]
@@ -61,12 +63,9 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
         )
     try:
         if path.suffix == ".mat":
-            from scipy.io import loadmat
-
-            found = {k: v for k, v in loadmat(path).items() if not k.startswith("__")}
+            found = mat_arrays(path)
         else:
-            with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-                found = {name: file[name] for name in file.files}
+            found, _ = npz_arrays(path)
         return {name: _integers(path, name, values) for name, values in found.items()}
     except Rejected:
         raise

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
+from nscc.npy import npy_array, npz_arrays
 from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
@@ -53,11 +54,13 @@ def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]
         raise refused(path, reason)
     try:
         if suffix == ".npy":
-            return [], np.asarray(np.load(path, allow_pickle=False))
+            return [], npy_array(path)
         if suffix == ".npz":
-            with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-                chosen = _chosen(list(file.files), name)
-                return list(file.files), None if chosen is None else np.asarray(file[chosen])
+            _, names = npz_arrays(path, lambda _: False)
+            chosen = _chosen(names, name)
+            if chosen is None or chosen not in names:
+                return names, None
+            return names, npz_arrays(path, chosen.__eq__)[0][chosen]
         names = mat_names(path)
         chosen = _chosen(names, name)
         return names, None if chosen is None else mat_array(path, chosen)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import InvalidArrays, npz_arrays
 from nscc_training.mask_files import Floats, array_names, read_mask, real_array, refused
 from nscc_training.reconstruct import Reconstruction
 
@@ -67,9 +68,9 @@ def is_measurement(path: Path, mask: Path | None) -> bool:
     if suffix != ".npz" or not path.is_file():
         return False
     try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            return "meta" not in file.files and bool(_KEYS & set(file.files))
-    except Exception:  # what is damaged is said by those who read it as a frame
+        _, names = npz_arrays(path, lambda _: False)
+        return "meta" not in names and bool(_KEYS & set(names))
+    except (InvalidArrays, OSError):  # what is damaged is said by those who read it as a frame
         return False
 
 

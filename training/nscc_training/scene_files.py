@@ -16,7 +16,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
 from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, clip_white, read_mat
 from nscc_runtime.scenes.clips import read_clip
-from nscc_runtime.scenes.colour import Transfer, linear, luminance
+from nscc_runtime.scenes.colour import Transfer, grey
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
 CLIPS = (*clips.CLIPS, ".mat")
@@ -82,8 +82,7 @@ def protocol_files(
 
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
     """The light of a stored picture or frame, (rows, cols), of colours their luminance."""
-    light = linear(stored, transfer)
-    return luminance(light) if light.ndim == 3 else light
+    return grey(stored, transfer, None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:

@@ -10,7 +10,6 @@ import os
 import shutil
 import subprocess
 import tempfile
-from atexit import register
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
@@ -21,8 +20,9 @@ from select import select
 from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
-from nscc.cache.store import cache_folder
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.board import in_background
+from nscc_runtime.device.kept_loaders import cached_folder, is_whole, keep, passing_folder
 from nscc_runtime.device.recording import Job, Recording
 from nscc_runtime.device.target_header import target_header
 
@@ -45,6 +45,10 @@ _START_S = 10.0
 
 class NotBuilt(Exception):
     """The firmware cannot be compiled here: why."""
+
+
+class NotStarted(NotBuilt):
+    """The firmware is compiled and does not start: why."""
 
 
 class Built(NamedTuple):
@@ -90,27 +94,22 @@ def compiled(
         raise NotBuilt(str(reason)) from None
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
     key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
-    place = (folder or _kept()) / f"loader-{key.hexdigest()[:32]}"
-    if not place.exists():
+    name = f"loader-{key.hexdigest()[:32]}"
+    place = (folder or cached_folder()) / name
+    if not is_whole(place):
         includes = [f"-I{SOURCES / part}" for part in parts]
-        _compile([*command, *includes, *map(str, sources)], header, place)
+        image = _compile([*command, *includes, *map(str, sources)], header)
+        try:
+            keep(place, image)
+        except Rejected as reason:
+            if folder is not None:
+                raise NotBuilt(reason.diagnostics[0].message) from None
+            place = passing_folder() / name  # a full or damaged cache does not stop the loader
+            keep(place, image)
     return place
 
 
-def _kept() -> Path:
-    cache = cache_folder()
-    if cache is not None:
-        folder = cache / "firmware"
-        with suppress(OSError):
-            folder.mkdir(parents=True, exist_ok=True)
-            if os.access(folder, os.W_OK):
-                return folder
-    passing = tempfile.mkdtemp(prefix="nscc-firmware-")
-    register(shutil.rmtree, passing, ignore_errors=True)
-    return Path(passing)
-
-
-def _compile(command: list[str], header: str, place: Path) -> None:
+def _compile(command: list[str], header: str) -> bytes:
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
@@ -120,12 +119,7 @@ def _compile(command: list[str], header: str, place: Path) -> None:
         if done.returncode:
             lines = done.stderr.strip().splitlines() or [command[0]]
             raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
-        beside = place.with_name(f".{place.name}.{os.getpid()}")
-        try:
-            shutil.copy2(out, beside)
-            os.replace(beside, place)
-        except OSError as error:
-            raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
+        return out.read_bytes()
 
 
 class Firmware:
@@ -267,8 +261,13 @@ class Process(Running):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__([str(loader.path), "--pty"], loader.target, chip)
-        self.port = self._named()
+        try:
+            super().__init__([str(loader.path), "--pty"], loader.target, chip)
+            self.port = self._named()
+        except (OSError, RuntimeError) as error:
+            if hasattr(self, "_out"):
+                self.close()
+            raise NotStarted(f"it does not start: {error}") from None
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:

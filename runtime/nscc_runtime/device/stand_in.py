@@ -70,7 +70,7 @@ def loaded(
     """The firmware, compiled for a machine and running on it in a process of its own.
 
     `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is told what runs. Raises
-    Rejected (NS0772, status 2) where the firmware cannot be compiled.
+    Rejected (NS0772, status 2) where the firmware cannot be compiled or does not start.
     """
     try:
         if machine == "host":
@@ -88,6 +88,15 @@ def loaded(
 
 
 def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
+    if isinstance(reason, firmware.NotStarted):
+        return rejected(
+            "NS0772",
+            f"the firmware cannot be run on this machine: {reason}",
+            helps=(
+                "CXX names another compiler, for instance CXX=clang++",
+                "see that programs in the cache folder (NSCC_CACHE_DIR) may be executed",
+            ),
+        )
     if machine == "host":
         return rejected(
             "NS0772",

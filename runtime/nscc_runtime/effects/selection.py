@@ -34,7 +34,7 @@ class Selection:
 
     @property
     def noiseless(self) -> bool:
-        """Whether only what is always on is on: the exposure is the exact sum of light."""
+        """Whether only what is always on is on: the exposure is the sum of light."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:

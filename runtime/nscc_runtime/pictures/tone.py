@@ -35,7 +35,8 @@ class Tone:
         """Light of any shape as 0..255; what is negative is dark."""
         if not self.white > 0:
             return np.zeros(light.shape, np.uint8)
-        relative = np.maximum(np.asarray(light, np.float64) / self.white, 0.0)
+        shown = np.clip(np.nan_to_num(np.asarray(light, np.float64)), 0.0, self.white)
+        relative = shown / self.white
         return np.rint(255.0 * np.clip(self.curve(relative), 0.0, 1.0)).astype(np.uint8)
 
 
@@ -54,7 +55,8 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
     Raises Rejected as `check_tone`.
     """
     check_tone(tone)
-    values = np.maximum(np.asarray(light, np.float64), 0.0).ravel()
+    values = np.asarray(light, np.float64).ravel()
+    values = np.maximum(values[np.isfinite(values)], 0.0)
     if white is None:
         white = float(np.percentile(values, WHITE_PERCENTILE)) if values.size else 0.0
         white = white or (float(values.max()) if values.size else 0.0)

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import npy_header_2
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, size
 from nscc_runtime.scenes.mat_files import mat_array, mat_names
@@ -24,9 +25,11 @@ from nscc_runtime.scenes.mat_files import mat_array, mat_names
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
-NPY_HEADERS = {
+NPY_HEADERS: dict[
+    tuple[int, int], Callable[[IO[bytes]], tuple[tuple[int, ...], bool, np.dtype[Any]]]
+] = {
     (1, 0): np.lib.format.read_array_header_1_0,
-    (2, 0): np.lib.format.read_array_header_2_0,
+    (2, 0): npy_header_2,
 }
 """What reads shape, order and type at the beginning of an .npy file, by its version."""
 

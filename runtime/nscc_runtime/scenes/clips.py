@@ -15,6 +15,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.scenes.errors import damaged
 from nscc_runtime.scenes.pages import Pages
 from nscc_runtime.scenes.picture_files import quiet, same_size
+from nscc_runtime.scenes.picture_size import refuse_size
 from nscc_runtime.scenes.video import video_pages
 
 CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
@@ -65,6 +66,7 @@ def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
     except Exception as error:  # Pillow's plugins raise what they like
         raise damaged(path, error) from error
     with image:
+        refuse_size(path, image.height, image.width)
         for number in count():
             try:
                 image.seek(number)

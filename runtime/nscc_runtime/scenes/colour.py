@@ -16,6 +16,8 @@ CURVES = {"linear": "no curve", "srgb": "the sRGB curve", "pq": "the PQ curve (S
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 """Weights of linear red, green and blue (Rec. 709 primaries)."""
 
+_STRIP_SAMPLES = 1 << 22
+
 
 def white_of(dtype: np.dtype[Any]) -> float:
     """The sample that is white unless another is named: the largest integer, or 1 of floats."""
@@ -79,5 +81,9 @@ def grey(
     """The luminance (rows, cols) of a stored picture, or the light of one of its colours."""
     if stored.ndim == 3 and channel is not None:
         stored = stored[..., channel]
-    light = linear(np.ascontiguousarray(stored), transfer, white)
-    return luminance(light) if light.ndim == 3 else light
+    light = np.empty(stored.shape[:2])
+    step = max(1, _STRIP_SAMPLES // max(1, stored[:1].size))
+    for first in range(0, len(stored), step):  # colours in float64 take eight times a picture
+        strip = linear(np.ascontiguousarray(stored[first : first + step]), transfer, white)
+        light[first : first + step] = luminance(strip) if strip.ndim == 3 else strip
+    return light

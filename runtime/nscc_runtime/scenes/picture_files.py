@@ -25,14 +25,13 @@ from nscc_runtime.scenes.exr_pictures import exr_pages
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.picture_heads import png_head, read_radiance
+from nscc_runtime.scenes.picture_size import refuse_huge, refuse_size
 from nscc_runtime.scenes.raw_pictures import RAW, raw_pages
 from nscc_runtime.scenes.tiff_pictures import tiff_pages
 
 LINEAR = (".exr", ".hdr", ".pfm", *RAW)
 DISPLAY = (".avif", ".bmp", ".heic", ".heif", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
 PICTURES = LINEAR + DISPLAY
-MOST_PIXELS = 1 << 30
-"""OpenCV decodes as many, Pillow as many as it is told."""
 
 
 def default_transfer(path: Path) -> Transfer:
@@ -58,6 +57,7 @@ def open_pages(path: Path) -> Pages:
     """
     reads(path)
     with _readable(path):
+        refuse_huge(path)
         pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
 
     def read() -> Iterator[tuple[str, NDArray[Any]]]:
@@ -141,11 +141,7 @@ def _pillow_pages(path: Path) -> Pages:
 
     with _large_pictures(), Image.open(path) as image:
         count = int(getattr(image, "n_frames", 1))
-        if image.width * image.height > MOST_PIXELS:
-            raise UnsupportedPicture(
-                f"it has {image.width * image.height} pixels, and {MOST_PIXELS} can be read",
-                "reduce the picture, or cut it into several",
-            )
+        refuse_size(path, image.height, image.width)
 
     def read() -> Iterator[NDArray[Any]]:
         with _large_pictures(), Image.open(path) as image:
@@ -160,7 +156,7 @@ def _pillow_pages(path: Path) -> Pages:
 
 @contextmanager
 def _large_pictures() -> Iterator[None]:
-    """Pillow takes panoramas for attacks by their size; `MOST_PIXELS` is the limit here."""
+    """Pillow takes panoramas for attacks by their size; `refuse_size` says what is one here."""
     from PIL import Image
 
     most, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
@@ -185,7 +181,7 @@ def _png_pages(path: Path) -> Pages:
 
 
 def _radiance_pages(path: Path) -> Pages:
-    return _one(path, lambda data: read_radiance(data, decoded))
+    return _one(path, lambda data: read_radiance(path, data, decoded))
 
 
 _READERS: dict[str, Callable[[Path], Pages]] = {

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.pages import Note, UnsupportedPicture
+from nscc_runtime.scenes.picture_size import refuse_size
 
 TRANSFERS: dict[int, Transfer] = {
     **dict.fromkeys((1, 6, 13, 14, 15), "srgb"), 8: "linear", 16: "pq", 18: "hlg",
@@ -71,7 +72,7 @@ _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILI
 
 
 def read_radiance(
-    data: NDArray[np.uint8], decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
+    path: Path, data: NDArray[np.uint8], decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
 ) -> NDArray[Any]:
     """The picture of a Radiance file in any of its eight orientations.
 
@@ -89,6 +90,7 @@ def read_radiance(
     if found is None or found[2] == found[5]:
         return decode(data)
     lines, count = int(found[3]), int(found[6])
+    refuse_size(path, lines, count)
     usual = b"-Y %d +X %d" % (lines, count)
     picture = decode(np.frombuffer(head + blank + usual + newline + samples, np.uint8))
     signs = {found[2]: found[1], found[5]: found[4]}

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_size import refuse_size
 
 RAW = (".arw", ".cr2", ".dng", ".nef")
 """Endings of raw files."""
@@ -29,6 +30,7 @@ def raw_pages(path: Path) -> Pages:
 
     def read() -> Iterator[NDArray[Any]]:
         with rawpy.imread(str(path)) as raw:
+            refuse_size(path, raw.sizes.raw_height, raw.sizes.raw_width)
             picture = raw.postprocess(
                 gamma=(1, 1), no_auto_bright=True, no_auto_scale=False, output_bps=16,
                 user_wb=[1, 1, 1, 1], output_color=rawpy.ColorSpace.raw,

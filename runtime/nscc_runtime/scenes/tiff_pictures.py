@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
+from nscc_runtime.scenes.picture_size import refuse_size
 
 _SUBFILE, _COLS, _ROWS, _BITS, _COMPRESSION, _PHOTOMETRIC, _FORMAT = (
     254, 256, 257, 258, 259, 262, 339,
@@ -44,6 +45,7 @@ def tiff_pages(path: Path) -> Pages:
     ] or [0]
     for index in chosen:
         _check_samples(directories[index])
+        refuse_size(path, int(directories[index][_ROWS]), int(directories[index][_COLS]))
 
     def read() -> Iterator[NDArray[Any]]:
         for index in chosen:

@@ -12,8 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc_runtime.scenes import picture_size
 from nscc_runtime.scenes.pages import Note, Pages
 from nscc_runtime.scenes.picture_heads import TRANSFERS
+from nscc_runtime.scenes.picture_size import refuse_size
 
 _WEIGHTS = {1: (0.2126, 0.0722), 9: (0.2627, 0.0593), 10: (0.2627, 0.0593)}
 """Weights of red and blue in luma by the matrix of ITU-T H.273: BT.709, BT.2020."""
@@ -52,11 +54,15 @@ def video_pages(path: Path) -> Pages:
     """The frames of a video, uint8 or uint16 (R, C, 3), at even times.
 
     Frames of unequal length are repeated or left out so that all last for the usual time. A file
-    that breaks off yields the frames before. ValueError where there is none.
+    that breaks off yields the frames before. ValueError where there is none; NS0734 for large ones.
     """
     timing = _timing_of(path)
     with _opened(path) as container:
         context = container.streams.video[0].codec_context
+        refuse_size(path, context.height, context.width)
+        if not context.height * context.width:
+            most = picture_size.MOST_PIXELS
+            raise ValueError(f"its frames have no size, or more than {most:,} pixels")
         trc, primaries = int(context.color_trc), int(context.color_primaries)
     count, notes = len(timing.times), _notes(timing, primaries)
     if not count:
@@ -73,9 +79,16 @@ def _opened(path: Path) -> Iterator[Any]:
 
     # As a file and not by its name, in which FFmpeg would look for a protocol; what a playlist
     # inside names is not opened.
-    options = {"protocol_whitelist": "none"}
-    with open(path, "rb") as file, av.open(file, container_options=options) as container:
+    own = {"protocol_whitelist": "none"}
+    with open(path, "rb") as file, av.open(
+        file, container_options=own, options=_bound()
+    ) as container:  # fmt: skip
         yield container
+
+
+def _bound() -> dict[str, str]:
+    """The option by which FFmpeg refuses large frames before it takes memory for them."""
+    return {"max_pixels": str(picture_size.MOST_PIXELS)}
 
 
 def _timing_of(path: Path) -> _Timing:
@@ -142,6 +155,7 @@ def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
     with _opened(path) as container:
         stream = container.streams.video[0]
         stream.thread_type = "AUTO"
+        stream.codec_context.options = _bound()
         try:
             for frame in container.decode(stream):
                 count += 1

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from hashlib import sha256
@@ -16,13 +15,14 @@ from numpy.typing import NDArray
 from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import InvalidArrays
 from nscc.pipeline import Options
 from nscc.words.file import to_bytes
 from nscc_runtime.decode_table import decode_arrays
-from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.dark import read_dark, undarkened
-from nscc_training.frame_reading import are_lengths, is_plan, number_of
+from nscc_training.frame_reading import are_lengths, number_of
 from nscc_training.measured import Measured
 from nscc_training.problems import said, why_no_arrays
 
@@ -94,15 +94,11 @@ def read_coded_frames(
     is taken off, in place of what its words add in the mean; `warn` is told doubts about it.
     """
     try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
-        meta = json.loads(str(arrays["meta"]))
-    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise nocoded_frame(path, why_no_arrays(path, error)) from error
-    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
-        raise nocoded_frame(path, f"its schema is not {SCHEMA}")
-    if not is_plan(meta.get("plan")):
-        raise nocoded_frame(path, "the `plan` of its meta does not say which effects it has")
+        arrays, meta = read_frame_arrays(
+            path, lambda name: name == "saturated" or name.startswith("decode_")
+        )
+    except (InvalidArrays, OSError) as error:
+        raise nocoded_frame(path, why_no_arrays(error)) from error
     if program is not None:
         table = _table_of(path, program, meta)
         pixels, own = (each[name].shape[-2:] for each, name in
@@ -175,12 +171,13 @@ def coded_frame(
         raise ValueError("`decode_slot_us` are no lengths of slots")
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
-    gain, bias_e, variance_e2 = (
-        arrays[f"decode_{name}"][row].transpose(2, 0, 1)
-        for name in ("gain", "bias_e", "variance_e2")
-    )
+    responses = [arrays[f"decode_{name}"] for name in ("gain", "bias_e", "variance_e2")]
+    if any(each.shape != opened.shape[:2] or each.dtype.kind != "f" for each in responses):
+        raise ValueError(f"responses of other shapes than the shutters, {opened.shape[:2]}")
+    gain, bias_e, variance_e2 = (response[row].transpose(2, 0, 1) for response in responses)
     # A variance may be infinite: such a code says nothing about the light.
-    known = np.isfinite(gain) & (gain != 0) & np.isfinite(bias_e) & (variance_e2 >= 0)
+    largest = np.maximum(np.abs(gain), np.abs(bias_e))
+    known = (np.abs(gain) > 1e-15) & (largest < 1e15) & (variance_e2 >= 0)
     if not known.all():
         raise ValueError("how light follows from an exposure (`decode_gain`, `decode_bias_e`, "
                          "`decode_variance_e2`) is not said in numbers")  # fmt: skip

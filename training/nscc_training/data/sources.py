@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import file_sha256
 from nscc_runtime.scenes.colour import Transfer, linear
 from nscc_runtime.scenes.picture_files import (
     DISPLAY,
@@ -126,7 +127,7 @@ class _Kind:
 
 def _pictures(folder: Path) -> list[Scene]:
     files = pictures_below(folder)
-    return [Scene(path.name, sha256(path.read_bytes()).hexdigest(), light_of_picture(path))
+    return [Scene(path.name, file_sha256(path), light_of_picture(path))
             for path in files]  # fmt: skip
 
 
@@ -169,7 +170,7 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
 
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama or a photograph."""
-    digest = sha256(path.read_bytes()).hexdigest()
+    digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
         return [_scene(path.name, _read_clip(path, kind), kind, digest)]

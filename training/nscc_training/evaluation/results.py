@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import read_whole
 from nscc_training.measures import number, stamp
 from nscc_training.metrics import finite_mean
 from nscc_training.protocol_scenes.files import scenes_in
@@ -192,7 +193,7 @@ def with_arrays(
 def read_result(path: Path) -> dict[str, Any]:
     """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        found = json.loads(read_whole(path))
         if isinstance(found, dict) and found.get("schema") == SCHEMA:
             if not isinstance(found.get("mean"), int | float | None):
                 raise ValueError("its mean is no number")

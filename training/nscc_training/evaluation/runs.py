@@ -13,6 +13,7 @@ import torch
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import file_sha256
 from nscc.program.problems import counted
 from nscc_runtime.sensor import load_sensor
 from nscc_training.data import load_scenes
@@ -210,7 +211,7 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
 
 def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
     """Those of the files that the run learned from or was chosen by."""
-    return [path for path in files if sha256(path.read_bytes()).hexdigest() in folder.seen]
+    return [path for path in files if file_sha256(path) in folder.seen]
 
 
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:

@@ -12,6 +12,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import check_size
 from nscc.target.load import load_target, parse_target, read_target
 from nscc.target.target import Target
 from nscc_runtime.effects import selected
@@ -234,6 +235,7 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
     path = run_path(Path(run)) / WEIGHTS
     try:
+        check_size(path.stat().st_size)
         decoder.load_state_dict(load_file(str(path)))
     except Exception as error:  # safetensors raises its own type and several others
         reason = f"the weights of '{run[:200]}' do not fit: {said(error, 150)}"

@@ -14,6 +14,7 @@ from torch import Tensor
 from torch.optim.swa_utils import AveragedModel
 
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import check_size
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.optimizers import Muon
@@ -116,6 +117,7 @@ def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
     from safetensors import safe_open
 
     try:
+        check_size(path.stat().st_size)
         with safe_open(str(path), framework="pt", device="cpu") as file:
             about = dict(json.loads(file.metadata()["nscc"]))
             tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118

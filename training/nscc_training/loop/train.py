@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,7 @@ from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch,
 from nscc_training.data.moving import shown_picture
 from nscc_training.draws import generator_of
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
+from nscc_training.loop.folder_lock import locked_folder
 from nscc_training.loop.lesson_losses import lesson_losses
 from nscc_training.loop.log import METRICS, Log
 from nscc_training.loop.optimizers import optimizers_of, set_rates
@@ -76,6 +78,15 @@ def train(
     both in the process that writes. With `stop_after` the run ends after that step, as if
     interrupted, but with a checkpoint.
     """
+    is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
+    with locked_folder(out) if is_first else nullcontext():
+        _train(settings, out, resume, track, report, stop_after)
+
+
+def _train(
+    settings: Settings, out: Path, resume: str, track: Track, report: Callable[[str], None],
+    stop_after: int | None,
+) -> None:  # fmt: skip
     ranks = Ranks()
     try:
         _check_ranks(settings, ranks)

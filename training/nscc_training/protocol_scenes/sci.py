@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.mat_files import mat_arrays
 from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW
 from nscc_training.problems import said
@@ -63,14 +64,11 @@ def sci_scenes(files: Sequence[Path], protocol: Protocol) -> Iterator[SciClip]:
 
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     """Return the clip in a `.mat` file; Rejected (NS0809) if it is not one of the benchmark's."""
-    from scipy.io import loadmat
-
     try:
-        with open(path, "rb") as stream:  # of a path scipy does not say that there is no such file
-            found = loadmat(stream, variable_names=["orig", "mask", "meas"])
+        found = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:
         raise _unusable(path, "there is no such file") from None
-    except Exception as error:  # scipy.io raises a dozen types for damaged files
+    except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
         raise _unusable(path, said(error)) from error
     frames = int(protocol["frames"])
     try:

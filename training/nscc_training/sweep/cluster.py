@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from itertools import islice
+from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
@@ -41,10 +42,17 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
         "distributed.worker.profile.enabled": False,
         "distributed.admin.tick.limit": "1h",
     }
-    with dask.config.set(settings), LocalCluster(
-        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
-        silence_logs=logging.CRITICAL,
-    ) as cluster, Client(cluster) as client:  # fmt: skip
+    with dask.config.set(settings):
+        # A terminal interrupts workers, too: they leave that to the main thread, which ends them.
+        before = pthread_sigmask(SIG_BLOCK, {SIGINT})
+        try:
+            cluster = LocalCluster(
+                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+                silence_logs=logging.CRITICAL,
+            )  # fmt: skip
+        finally:
+            pthread_sigmask(SIG_SETMASK, before)
+    with dask.config.set(settings), cluster, Client(cluster) as client:
         yield lambda tasks: _computed(client, tasks)
 
 
