@@ -37,7 +37,6 @@ ENDINGS = (".json", ".npz", ".toml", *PICTURES, *CLIPS)
 _MOST_FRAMES = 64
 _MOST_DRAWN_PIXELS = 1 << 22
 _MOST_DRAWN_BYTES = 1 << 28
-"""Of light, all of which decides the tone curve."""
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
