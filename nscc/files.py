@@ -22,7 +22,6 @@ _DESCRIPTOR = re.compile(r"/dev/(?:fd/\d+|stdin|stdout|stderr)|/proc/[^/]+/fd/\d
 """Names of what a process has open: a pipe, a terminal, a file that a shell has opened."""
 
 _writes = count()
-"""Numbers the writes of this process."""
 
 _Identity = tuple[int, int]
 _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default=None)

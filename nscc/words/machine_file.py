@@ -253,6 +253,8 @@ def _state_faults(container: Container, machine: Machine) -> Iterator[str]:
             yield f"the state {state.name[:40]!a} has planes, or lacks them"
         elif planes is not None and not {*values.tolist()} <= {*planes.values}:
             yield f"the planes of {state.name[:40]!a} have no bits for some of its values"
+        elif planes and state.kept and not {*planes.registers} <= {*container.code_registers}:
+            yield f"the planes of {state.name[:40]!a} are kept and not loaded"
     registers = container.target.digital_registers
     for name, planes in container.state_planes.items():
         if len({*planes.values}) < len(planes.values):

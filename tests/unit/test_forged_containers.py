@@ -93,8 +93,12 @@ def _one_value_twice(header: dict[str, Any]) -> None:
     header["machine"]["planes"][0][2][1] = header["machine"]["planes"][0][2][0]
 
 
+def _not_loaded(header: dict[str, Any]) -> None:
+    header["code_registers"] = []
+
+
 @pytest.mark.parametrize(
-    "change", [_unhashable_bit, _true_as_a_bit, _other_value, _one_value_twice]
+    "change", [_unhashable_bit, _true_as_a_bit, _other_value, _one_value_twice, _not_loaded]
 )
 def test_forged_headers_are_refused(
     kept: Container, change: Callable[[dict[str, Any]], object], tmp_path: Path, run_nscc: RunNscc

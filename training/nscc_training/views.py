@@ -39,7 +39,6 @@ _MOST_DRAWN_PIXELS = 1 << 22
 _MOST_FRAME_PIXELS = 1 << 20
 """Of a frame of a clip, of which all are held at once."""
 _MOST_DRAWN_BYTES = 1 << 28
-"""Of light, all of which decides the tone curve."""
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
