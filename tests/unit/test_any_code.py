@@ -297,8 +297,8 @@ def test_lessons_go_on_where_they_stopped(lessons: str, tmp_path: Path) -> None:
         "shutter": {"class": "b" if stills else "c", "slots": 8, "tile": [2, 2], "length": 2,
                     "learn": False},
         "decoder": {"name": "any", "lessons": lessons, "films": 0.5, "stages": 4, "through": 2},
-        "data": {"train": str(tmp_path / "in"), "protocol": "hdr-v1" if stills else "video-v1",
-                 "patch": 16, "scenes": 4, "val_items": 1},
+        "data": {"train": str(tmp_path / "in"), "val": "procedural", "patch": 16, "scenes": 4,
+                 "protocol": "hdr-v1" if stills else "video-v1", "val_items": 1},
         "train": {"steps": 3, "batch": 1, "validate_every": 2, "optimizer": "muon",
                   "average": 0.5},
     }  # fmt: skip

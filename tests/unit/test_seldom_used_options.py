@@ -20,7 +20,7 @@ from small_runs import clip
 
 from nscc.editing.document import Document
 from nscc.editing.hover import hover
-from nscc_training.baselines.dictionary import SIDE, made_dictionary
+from nscc_training.baselines import dictionary
 
 CONFIG = """[shutter]
 slots = 8
@@ -157,12 +157,19 @@ def test_a_design_stays_within_its_words(tmp_path: Path) -> None:
     assert not (tmp_path / "few.nsl").exists()
 
 
-def test_a_dictionary_of_made_scenes_is_the_same_each_time() -> None:
-    atoms = made_dictionary(2, 12, seed=3)
-    assert atoms.shape == (2 * SIDE * SIDE, 12)
+def test_a_dictionary_of_made_scenes_is_the_same_each_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(dictionary, "ATOMS", 12)
+    atoms = dictionary.made_dictionary.__wrapped__(2)
+    assert atoms.shape == (2 * dictionary.SIDE**2, 12)
     np.testing.assert_allclose(np.linalg.norm(atoms, axis=0), 1, atol=1e-6)
-    np.testing.assert_array_equal(made_dictionary.__wrapped__(2, 12, seed=3), atoms)
-    assert not np.array_equal(made_dictionary(2, 12, seed=4), atoms)
+    np.testing.assert_array_equal(dictionary.made_dictionary.__wrapped__(2), atoms)
+
+
+def test_a_dictionary_of_another_seed_is_another() -> None:
+    blocks = np.random.default_rng(1).random((40, 6))
+    atoms = [dictionary.learned(blocks, 5, 2, 1, seed) for seed in (3, 3, 4)]
+    np.testing.assert_array_equal(atoms[0], atoms[1])
+    assert not np.array_equal(atoms[0], atoms[2])
 
 
 @pytest.mark.parametrize(

@@ -50,8 +50,8 @@ def _reads(values: Values) -> Sequence[Path]:
         *settings.loss.name.split("+"),
     ]  # fmt: skip
     data = [
-        folder for text in (settings.data.train, settings.data.val) if not is_import_path(text)
-        for folder in folders_of(text)
+        folder for text in (settings.data.train, settings.data.val)
+        if text and not is_import_path(text) for folder in folders_of(text)
     ]  # fmt: skip
     named += [text for text in (settings.data.train, settings.data.val) if is_import_path(text)]
     files = [
