@@ -7,6 +7,7 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from itertools import islice
+from multiprocessing import resource_tracker
 from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
@@ -44,6 +45,8 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
     }
     with dask.config.set(settings):
         # A terminal interrupts workers, too: they leave that to the main thread, which ends them.
+        # Whoever starts Python's tracker of resources is open to interrupts after it.
+        resource_tracker.ensure_running()
         before = pthread_sigmask(SIG_BLOCK, {SIGINT})
         try:
             cluster = LocalCluster(
