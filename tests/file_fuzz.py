@@ -70,7 +70,10 @@ READERS: dict[str, tuple[str, ...]] = {
     ),
     **{f"pic.{kind}": (f"run flat.nsl --scene pic.{kind} {_SCENE}",)
        for kind in ("hdr", "exr", "tiff", "png", "jpg", "pfm")},
-    **{f"clip.{kind}": (f"run flat.nsl --scene clip.{kind} {_SCENE}",) for kind in ("avi", "gif")},
+    **{f"clip.{kind}": (f"run flat.nsl --scene clip.{kind} {_SCENE}",)
+       for kind in ("avi", "gif", "tiff", "webp")},
+    "v73.mat": ("metrics v73.mat v73.mat --data-range 9",),
+    "other.npz": ("reconstruct any other.npz -o out.npz",),
     "config.toml": (
         "train config.toml --out out --set train.steps=1 --set train.batch=1 --set data.patch=16 "
         "--set data.scenes=2 --set data.val_items=1 --set shutter.slots=8",
@@ -133,6 +136,7 @@ validate_every = 1
 
 
 def _make_pictures(folder: Path, rng: np.random.Generator) -> None:
+    import h5py
     import OpenEXR
     from PIL import Image
 
@@ -146,6 +150,12 @@ def _make_pictures(folder: Path, rng: np.random.Generator) -> None:
     frames = [np.roll(picture, k, axis=1) for k in range(5)]
     first, *others = map(Image.fromarray, frames)
     first.save(folder / "clip.gif", save_all=True, append_images=others)
+    for kind in ("tiff", "webp"):
+        first.save(folder / f"clip.{kind}", save_all=True, append_images=others)
+    with h5py.File(folder / "v73.mat", "w", userblock_size=512) as hdf5:
+        hdf5.create_dataset("image", data=rng.random((24, 32)), compression="gzip")
+    mask = rng.integers(0, 2, (24, 32, 4))
+    np.savez(folder / "other.npz", mask=mask, meas=rng.random((24, 32)))
     code = cv2.VideoWriter_fourcc(*"MJPG")  # type: ignore[attr-defined]
     clip = cv2.VideoWriter(str(folder / "clip.avi"), code, 25, (32, 24))
     for frame in frames:

@@ -174,6 +174,12 @@ def test_a_chunk_that_unpacks_to_more_than_a_chunk(tmp_path: Path) -> None:
         mat_array(path, "a")
 
 
+def test_measurements_beyond_single_precision(tmp_path: Path) -> None:
+    np.savez(tmp_path / "a.npz", meas=np.array([[1.0, -1e300]]))
+    with pytest.raises(Rejected, match="beyond 1e\\+15"):
+        real_array(tmp_path / "a.npz", "meas")
+
+
 def test_npy_masks(tmp_path: Path) -> None:
     stated = {"descr": "<f8", "fortran_order": False, "shape": (100_000, 100_000)}
     with open(tmp_path / "a.npy", "wb") as file:

@@ -18,6 +18,9 @@ from nscc_training.problems import listed, unreadable
 ENDINGS = (".mat", ".npy", ".npz")
 Floats = NDArray[np.float64]
 
+_MOST = 1e15
+"""Of a measurement, in any unit: squares of such values still are floats of single precision."""
+
 
 def array_names(path: Path) -> list[str]:
     """The names of the arrays in a .mat or .npz file; none of an .npy. Rejected (NS0845) for
@@ -42,6 +45,8 @@ def real_array(path: Path, name: str) -> Floats:
     bad = int(np.count_nonzero(~np.isfinite(values)))
     if bad:
         raise refused(path, f"{bad} of {values.size} values of `{name}` are not finite")
+    if (np.abs(values) > _MOST).any():
+        raise refused(path, f"`{name}` has values beyond {_MOST:g}")
     return values
 
 
