@@ -73,7 +73,7 @@ READERS: dict[str, tuple[str, ...]] = {
     **{f"clip.{kind}": (f"run flat.nsl --scene clip.{kind} {_SCENE}",)
        for kind in ("avi", "gif", "tiff", "webp")},
     "v73.mat": ("metrics v73.mat v73.mat --data-range 9",),
-    "other.npz": ("reconstruct any other.npz -o out.npz",),
+    "meas.npz": ("reconstruct any meas.npz -o out.npz",),
     "config.toml": (
         "train config.toml --out out --set train.steps=1 --set train.batch=1 --set data.patch=16 "
         "--set data.scenes=2 --set data.val_items=1 --set shutter.slots=8",
@@ -155,7 +155,7 @@ def _make_pictures(folder: Path, rng: np.random.Generator) -> None:
     with h5py.File(folder / "v73.mat", "w", userblock_size=512) as hdf5:
         hdf5.create_dataset("image", data=rng.random((24, 32)), compression="gzip")
     mask = rng.integers(0, 2, (24, 32, 4))
-    np.savez(folder / "other.npz", mask=mask, meas=rng.random((24, 32)))
+    np.savez(folder / "meas.npz", mask=mask, meas=rng.random((24, 32)))
     code = cv2.VideoWriter_fourcc(*"MJPG")  # type: ignore[attr-defined]
     clip = cv2.VideoWriter(str(folder / "clip.avi"), code, 25, (32, 24))
     for frame in frames:
