@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,3 +22,12 @@ class Exposure:
     exposure_e: NDArray[np.float64]
     valid: NDArray[np.bool_]
     saturated_by: NDArray[np.uint8] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Executed:
+    """One frame of pixels that look: the exposure, and the digital registers that are read, kept or
+    hold code, as planes (rows, cols)."""
+
+    exposure: Exposure
+    planes: Mapping[str, NDArray[np.bool_]]

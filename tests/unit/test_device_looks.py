@@ -32,7 +32,7 @@ from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.reference.looks import looking_frames
+from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 pytestmark = pytest.mark.xdist_group("firmware")

@@ -20,14 +20,13 @@ from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import device_keys, draws_keys, figures, switches
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.interface import Exposure
+from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
 from nscc_runtime.looking.paths import AnalogWord, Paths, paths_of
 from nscc_runtime.looking.way_loop import BLOCK, run_ways
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import most_destinations, readout_waits_s
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.film import Executed
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS
 from nscc_runtime.reference.trace import retention_us
