@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from threading import Lock
-from typing import Generic, TypeVar
-from weakref import WeakKeyDictionary
+from typing import Any, Generic, TypeVar
 
 from nscc.words.container import Container
 from nscc_runtime.effects.sensor import Sensor
@@ -13,13 +12,16 @@ from nscc_runtime.pool import after_fork
 
 T = TypeVar("T")
 
+_ANALYSES = "_analyses"
+"""The attribute of a container that holds its analyses. They refer to the container: kept anywhere
+else they would keep it alive."""
+
 
 class OfContainer(Generic[T]):
     """`make(container)`, once for each."""
 
     def __init__(self, make: Callable[[Container], T]) -> None:
         self._make = make
-        self._found: WeakKeyDictionary[Container, T] = WeakKeyDictionary()
         self._renew()
         after_fork(self._renew)  # a thread of the parent process may hold the lock
 
@@ -28,9 +30,11 @@ class OfContainer(Generic[T]):
 
     def __call__(self, container: Container) -> T:
         with self._making:  # threads that share a program wait for one analysis of it
-            if container not in self._found:
-                self._found[container] = self._make(container)
-            return self._found[container]
+            analyses: dict[OfContainer[Any], Any] = vars(container).setdefault(_ANALYSES, {})
+            if self not in analyses:
+                analyses[self] = self._make(container)
+            made: T = analyses[self]
+            return made
 
 
 class MadeReady(Generic[T]):
