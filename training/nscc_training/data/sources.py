@@ -85,7 +85,9 @@ def load_scenes(
     """
     kind = _Kind(settings, still, slots, seed, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
-    if settings.val or settings.train == "procedural":
+    if settings.val or pictures or settings.train == "procedural":
+        if pictures and not settings.val:
+            tell("validation: procedural scenes, as lessons learn from all pictures of data.train")
         val = _load(settings.val or "procedural", kind, "val")
     else:
         # By file: the clips of one panorama stay together.

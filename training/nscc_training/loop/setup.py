@@ -251,9 +251,6 @@ def _check_learning(settings: Settings) -> None:
         if chosen.learn:
             raise _wrong("shutter.learn", "lessons have codes of every kind, and the run's own do "
                          "not learn: set it to false")  # fmt: skip
-        if not settings.data.val:
-            raise _wrong("data.val", "lessons take all pictures of [data] train: name scenes to "
-                         "validate on, or `procedural`")  # fmt: skip
     if chosen.most_words and chosen.relaxation != "search":
         raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
                      "`search`, or weigh them by `words_weight`")  # fmt: skip
