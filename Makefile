@@ -99,8 +99,11 @@ format: $(VENV)/.test-installed
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
+# A process a core: torch's own threads would wait for each other.
+PYTEST = OMP_NUM_THREADS=1 $(BIN)/pytest --numprocesses auto --dist loadgroup
+
 test: lint types $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto --dist loadgroup
+	$(PYTEST)
 
 # What breaks most often and is told soonest: language, messages, words, layout of the packages.
 QUICK := tests/e2e/test_cases.py tests/e2e/test_imports.py \
@@ -111,10 +114,10 @@ quick: lint
 
 # What pages show, run as it stands.
 test-pages: $(VENV)/.test-installed $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto --dist loadgroup -m "pages and not slow"
+	$(PYTEST) -m "pages and not slow"
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
+	$(PYTEST) -m slow
 
 # SEED chooses the places; the first run of a commit records what each file of tests runs.
 SEED ?= 1
