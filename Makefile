@@ -6,6 +6,7 @@
 # make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
 # make vsix      the extension for VS Code in build/nscc.vsix: needs npm
+# make mutants    change product code in 40 places, one at a time, and see whether tests notice: an hour
 # make lint       ruff; make types: mypy; make format: put right what ruff can
 # make clean      remove what was built; the environment stays
 #
@@ -26,7 +27,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-pages test-slow bench docs linkcheck pictures figures vsix lint format types clean
+.PHONY: help demo test quick test-pages test-slow bench docs linkcheck mutants pictures figures vsix lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -98,8 +99,11 @@ format: $(VENV)/.test-installed
 	$(BIN)/ruff check --fix .
 	$(BIN)/ruff format .
 
+# A process a core: torch's own threads would wait for each other.
+PYTEST = OMP_NUM_THREADS=1 $(BIN)/pytest --numprocesses auto --dist loadgroup
+
 test: lint types $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto --dist loadgroup
+	$(PYTEST)
 
 # What breaks most often and is told soonest: language, messages, words, layout of the packages.
 QUICK := tests/e2e/test_cases.py tests/e2e/test_imports.py \
@@ -110,10 +114,15 @@ quick: lint
 
 # What pages show, run as it stands.
 test-pages: $(VENV)/.test-installed $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto --dist loadgroup -m "pages and not slow"
+	$(PYTEST) -m "pages and not slow"
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
-	$(BIN)/pytest --numprocesses auto --dist loadgroup -m slow
+	$(PYTEST) -m slow
+
+# SEED chooses the places; the first run of a commit records what each file of tests runs.
+SEED ?= 1
+mutants: $(VENV)/.test-installed $(VENV)/.compiled
+	$(BIN)/python tests/mutants.py --seed $(SEED) --build $(OUT)
 
 bench: $(VENV)/.test-installed $(VENV)/.compiled
 	$(PIP) --no-build-isolation --editable '.[bench,test]'

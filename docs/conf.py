@@ -30,6 +30,7 @@ include_patterns = [
     "runtime/PROTOCOL.md",
     "runtime/firmware/README.md",
     "training/results/README.md",
+    "training/results/details.md",
 ]
 myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 4

@@ -5,16 +5,34 @@ Each check is cheap beside the pass that made its value, and shares nothing with
 
 from __future__ import annotations
 
-from nscc.logic.problem import Machine
+from collections.abc import Sequence
+from math import inf
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.logic.problem import Gate, Machine
 from nscc.logic.replay import fault
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice
 from nscc.lower.plan import ExposurePlan, Planned
+from nscc.operations import Effect, Op
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
 from nscc.source import Source
 from nscc.syntax.tree import File
+from nscc.truth import members
 from nscc.words.container import Container
+
+if TYPE_CHECKING:
+    from nscc.looks.passes import LookingLowered
+    from nscc.looks.plan import LookingPlan, Moment
+    from nscc.stream.sending import Sending
+    from nscc.words.machine import Machine as StateMachine
+
+_ROUNDING = 1e-9
+"""Part of a time by which sums of decimal fractions may differ."""
 
 
 class Inconsistent(Exception):
@@ -82,6 +100,90 @@ def check_gates(gated: Gated) -> None:
     for decoding in gated.tried:
         wrong = fault(decoding.problem, machine, decoding.solution)
         _require(wrong is None, f"{decoding.solution.encoding}: {wrong}")
+
+
+def check_looking_plan(plan: LookingPlan) -> None:
+    """Every change of a node's open buckets is a moment that closes and opens these buckets."""
+    machine = plan.machine
+    boundaries = [moment.boundary for moment in plan.moments]
+    _require(boundaries == sorted(set(boundaries)), "moments out of their order")
+    inner = machine.opens[:, :, 1:] != machine.opens[:, :, :-1]
+    for stage in range(machine.stages):
+        changed = np.flatnonzero(inner[machine.nodes(stage)].any(axis=(0, 1))) + 1
+        begin, end = machine.starts(stage), machine.ends(stage)
+        changed = changed[(begin < changed) & (changed < end)]
+        _require({*boundaries}.issuperset(changed.tolist()), "a change without a moment")
+    for moment in plan.moments:
+        _check_moment(moment, machine)
+
+
+def _check_moment(moment: Moment, machine: StateMachine) -> None:
+    """Buckets that were open, less those that close and with those that open, are open then."""
+    _require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
+    lanes, boundary = len(moment.before), moment.boundary
+    reset = _lanes(moment.resets, lanes)
+    for bucket, (falls, rises) in enumerate(zip(moment.falls, moment.rises, strict=True)):
+        was = machine.opens[moment.before, bucket, boundary - 1]
+        inside = boundary < machine.slots
+        becomes = machine.opens[moment.after, bucket, boundary] if inside else np.zeros_like(was)
+        found = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
+        wanted = np.where(reset, False, becomes)
+        _require(np.array_equal(found, wanted), f"bucket {bucket} is open in other pixels")
+
+
+def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
+    found = np.zeros(lanes, np.bool_)
+    found[members(vector, lanes)] = True
+    return found
+
+
+def check_looking_gates(tried: Sequence[LookingLowered]) -> None:
+    """Codes and states can be told apart, and each comparison is made at its moment."""
+    for lowered in tried:
+        solution, machine = lowered.looking, lowered.program.machine
+        assert solution is not None
+        assert machine is not None
+        for held in (solution.encoding.code, *solution.encoding.states):
+            rows = np.unique(held.bits, axis=0) if held.registers else held.bits
+            _require(len(rows) == len(held.bits), f"{held.name}: two values with the same bits")
+        names = {
+            *(f"p{i}" for i in range(len(solution.planes))),
+            *solution.states,
+            *(f"s{i}" for i in range(len(solution.states))),
+            *(f"t{i}" for i in range(solution.scratch)),
+            "FLAG",
+        }
+        for boundary, items in solution.items.items():
+            gates = [item for item in items if isinstance(item, Gate)]
+            used = {name for gate in gates for name in (gate.destination, *gate.sources)}
+            _require(names >= used, f"registers that nothing has: {sorted(used - names)}")
+            made = sum(
+                isinstance(item, Op) and item.operation.effect is Effect.FLAG_ANALOG
+                for item in items
+            )
+            _require(made == len(machine.at(boundary)), "a comparison that nothing makes")
+
+
+def check_route(sending: Sending) -> None:
+    """The light of every slot goes to the tap of the bucket that is open, or to no bucket's."""
+    route, shutters = sending.route, sending.program.table.shutters
+    place = np.where(route.bits, route.ones, route.zeros)[:, None]
+    taken = place == np.arange(shutters.shape[1])[:, None]
+    _require(np.array_equal(taken, shutters), "light goes to the tap of another bucket")
+
+
+def check_loadings(sending: Sending) -> None:
+    """Every plane is loaded, as long as its rows take, before it acts and before the next one."""
+    load_us, begin_us = sending.program.target.plane_load_us, 0.0
+    ended_us = -inf
+    for slot_us, loading in zip(sending.program.frame.slot_us, sending.loadings, strict=True):
+        slack = _ROUNDING * max(1.0, begin_us + slot_us)
+        _require(loading.load_us >= ended_us - slack, "two planes are loaded at once")
+        ended_us = loading.load_us + load_us
+        _require(ended_us <= loading.acts_us + slack, "a plane acts before it is loaded")
+        _require(begin_us <= loading.acts_us + slack, "a plane acts in an earlier slot")
+        begin_us += slot_us
+        _require(loading.acts_us < begin_us, "a plane acts after its slot")
 
 
 def check_schedule(choice: Choice) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 
 _ENDINGS = (".nsl", ".toml")
 
@@ -52,12 +52,11 @@ def example(name: str) -> Path:
     known = examples()
     found = known.get(name.removesuffix(".nsl"))
     if found is None:
-        near = closest(name, known)
         raise rejected(
             "NS0787",
             f"there is no example '{name[:60]}'",
             helps=(
-                *((f"did you mean `nscc examples {near}`?",) if near else ()),
+                *meant(name, known, written="nscc examples {}"),
                 "`nscc examples` lists them",
             ),
         )

@@ -8,6 +8,7 @@ import stat
 from collections.abc import Callable, Collection, Iterator, Mapping
 from contextlib import contextmanager
 from contextvars import ContextVar
+from itertools import count
 from pathlib import Path
 from typing import BinaryIO
 
@@ -19,6 +20,8 @@ Product = bytes | Callable[[BinaryIO], object]
 
 _DESCRIPTOR = re.compile(r"/dev/(?:fd/\d+|stdin|stdout|stderr)|/proc/[^/]+/fd/\d+")
 """Names of what a process has open: a pipe, a terminal, a file that a shell has opened."""
+
+_writes = count()
 
 _Identity = tuple[int, int]
 _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default=None)
@@ -44,6 +47,28 @@ def reads(*paths: Path) -> None:
             continue
         if known is not None and stat.S_ISREG(found.st_mode):
             known[found.st_dev, found.st_ino] = path
+
+
+def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
+    """Read an input file, and note it with `reads`.
+
+    Raises OSError where it cannot be read, ValueError where it has more than `most_bytes`, however
+    long it says that it is: a device has no end.
+    """
+    reads(path)
+    with open(path, "rb") as file:
+        data = file.read(most_bytes + 1)
+    if len(data) > most_bytes:
+        raise ValueError(f"it has more than {most_bytes >> 20} MiB")
+    return data
+
+
+def file_sha256(path: Path) -> str:
+    """The SHA-256 of a file in hexadecimal, read block by block."""
+    from hashlib import file_digest
+
+    with open(path, "rb") as file:
+        return file_digest(file, "sha256").hexdigest()
 
 
 def write_whole(path: Path, data: Product) -> None:
@@ -150,8 +175,8 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
             _fill(file, data)
         return []
     final = Path(os.path.realpath(path))
-    temporary = final.with_name(f".{final.name[:200]}.{os.getpid()}.part")
-    # Left by a process that was killed while it wrote; in containers numbers soon come again.
+    temporary = _temporary_beside(final)
+    # A process that was killed may have left it; in containers process numbers soon come again.
     temporary.unlink(missing_ok=True)
     kept = final.stat().st_mode & 0o777 if final.exists() else None
     asked = 0o666 if kept is None else kept
@@ -165,6 +190,18 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         temporary.unlink(missing_ok=True)
         raise
     return [(temporary, final)]
+
+
+def _temporary_beside(final: Path) -> Path:
+    """A short name in the folder of `final` that no other write uses at the same time.
+
+    The digest tells products and machines apart, the process number processes, the count the
+    writes of one process.
+    """
+    from hashlib import sha256
+
+    digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]
+    return final.with_name(f".{digest}.{os.getpid()}.{next(_writes)}.part")
 
 
 def _fill(file: BinaryIO, data: Product) -> None:

@@ -2,11 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import prod
+from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+MOST_BYTES = 1 << 30
+"""What the arrays of one file may take in memory, unless its reader states another bound."""
+
+_MOST_HEADER_BYTES = 1 << 16
+_BLOCK_BYTES = 1 << 24
+
+
+class InvalidArrays(ValueError):
+    """Why a file of arrays cannot be read, in words for its user."""
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
@@ -17,17 +29,97 @@ def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], boo
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
-    read = npy.read_array_header_1_0 if version == (1, 0) else npy.read_array_header_2_0
-    return version, *read(stream)
+    if version == (1, 0):
+        return version, *npy.read_array_header_1_0(stream)
+    return version, *npy_header_2(stream)
+
+
+def npy_header_2(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
+    """`numpy.lib.format.read_array_header_2_0`, which believes any length that a header states."""
+    from io import BytesIO
+
+    from numpy.lib import format as npy
+
+    length = stream.read(4)
+    if int.from_bytes(length, "little") > _MOST_HEADER_BYTES:
+        raise InvalidArrays(f"the header of an array is longer than {_MOST_HEADER_BYTES} bytes")
+    text = stream.read(int.from_bytes(length, "little"))
+    return npy.read_array_header_2_0(BytesIO(length + text))
 
 
 def npy_values(
     stream: IO[bytes], shape: tuple[int, ...], fortran: bool, dtype: np.dtype[Any]
 ) -> NDArray[Any] | None:
     """The values behind that header; None if the stream is cut short or too long."""
-    size = prod(shape) * dtype.itemsize
-    data = stream.read(size + 1)
-    if len(data) != size:
+    data = memoryview(bytearray(prod(shape) * dtype.itemsize))
+    filled = 0
+    while block := stream.read(min(len(data) - filled, _BLOCK_BYTES) or 1):
+        if filled + len(block) > len(data):
+            return None
+        data[filled : filled + len(block)] = block
+        filled += len(block)
+    if filled < len(data):
         return None
     values = np.frombuffer(data, dtype=dtype)
     return values.reshape(shape[::-1]).T if fortran else values.reshape(shape)
+
+
+def npz_arrays(
+    path: Path, wanted: Callable[[str], bool] = lambda name: True, most_bytes: int = MOST_BYTES
+) -> tuple[dict[str, NDArray[Any]], list[str]]:
+    """Read the `wanted` arrays of an .npz file, and list the names of all.
+
+    The sizes that the file states are checked before anything is unpacked: together the arrays
+    take at most `most_bytes`.
+
+    Raises InvalidArrays for a file that is no .npz file, too large, damaged, or holds Python
+    objects; OSError where it cannot be read.
+    """
+    from zipfile import BadZipFile, ZipFile
+
+    try:
+        archive = ZipFile(path)
+    except (BadZipFile, ValueError, NotImplementedError, EOFError) as error:
+        raise InvalidArrays("it is no .npz file") from error
+    arrays: dict[str, NDArray[Any]] = {}
+    unpacked_bytes = 0
+    with archive:
+        names = [each.removesuffix(".npy") for each in archive.namelist() if each.endswith(".npy")]
+        for name in filter(wanted, names):
+            try:
+                with archive.open(f"{name}.npy") as stream:
+                    _, shape, fortran, dtype = npy_header(stream)
+                    unpacked_bytes += prod(shape) * dtype.itemsize
+                    check_size(unpacked_bytes, most_bytes)
+                    if dtype.hasobject:
+                        raise InvalidArrays(f"`{name[:40]}` holds Python objects")
+                    values = npy_values(stream, shape, fortran, dtype)
+            except (InvalidArrays, MemoryError):
+                raise
+            except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
+                raise InvalidArrays(f"its array `{name[:40]}` is damaged: {error}") from error
+            if values is None:
+                raise InvalidArrays(f"its array `{name[:40]}` is cut short or too long")
+            arrays[name] = values
+    return arrays, names
+
+
+def npy_array(path: Path, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
+    """Read the array of an .npy file.
+
+    Raises InvalidArrays where it takes more than `most_bytes` or holds Python objects, and what
+    numpy does for a damaged file.
+    """
+    with open(path, "rb") as stream:
+        _, shape, _, dtype = npy_header(stream)
+        check_size(prod(shape) * dtype.itemsize, most_bytes)
+    return np.asarray(np.load(path, allow_pickle=False))
+
+
+def check_size(size: int, most_bytes: int = MOST_BYTES) -> None:
+    """Raises InvalidArrays where arrays of `size` bytes are more than a reader takes."""
+    if size > most_bytes:
+        raise InvalidArrays(
+            f"its arrays unpack to {size / 2**20:,.0f} MiB, at most {most_bytes >> 20:,} MiB are "
+            "read"
+        )

@@ -122,7 +122,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
 
     Plans that cannot be better than one that fits are not tried, unless all are to be priced.
     Refuses programs for which no gates are found (NS0502), which proves nothing, and what a
-    generator from outside does not do as it says (NS0905).
+    generator from outside does not do as it says (NS0905). Warns where a generator fails (NS0504).
     """
     options, results = job.options, job.results
     found = partial(
@@ -138,9 +138,10 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         # That nothing fits is never taken from the cache.
         results.distrust()
         gated = found()
-    if gated.tried:
-        return gated, []
-    return gated, [fit.gates_fault(gated.program, gated.misfits, level=options.level)]
+    said = list({each.generator: each.diagnostic() for each in gated.faults}.values())
+    if not gated.tried:
+        said.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
+    return gated, said
 
 
 def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
@@ -151,7 +152,8 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     """
     most_words = job.options.max_words_per_slot
     tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.tried)
-    choice = Choice(tuple(tried), gated.misfits)
+    failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
+    choice = Choice(tuple(tried), gated.misfits, failed)
     return choice, fit.faults(choice, level=job.options.level)
 
 
@@ -260,8 +262,8 @@ PASSES = (
 
 LOOKING_PASSES = (
     *_READING,
-    Pass("plan", plan_looking, lambda _plan: None),
-    Pass("gates", find_looking_gates, lambda _gated: None),
+    Pass("plan", plan_looking, checks.check_looking_plan),
+    Pass("gates", find_looking_gates, checks.check_looking_gates),
     Pass("schedule", lay_out_looking, checks.check_schedule),
     Pass("words", make_looking_container, checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
@@ -271,8 +273,8 @@ machine's steps, not a table's shutters."""
 
 STREAM_PASSES = (
     *_READING,
-    Pass("plan", plan_sending, lambda _way: None),
-    Pass("schedule", time_sending, lambda _sending: None),
+    Pass("plan", plan_sending, checks.check_route),
+    Pass("schedule", time_sending, checks.check_loadings),
     Pass("words", make_planes, checks.check_words),
     Pass("prove", prove_words, checks.check_proof),
 )

@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 from functools import cache
 
-_MODULES = {"cv2": "opencv-python-headless", "pil": "pillow", "serial": "pyserial"}
+_MODULES = {"cv2": "opencv-python-headless", "pil": "pillow", "pillow_heif": "pillow-heif",
+            "serial": "pyserial"}  # fmt: skip
 """Modules, in lower case, that are not named after the distribution that brings them."""
 
 _REQUIREMENT = re.compile(

@@ -27,12 +27,12 @@ from device_sessions import (
 )
 from device_simulation import Hung, Simulation
 from emulator_programs import container_of, target_of
+from loader_twin.loader import Loader
 
 from nscc.operations import op
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Silent, Stalled
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.serving import Loaded
 

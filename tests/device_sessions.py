@@ -14,6 +14,8 @@ import pytest
 from device_lockstep import SANITIZERS
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
+from loader_twin.loader import Loader
+from loader_twin.parsing import Held
 
 from nscc.target.target import Target
 from nscc.words.container import Container, Readout
@@ -21,9 +23,7 @@ from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Host, Task
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.parsing import Held
 from nscc_runtime.device.serving import Loaded
 from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.emulator import expose
@@ -104,7 +104,7 @@ def chip_of(example: Example, target: Target = TARGET) -> ChipAtOnce:
 
 def python_loader(example: Example) -> Loader:
     """The Python twin in front of the example's light."""
-    return Loader(TARGET, chip_of(example), firmware.PYTHON_NAME)
+    return Loader(TARGET, chip_of(example), "nscc-loader 2 (Python)")
 
 
 def sanitized(folder: Path | None = None) -> firmware.Built:

@@ -11,10 +11,13 @@ from numpy.typing import NDArray
 
 from nscc_training.config import settings_of
 from nscc_training.data import Batch
+from nscc_training.draws import generator_of
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.loop.steps import decoded, generator_of, loss_of
+from nscc_training.loop.steps import decoded, loss_of
 from nscc_training.loop.trials import pull, trial_of
 from nscc_training.sensor_model import laid
+
+CPU = torch.device("cpu")
 
 
 class Share(torch.nn.Module):
@@ -59,8 +62,10 @@ def tried_gradients(parts: Parts, batch: Batch, trials: int) -> list[NDArray[np.
     for seed in range(trials):
         parts.encoder.zero_grad()
         trial = trial_of(parts.encoder, *batch.light.shape[-2:], (1, seed), (2, seed))
-        made = decoded(parts, batch.light, trial.shutters[0], parts.model, generator_of(3, seed))
-        zero = pull(parts, batch, trial, made, generator_of(3, seed))
+        made = decoded(
+            parts, batch.light, trial.shutters[0], parts.model, generator_of(CPU, 3, seed)
+        )
+        zero = pull(parts, batch, trial, made, generator_of(CPU, 3, seed))
         assert zero.item() == 0
         zero.backward()
         found.append([p.grad.double().numpy().copy() for p in parts.encoder.parameters()])
@@ -78,10 +83,10 @@ def open_share(parts: Parts, batch: Batch, steps: int, rate: float) -> float:
         if parts.encoder.relaxation == "tried":
             trial = trial_of(parts.encoder, *batch.light.shape[-2:], (1, step), (2, step))
             shutters = trial.shutters[0]
-        made = decoded(parts, batch.light, shutters, parts.model, generator_of(3, step))
+        made = decoded(parts, batch.light, shutters, parts.model, generator_of(CPU, 3, step))
         loss = loss_of(parts, made, batch, shutters)
         if trial is not None:
-            loss = loss + pull(parts, batch, trial, made, generator_of(3, step))
+            loss = loss + pull(parts, batch, trial, made, generator_of(CPU, 3, step))
         loss.backward()
         optimiser.step()
         parts.encoder.project()

@@ -7,7 +7,8 @@ Names are asked for when somebody presses the key, so that commands do not wait 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ Items = list[CompletionItem]
 
 
 class Name(click.types.StringParamType):
-    """Any text; shells offer `names`, and with `files` what lies in folders, too.
+    """Any text; shells offer names, and with `files` what lies in folders, too.
 
     With `several` the text is a list with commas between; each name may have one of `signs` before
     it.
@@ -27,10 +28,20 @@ class Name(click.types.StringParamType):
     name = "text"
 
     def __init__(
-        self, names: Callable[[], Iterable[str]], *, files: bool = False, several: bool = False,
-        signs: str = "",
+        self, source: str, more: Sequence[str] = (), *, files: bool = False, several: bool = False,
+        signs: str = "", ending: str = "",
     ) -> None:  # fmt: skip
-        self.names, self.files, self.several, self.signs = names, files, several, signs
+        self.source, self.more, self.ending = source, more, ending
+        self.files, self.several, self.signs = files, several, signs
+
+    def names(self) -> Iterator[str]:
+        """All names: `more`, then those in MODULE:ATTRIBUTE, which is imported now."""
+        yield from self.more
+        if self.source:
+            module, _, name = self.source.partition(":")
+            held = getattr(import_module(module), name)
+            for each in held() if callable(held) else held:
+                yield (each if isinstance(each, str) else each.name) + self.ending
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
         """The names that begin as what was typed does."""
@@ -43,17 +54,18 @@ class Name(click.types.StringParamType):
 
 
 class RunPath(click.Path):
-    """The folder of a run; shells offer those, `names`, and folders on the way to them."""
+    """The folder of a run; shells offer those, the names of runs that come with nscc, `more`, and
+    folders on the way to them."""
 
-    def __init__(
-        self, names: Callable[[], Iterable[str]] = tuple, path_type: type[Any] = Path
-    ) -> None:
+    def __init__(self, more: Sequence[str] = (), path_type: type[Any] = Path) -> None:
         super().__init__(path_type=path_type)
-        self.names = names
+        self.more = more
 
     def shell_complete(self, ctx: click.Context, param: click.Parameter, incomplete: str) -> Items:
         """Folders that `nscc train` has written, and the names that begin alike."""
-        names = [name for name in self.names() if name.startswith(incomplete)]
+        from nscc_training.run_files import shipped_runs
+
+        names = [n for n in (*self.more, *shipped_runs()) if n.startswith(incomplete)]
         found = [CompletionItem(name) for name in (*names, *_runs(incomplete))]
         return [CompletionItem(incomplete, type="dir"), *found]
 
@@ -73,89 +85,19 @@ def _runs(typed: str) -> Iterator[str]:
             yield path
 
 
-def _targets() -> Iterable[str]:
-    from nscc.target.load import target_names
-
-    return target_names()
-
-
-def _effects() -> Iterable[str]:
-    from nscc_runtime.effects import registered
-
-    return [effect.name for effect in registered()]
-
-
-def _choices_of_effects() -> Iterable[str]:
-    from nscc_runtime.effects import optional
-
-    return ("auto", "all", "none", *optional())
-
-
-def _settings() -> Iterable[str]:
-    from nscc_runtime.effects.registry import parameters
-
-    return [f"{parameter.name}=" for parameter in parameters()]
-
-
-def _codes() -> Iterable[str]:
-    from nscc.diagnostics.render import names
-
-    return names()
-
-
-def _examples() -> Iterable[str]:
-    from nscc.examples import examples
-
-    return examples()
-
-
-def _kept() -> Iterable[str]:
-    from nscc_runtime.frame_file import KEEP
-
-    return KEEP
-
-
-def _products() -> Iterable[str]:
-    from nscc.emit.products import SUFFIXES
-
-    return SUFFIXES
-
-
-def _passes() -> Iterable[str]:
-    from nscc.pipeline import PASSES
-
-    return [each.name for each in PASSES]
-
-
-def _protocols() -> Iterable[str]:
-    from nscc_training.protocols import NAMES
-
-    return NAMES
-
-
-def _shipped_runs() -> Iterable[str]:
-    from nscc_training.run_files import shipped_runs
-
-    return shipped_runs()
-
-
-def _scenes() -> Iterable[str]:
-    return "builtin:hdr", "builtin:motion", "builtin:flat:", "builtin:dark"
-
-
-TARGET = Name(_targets, files=True)
-EFFECT = Name(_effects)
-EFFECTS = Name(_choices_of_effects, several=True, signs="+-")
-SETTING = Name(_settings)
-MESSAGE = Name(_codes)
-EXAMPLE = Name(_examples)
-KEPT = Name(_kept, several=True)
-PRODUCTS = Name(_products, several=True)
-PASS = Name(_passes)
-PROTOCOL = Name(_protocols)
-SCENE = Name(_scenes, files=True)
-RUN = RunPath(_shipped_runs)
-RUN_OR_ANY = RunPath(lambda: ("any", *_shipped_runs()), path_type=str)
+TARGET = Name("nscc.target.load:target_names", files=True)
+EFFECT = Name("nscc_runtime.effects:registered")
+EFFECTS = Name("nscc_runtime.effects:optional", ("auto", "all", "none"), several=True, signs="+-")
+SETTING = Name("nscc_runtime.effects.registry:parameters", ending="=")
+MESSAGE = Name("nscc.diagnostics.render:names")
+EXAMPLE = Name("nscc.examples:examples")
+KEPT = Name("nscc_runtime.frame_file:KEEP", several=True)
+PRODUCTS = Name("nscc.emit.products:SUFFIXES", several=True)
+PASS = Name("nscc.pipeline:PASSES")
+PROTOCOL = Name("nscc_training.protocols:NAMES")
+SCENE = Name("", ("builtin:hdr", "builtin:motion", "builtin:flat:", "builtin:dark"), files=True)
+RUN = RunPath()
+RUN_OR_ANY = RunPath(("any",), path_type=str)
 
 
 class Fish(FishComplete):

@@ -44,9 +44,6 @@ def command() -> None:
 )
 @click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
               "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
-@click.option("--loader", type=click.Choice(["auto", "firmware", "python"]), default="auto",
-              show_default=True, help="The firmware, compiled for this machine, or its Python "
-              "twin. auto: the firmware where there is a C++ compiler.")  # fmt: skip
 @click.option("--on", "machine", type=click.Choice(["host", "qemu", "qemu-m0"]), default="host",
               show_default=True, help="What runs the firmware: this machine, or a Cortex-M4 (a "
               "Cortex-M0) that QEMU emulates.")  # fmt: skip
@@ -58,18 +55,14 @@ def command() -> None:
 def serve(**options: Any) -> None:
     """Stand in for a chip: prints the port to open on the first line, then serves it.
 
-    Uploaded words run on the emulator, over SCENE. Ends with Ctrl-C.
+    Runs the firmware, which a C++ compiler compiles first. Uploaded words run on the emulator, over
+    SCENE. Ends with Ctrl-C.
     """
     from nscc.target.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.faults import Faults, parse_faults
     from nscc_runtime.emulator.loops import expose_block
 
-    loader = options["loader"]
-    if options["machine"] != "host":
-        if loader == "python":
-            raise click.UsageError("--on names what runs the firmware, and --loader python is none")
-        loader = options["machine"]
     faults = parse_faults(options["fault"]) if options["fault"] else Faults()
     target = load_target(options["target"], Path())
     sensor = sensor_of(target, options)
@@ -80,7 +73,7 @@ def serve(**options: Any) -> None:
     )  # fmt: skip
     support.say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
-    with stand_in.loaded(loader, target, chip, done) as running:
+    with stand_in.loaded(options["machine"], target, chip, done) as running:
         stand_in.serve(
             running, faults, opened=click.echo,
             moved=lambda port: done(f"the port is {port} now: its old name was taken"),

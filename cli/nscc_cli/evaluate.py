@@ -68,7 +68,7 @@ def sci8(
     The yardsticks see the truth, not the measurement, and say so in the result ("sees").
     """
     from nscc_training.baselines.loops import denoise
-    from nscc_training.evaluation.sci8 import evaluate_sci8
+    from nscc_training.evaluation.baselines import evaluate_sci8
 
     names = [path.name for path in clips]
     if twice := sorted({name for name in names if names.count(name) > 1}):
@@ -80,30 +80,28 @@ def sci8(
 
 @command.command("of", cls=CommonCommand)
 @click.argument("subject", type=RUN_OR_ANY, metavar="RUN|BASELINE")
-@click.option("--data", required=True, type=PATH, metavar="DIR",
-              help="The folder of scenes.")  # fmt: skip
-@click.option(
-    "--protocol",
-    type=PROTOCOL,
-    required=True,
-    metavar="P",
-    help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1 or staggered-v1.",
-)
+@click.option("--data", type=PATH, metavar="DIR", help="The folder of scenes.")
+@click.option("--protocol", type=PROTOCOL, metavar="P",
+              help="hdr-v1, video-v1, sci8, deblur-v1, two-bucket-v1, staggered-v1, "
+              "codes-v1.")  # fmt: skip
+@click.option("--split", type=click.Choice(["val"]), metavar="val",
+              help="Instead of --data and --protocol: the scenes that a run was chosen by, as "
+              "its metrics.csv scores them.")  # fmt: skip
 @click.option("--seed", type=click.IntRange(0, 2**31), default=0, help="Of random codes and noise.")
 @click.option("--skip-seen", is_flag=True,
               help="Leave out files that the run was trained or validated on.")  # fmt: skip
 @click.option("--shutter", default="", metavar="CLASS[:START]",
               help="The codes of a baseline: c, c:quad, d:random, ... for clips, b:quad, b:random "
-              "for stills; a class alone starts at random.")  # fmt: skip
+              "for stills, or a run's; a class alone starts at random.")  # fmt: skip
 @click.option("--effects", type=EFFECTS, default="", metavar="E",
               help="Expose with an emulated chip instead of the protocol's sensor: auto, all, or "
-              "names, as nscc run takes them. For runs.")  # fmt: skip
+              "names, as nscc run takes them. For runs and pixels that look.")  # fmt: skip
 @trust_code_option
 @_save_option
 @_outputs
 def of(
-    subject: str, data: Path, protocol: str, seed: int, skip_seen: bool, shutter: str,
-    effects: str, trust_code: bool, **outputs: Any,
+    subject: str, data: Path | None, protocol: str | None, split: str | None, seed: int,
+    skip_seen: bool, shutter: str, effects: str, trust_code: bool, **outputs: Any,
 ) -> None:  # fmt: skip
     """Score a run folder of `nscc train`, or a baseline, on a folder of scenes.
 
@@ -116,12 +114,22 @@ def of(
     crop). Of video-v1: any, gap-tv, admm-tv, dictionary, adjoint on random bits, and the yardsticks
     bilinear and thin-out. With --shutter, those that take codes of any class are scored on others.
     Of deblur-v1: long, short, any. Of two-bucket-v1: flutter, pixel-wise, two-bucket. Of
-    staggered-v1: aligned, staggered, staggered-alone.
+    staggered-v1: aligned, staggered, staggered-alone. Of codes-v1: any.
     """
+    if (split is None) == (data is None or protocol is None) or (split and (data or protocol)):
+        raise click.UsageError("name --data and --protocol, or else --split val")
+    if data is None or protocol is None:
+        from nscc_training.evaluation.runs import evaluate_validation
+        from nscc_training.run_folder import load_run
+
+        folder = load_run(Path(subject), trust_code=trust_code)
+        return _of_scenes(*evaluate_validation(folder), **outputs)
     from nscc_training.evaluation.subjects import evaluate
 
-    chosen = {"skip_seen": skip_seen, "trust_code": trust_code}
-    found = evaluate(subject, data, protocol, seed, codes=shutter, effects=effects, **chosen)
+    found = evaluate(
+        subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,
+        trust_code=trust_code,
+    )  # fmt: skip
     _of_scenes(*found, **outputs)
 
 
@@ -140,34 +148,32 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
     at 10 and 50 % of saturated pixels, with all effects of the sensor, and with comparators of 1, 2
     and 4 % of noise and offset.
     """
-    from nscc_training.evaluation.hdr_looks import every_row, rows_text
+    from nscc_training.sweep.looks import looks_table
 
-    found = every_row(data, results, seed, lambda rows: progress(rows, "evaluating"))
-    _finish(found, rows_text(found), {}, **outputs)
+    found, text = looks_table(data, results, seed, progress)
+    _finish(found, text, {}, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)
-@click.option("--data", type=PATH, metavar="DIR",
-              help="Panoramas and clips, or folders hdr and video of them: what is not among the "
-              "results is evaluated, which takes minutes a row.")  # fmt: skip
-@click.option("--runs", type=PATH, metavar="DIR",
-              help="A folder of run folders; runs of one row are its seeds.")  # fmt: skip
 @click.option("--results", type=PATH, metavar="DIR",
-              help="What `nscc evaluate -o` wrote before, and where rows are kept as they are "
-              "done.")  # fmt: skip
+              help="The results of a sweep, DIR/results or DIR (default: those that come with "
+              "nscc).")  # fmt: skip
+@click.option("--template", type=PATH, metavar="PAGE.md",
+              help="Another page than the paper's tables, with the same words.")  # fmt: skip
 @_outputs
-def tables(data: Path | None, runs: Path | None, results: Path | None, **outputs: Any) -> None:
-    """The paper's Tables 2, 3 and 4: its rows and ours, what was measured here beside them.
+def tables(results: Path | None, template: Path | None, **outputs: Any) -> None:
+    """The paper's Tables 2, 3 and 4 in Markdown: its rows and ours, what was measured here beside
+    them.
 
-    Without options from the results that come with nscc. Rows that were not run say why.
+    Runs and baselines are evaluated by `nscc sweep`. Rows that were not run say so.
     """
-    from nscc_training.evaluation.tables import tables as filled
-    from nscc_training.evaluation.tables import text_of
+    from nscc_training.evaluation.pages import page_of
 
-    if runs is not None and data is None:
-        raise click.UsageError("runs are evaluated on scenes: name them with --data DIR")
-    rows = filled(data, runs, results, lambda rows: progress(rows, "evaluating"))
-    _finish(rows, text_of(rows), {}, **outputs)
+    try:
+        rows, text = page_of(results, template)
+    except ValueError as error:
+        raise click.UsageError(f"{template}: {error}") from error
+    _finish(rows, text, {}, **outputs)
 
 
 @command.command("figures", cls=CommonCommand)

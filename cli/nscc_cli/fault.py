@@ -99,16 +99,21 @@ def _of_nscc(filename: object) -> bool:
 def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
     trace = "".join(traceback.format_exception(error))
     said = " ".join(str(error).split())[:200]
-    saved = _save(_packed(trace, arguments))
-    notes: tuple[str, ...]
-    if saved is None:
-        notes = ("no reproducer could be saved: neither here nor in the temporary folder", trace)
-        helps = ("please report it with the text above and your input",)
-    else:
-        notes = (f"this is a fault of nscc, not of your input; a reproducer saved as '{saved}'",)
-        helps = ("please report it with the reproducer (it holds the input files)",)
+    notes, hint = save_reproducer(trace, arguments)
     return Diagnostic(
-        "NS0901", f"nscc itself failed: {type(error).__name__}: {said}", notes=notes, helps=helps
+        "NS0901", f"nscc itself failed: {type(error).__name__}: {said}", notes=notes, helps=(hint,)
+    )
+
+
+def save_reproducer(trace: str, arguments: Sequence[str]) -> tuple[tuple[str, ...], str]:
+    """Save a reproducer with a traceback; return the notes and the help that say where it is."""
+    saved = _save(_packed(trace, arguments))
+    if saved is None:
+        none = "no reproducer could be saved: neither here nor in the temporary folder"
+        return (none, trace), "please report it with the text above and your input"
+    return (
+        (f"this is a fault of nscc, not of your input; a reproducer saved as '{saved}'",),
+        "please report it with the reproducer (it holds the input files)",
     )
 
 

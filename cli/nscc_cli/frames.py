@@ -7,8 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import rejected, unknown_name
 from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.support import progress
 
@@ -38,7 +37,8 @@ def scene_of(
             helps=("try --scene builtin:hdr, or name a file or a folder of pictures",),
         )
     named = ("scene", "exposure", "transfer", "fps", "crop", "frames_are")
-    more = {name: options[name] for name in ("fit", "color", "first", "single") if name in options}
+    others = ("fit", "color", "first", "single", "white", "skip", "bracket", "times")
+    more = {name: options[name] for name in others if name in options}
     return Scene(*(options[name] for name in named), **more)
 
 
@@ -96,12 +96,8 @@ def parse_keep(text: str) -> tuple[str, ...]:
     names = tuple(name.strip() for name in text.split(",") if name.strip())
     for name in names:
         if name not in KEEP:
-            near = closest(name, KEEP)
-            raise rejected(
-                "NS0739",
-                f"--keep cannot keep '{name[:60]}'",
-                notes=(f"it keeps, comma separated: {', '.join(KEEP)}",),
-                helps=(f"did you mean '{near}'?",) if near else (),
+            raise unknown_name(
+                "NS0739", "--keep cannot keep '{}'", name, KEEP, "it keeps, comma separated: {}"
             )
     return names
 

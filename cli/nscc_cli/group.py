@@ -9,9 +9,10 @@ import click
 
 from nscc import __version__
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc_cli.support import show
-from nscc_cli.table import COMMANDS
+from nscc_cli.table import COMMANDS, MODULES
 
 
 class LazyGroup(click.Group):
@@ -29,7 +30,9 @@ class LazyGroup(click.Group):
         """The command of that name, imported now; None if there is none."""
         if cmd_name not in COMMANDS:
             return others().get(cmd_name)
-        command: click.Command = import_module(f"nscc_cli.{cmd_name}").command
+        name = MODULES.get(cmd_name)
+        module = import_module(f"nscc_cli.{name or cmd_name.replace('-', '_')}")
+        command: click.Command = getattr(module, cmd_name if name else "command")
         return command
 
     def resolve_command(
@@ -78,15 +81,10 @@ def others() -> dict[str, click.Command]:
 
 
 def _unknown(name: str, known: list[str]) -> Diagnostic:
-    from difflib import get_close_matches
-
-    close = get_close_matches(name, known, n=1)
-    if close:
-        helps = (f"did you mean `nscc {close[0]}`?",)
-    elif name.endswith((".nsl", ".icw")):
+    helps = meant(name, known, written="nscc {}")
+    if not helps and name.endswith((".nsl", ".icw")):
         helps = (f"name a command first: `nscc check {name}`",)
-    else:
-        helps = ("`nscc --help` lists the commands",)
+    helps = helps or ("`nscc --help` lists the commands",)
     return Diagnostic("NS0781", f"nscc has no command '{name}'", helps=helps)
 
 

@@ -13,6 +13,7 @@ import sys
 import threading
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
+from io import TextIOWrapper
 from typing import TYPE_CHECKING
 
 from nscc import __version__
@@ -34,6 +35,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         # What imports make stays: looking through it for garbage takes a tenth of `check`. The
         # group turns the collector on again when the command's module is there.
         gc.disable()
+        _write_names_in_utf8()
     arguments = list(sys.argv[1:] if argv is None else argv)
     if arguments == ["--version"]:
         print(f"nscc {__version__}")
@@ -49,6 +51,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         # no second complaint when the interpreter flushes what is left.
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         return DONE
+
+
+def _write_names_in_utf8() -> None:
+    """Have names of files come out as they are in a locale of ASCII (POSIX), byte by byte."""
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, TextIOWrapper) and stream.encoding.lower() in ("ascii", "us-ascii"):
+            stream.reconfigure(encoding="utf-8", errors="surrogateescape")
 
 
 @contextmanager
@@ -83,7 +92,7 @@ def _run(arguments: list[str], interrupts: Sequence[int]) -> int:
     from nscc.diagnostics.diagnostic import Rejected
     from nscc_cli.support import Session, show, show_gathered
 
-    session = Session()
+    session = Session(arguments=arguments)
     _preset_format(arguments, session)
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

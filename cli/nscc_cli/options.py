@@ -57,7 +57,9 @@ def some_option(
 
 
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
-pixels_option = option("--pixels", type=PATH, help="The pixels' codes (.npz).")
+pixels_option = option(
+    "--pixels", type=PATH, help="The pixels' codes (.npz), or a mask (.npy .npz .mat)."
+)
 
 build_options = together(
     option("-O", "level", type=LEVEL,
@@ -85,7 +87,13 @@ link_options = together(
 
 scene_options = together(
     option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99)."),
-    option("--transfer", type=Choice(["linear", "srgb"]), help="The scene's curve."),
+    option("--transfer", type=Choice(["linear", "srgb", "pq", "hlg"]), help="The scene's curve."),
+    option("--white", type=float, metavar="W",
+           help="The sample that is white, such as 4095 (default: the largest of the type)."),
+    option("--skip", is_flag=True, help="Leave out frames that are missing from a folder."),
+    option("--bracket", is_flag=True,
+           help="Merge photos of several exposures, a folder or 'DIR/*.jpg', to one still."),
+    option("--times", metavar="S,S..", help="Their exposures in seconds (default: of their EXIF)."),
     option("--fps", type=float, help="The clip's frames a second, seen in the slots' own time."),
     option("--crop", metavar="R,C", help="Top left corner of the array in the scene."),
     option("--frames-are", type=Choice(["integrals", "samples"]), default="integrals",

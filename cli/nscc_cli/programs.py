@@ -69,8 +69,30 @@ def load_program(
     with _compiling(path, chosen):
         container, messages = load_container(path, chosen)
     if "pixels" in options:
-        container = with_pixels(container, path, options["pixels"])
+        container = with_pixels(container, path, _pixel_codes(options["pixels"], container))
     return container, messages
+
+
+def _pixel_codes(path: Path | None, container: Container) -> Path | Mapping[str, Any] | None:
+    """The file of codes; of a mask from elsewhere the codes that open its shutters."""
+    if path is None or not _is_mask(path):
+        return path
+    from nscc_training.imported_masks import codes_of_mask
+
+    return codes_of_mask(path, container)
+
+
+def _is_mask(path: Path) -> bool:
+    """Whether a file is no .npz of codes, but a .npy, a .mat or an .npz of `mask`."""
+    if path.suffix.lower() != ".npz" or not path.is_file():
+        return path.suffix.lower() in (".npy", ".mat")
+    from zipfile import BadZipFile, ZipFile
+
+    try:
+        with ZipFile(path) as archive:
+            return archive.namelist() == ["mask.npy"]
+    except (BadZipFile, OSError):  # what is wrong is said by those who read codes
+        return False
 
 
 def _compiling(path: Path, options: Options) -> AbstractContextManager[None]:

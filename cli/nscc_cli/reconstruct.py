@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import click
 
@@ -12,6 +12,9 @@ from nscc.files import refuse_same, write_together
 from nscc_cli.completion import RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
+
+if TYPE_CHECKING:
+    from nscc_training.reconstruct import Reconstruction
 
 
 @click.command("reconstruct", cls=CommonCommand)
@@ -30,13 +33,18 @@ from nscc_cli.support import CommonCommand, done, say
 @click.option("--program", type=PATH, metavar="FILE",
               help="With any: the program that exposed FRAME, where the file is an older one that "
               "does not hold its shutters.")  # fmt: skip
+@click.option("--mask", type=PATH, metavar="MASK", help="With any and an own measurement: the file "
+              "of its mask, where FRAME does not hold `mask`.")  # fmt: skip
+@click.option("--noise", metavar="SD[,GAIN]", help="With any and an own measurement: the standard "
+              "deviation of its readout, and what a photon adds, in the unit of `meas` (default: "
+              "none).")  # fmt: skip
 @click.option("--force", is_flag=True,
               help="With RUN: only warn if the frame is of another program or sensor.")  # fmt: skip
 @trust_code_option
 def command(
     run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
-    dark: Path | None, kind: Literal["image", "video"] | None, program: Path | None, force: bool,
-    trust_code: bool,
+    dark: Path | None, kind: Literal["image", "video"] | None, program: Path | None,
+    mask: Path | None, noise: str | None, force: bool, trust_code: bool,
 ) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run` wrote.
 
@@ -45,11 +53,17 @@ def command(
     RUN/shutter.nsl alone, or one that comes with nscc: hdr, clip. A frame whose pixels looked at
     the light needs no RUN: it says itself how long each was open.
 
+    `any` also takes measurements of other cameras, .mat, .npz or .npy: `meas` (rows, cols) or
+    (rows, cols, K) and `mask` (rows, cols, slots) or (slots, rows, cols), 0 to 1. The result is in
+    the unit of `meas` a slot.
+
     In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
     electrons a slot: the unit of the frame file's `truth_e`.
     """
     if run != "any" and (kind or program):
         raise click.UsageError("--as and --program are for `nscc reconstruct any`: a run has both")
+    if run != "any" and (mask or noise):
+        raise click.UsageError("--mask and --noise are for `nscc reconstruct any`")
     if run == "any" and frame is not None and force:
         raise click.UsageError("--force is for runs: `any` takes every frame as it is")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
@@ -60,12 +74,14 @@ def command(
         check_ending(png, (".png",), "a picture")
         refuse_same([out, png], "-o and --png")
     if frame is None:
-        from nscc_runtime.looked_light import image_of
+        from nscc_runtime.frame_arrays import image_of
 
         image = image_of(Path(run))
         content = Content({"image": image}, image)
+    elif run == "any" and (made := _of_measurement(frame, mask, noise, kind, program, dark)):
+        content = made.content
     elif run == "any":
-        from nscc_training.any_code.reconstruct import reconstruct_any
+        from nscc_training.reconstruct_any import reconstruct_any
 
         made = reconstruct_any(frame, program, kind, dark)
         say(made.messages)
@@ -89,3 +105,27 @@ def command(
     done("\n".join(f"wrote {path.as_posix()}" for path in products))
     if png is not None or FORMATS[ending].shown:
         done(f"shown with the {content.told}")
+
+
+def _of_measurement(
+    path: Path, mask: Path | None, noise: str | None, *of_frames: object
+) -> Reconstruction | None:
+    """The clip of an own measurement; None where the file is a frame of nscc. `of_frames` are the
+    options that only frames have."""
+    from nscc_training.own_measurements import (
+        NoiseModel,
+        is_measurement,
+        read_measurement,
+        reconstruct_measurement,
+    )
+
+    if not is_measurement(path, mask):
+        if noise is not None:
+            raise click.UsageError("--noise is for own measurements: a frame file states its noise")
+        return None
+    if any(of_frames):
+        raise click.UsageError("--as, --program and --dark are for frames of `nscc run`")
+    model = NoiseModel.parse(noise or "0")
+    measurement = read_measurement(path, mask)
+    done(f"measurement: {measurement.axes}\nnoise model: {model}")
+    return reconstruct_measurement(measurement, model)

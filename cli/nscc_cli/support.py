@@ -16,7 +16,7 @@ import click
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc.files import inputs_kept, reads
 
 Item = TypeVar("Item")
@@ -34,6 +34,8 @@ class Session:
 
     message_format: MessageFormat = "human"
     deny_warnings: bool = False
+    arguments: Sequence[str] = ()
+    """The command line, for reproducers."""
     gathered: list[Diagnostic] = field(default_factory=list)
     """What is said when all is done: a SARIF log is one document."""
 
@@ -104,6 +106,7 @@ def say(diagnostics: Sequence[Diagnostic]) -> None:
     Rejected (status 1) with the warnings turned into errors, so that nothing gets written.
     """
     now = session()
+    diagnostics = [_with_reproducer(each, now) for each in diagnostics]
     if now.deny_warnings and any(d.severity is Severity.WARNING for d in diagnostics):
         raise Rejected(tuple(_denied(d) for d in diagnostics))
     show(diagnostics)
@@ -119,6 +122,18 @@ def say_compiling(loop: Any, what: str) -> None:
     """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
     if not loop.is_compiled():
         done(f"compiling {what} for this processor: once, some seconds")
+
+
+def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
+    """The diagnostic with a note that names its reproducer, if it carries a traceback."""
+    trace = diagnostic.data.get("traceback")
+    if trace is None:
+        return diagnostic
+    from nscc_cli.fault import save_reproducer
+
+    note, help_text = save_reproducer(str(trace), of.arguments)
+    helps = (*diagnostic.helps, help_text)
+    return replace(diagnostic, notes=(*diagnostic.notes, *note), helps=helps)
 
 
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
@@ -202,12 +217,11 @@ class Subcommands(CommonCommand, click.Group):
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """The same where there is no command of that name."""
-        near = closest(name, self.commands)
         raise rejected(
             "NS0781",
             f"nscc has no {self.unknown.format(name[:60])}",
             helps=(
-                *((f"did you mean `nscc {self.name} {near}`?",) if near else ()),
+                *meant(name, self.commands, written=f"nscc {self.name} {{}}"),
                 f"there is: {', '.join(self.commands)}",
                 *self.or_else(),
             ),

@@ -24,6 +24,9 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
 @click.argument("grid", metavar="GRID.toml", type=PATH)
 @click.option("--out", required=True, metavar="DIR", type=OUT,
               help="The folder of the results.")  # fmt: skip
+@click.option("--part", "parts", multiple=True, metavar="PART",
+              help="Compute the points of this part of the grid alone, and the runs that they "
+              "name; may be repeated.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(0, 1024), metavar="N", help="Processes on this "
               "machine (default: one a processor; 0: none but this one).")  # fmt: skip
 @click.option("--threads", type=click.IntRange(1, 1024), default=1, show_default=True,
@@ -37,8 +40,8 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
               callback=_print_part, metavar="KIND", help=f"Print a complete part of a kind "
               f"({', '.join(_KINDS)}), and exit.")  # fmt: skip
 def command(
-    grid: Path, out: Path, workers: int | None, threads: int, scheduler: str | None, again: bool,
-    dry_run: bool, parquet: bool,
+    grid: Path, out: Path, parts: tuple[str, ...], workers: int | None, threads: int,
+    scheduler: str | None, again: bool, dry_run: bool, parquet: bool,
 ) -> int:  # fmt: skip
     """Compute every point of a grid: programs compiled, scenes exposed, runs trained and scored.
 
@@ -52,7 +55,7 @@ def command(
     nscc sweep grid.toml --out results --scheduler tcp://10.0.0.1:8786
     """
     from nscc_runtime.pool import processors
-    from nscc_training.sweep.grid import read_grid
+    from nscc_training.sweep.grid import of_parts, read_grid
     from nscc_training.sweep.run import How, failures, known, sweep, told
 
     if scheduler is not None and workers is not None:
@@ -60,10 +63,10 @@ def command(
     asked = read_grid(grid)
     how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:
-        count, here = known(asked, out, how)
+        count, here = known(of_parts(asked, parts), out, how)
         click.echo(f"{count} points: {here} known, {count - here} to compute")
         return 0
-    found = sweep(asked, out, how, parquet=parquet, track=progress, report=done)
+    found = sweep(asked, out, how, parts=parts, parquet=parquet, track=progress, report=done)
     for line in told(found):
         done(line)
     if found.failed:

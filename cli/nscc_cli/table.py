@@ -7,6 +7,7 @@ COMMANDS = {
     "examples": "List the programs that come with nscc, or copy one.",
     "new": "Begin a program: one with a remark on every statement.",
     "design": "Write a program that is made for a scene.",
+    "import-mask": "Write a program that opens an own mask's shutters.",
     "check": "Check programs: names, ranges, time, registers.",
     "build": "Compile a program to a container of words.",
     "run": "Expose one frame of a scene with a program.",
@@ -31,4 +32,9 @@ COMMANDS = {
     "evaluate": "Score reconstructions under a protocol.",
     "doctor": "Report on this installation.",
 }
-"""Name, that of the module here whose `command` it is, and a line of help, in the help's order."""
+"""A line of help by the name of the command, in the help's order. A command is `command` in the
+module of its name (with `_` for `-`), or has its own name in that of `MODULES`."""
+MODULES = {
+    **dict.fromkeys(("asm", "disasm", "diff", "prove", "shutters"), "containers"),
+    **dict.fromkeys(("explain", "examples", "new", "doctor"), "guide"),
+}

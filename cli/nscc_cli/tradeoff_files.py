@@ -16,8 +16,8 @@ from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.rows import Rows
 from nscc_cli.support import done
 
-ROWS = ".rows.jsonl"
-"""What the file of rows ends in."""
+STORE = ".measurements.sqlite"
+"""What the file of measurements ends in, until the products are written."""
 _PLACES = ("out", "csv_path", "png_path")
 _PACKAGES = ("nscc", "nscc_runtime", "nscc_training")
 _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
@@ -55,7 +55,7 @@ def kept_rows(files: Mapping[str, Path], options: Mapping[str, Any], *of: str) -
     others = [(name, _version(name)) for name in _DISTRIBUTIONS]
     key = digest((given, list(of), ours, others, processor_name()))
     first = next(iter(files.values()))
-    return Rows(first.with_name(first.stem + ROWS), key)
+    return Rows(first.with_name(first.stem + STORE), key)
 
 
 def _plain(value: Any) -> Any:

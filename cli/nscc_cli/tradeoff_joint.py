@@ -71,7 +71,7 @@ def command(program: Path, **options: Any) -> int:
 
         def png() -> bytes:
             from nscc_runtime.pictures.sheet import png_of
-            from nscc_training.tradeoff.joint_diagram import joint_diagram
+            from nscc_training.tradeoff.diagrams import joint_diagram
 
             return png_of(joint_diagram, joint, asked.repeats, device)
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import click
 
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import did_you_mean, meant
 
 _KINDS = {
     "integer range": "a whole number",
@@ -33,8 +33,7 @@ def usage_diagnostic(error: click.ClickException) -> Diagnostic:
         code, message = "NS0780", f"`{name}` needs a command"
     elif isinstance(error, click.NoSuchOption):
         code, message = "NS0782", f"`{name}` has no option {error.option_name}"
-        guess = closest(error.option_name, _options(context))
-        helps = (f"did you mean {guess}?", *helps) if guess else helps
+        helps = (*meant(error.option_name, _options(context)), *helps)
     elif isinstance(error, click.MissingParameter):
         code, message = "NS0780", f"`{name}` needs {_parameter(error) or 'one more argument'}"
         if isinstance(error.param, click.Option) and error.param.help:
@@ -57,7 +56,7 @@ def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]
     if extra is None or "--scene" not in _options(context):
         return ()
     if extra[1].startswith("builtin:") or Path(extra[1]).suffix:
-        return (f"did you mean `--scene {extra[1]}`?",)
+        return (did_you_mean(f"--scene {extra[1]}"),)
     return ("a value with blanks in it stands in quotes",)
 
 

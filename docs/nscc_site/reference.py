@@ -71,7 +71,7 @@ def _effects() -> str:
     ]
     for each in registered():
         parts += [f"({each.name})=\n## {each.name}: {each.title}\n"]
-        for heading in ("model", "predicted", "cost", "applied"):
+        for heading in ("model", "size", "cost", "applied"):
             parts.append(f"**{heading}**: {_plain(getattr(each, heading))}\n")
         if each.parameters:
             head = [("parameter", "default", "unit", "range", "meaning", "source")]

@@ -6,7 +6,7 @@ import re
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.render import PAGES, names
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 
 _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?", re.IGNORECASE)
 """A code as it is typed or copied: `NS0412`, `ns412`, `412`, `error[NS0412]: ..`."""
@@ -29,7 +29,7 @@ def page(code_or_name: str) -> str:
             "NS0790",
             f"no message has the code or name '{wanted[:60]}'",
             helps=(
-                *((f"did you mean {near}?",) if near else ()),
+                *((did_you_mean(near),) if near else ()),
                 "`nscc explain` lists all codes",
             ),
         )

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.suggest import meant
 
 
 def rejected(
@@ -23,3 +24,16 @@ def rejected(
     """
     diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)
+
+
+def unknown_name(code: str, message: str, name: str, known: Sequence[str], listed: str) -> Rejected:
+    """The exception for a name that is none of `known`, which the note lists.
+
+    `message` holds {} in place of the name, `listed` in place of the known names.
+    """
+    return rejected(
+        code,
+        message.format(name[:60]),
+        notes=(listed.format(", ".join(known)),),
+        helps=meant(name, known, "name one of them"),
+    )

@@ -4,6 +4,7 @@ show code see `nscc.diagnostics.reports`."""
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Literal
@@ -178,6 +179,9 @@ def _visible(text: str) -> str:
     """Text with tabs as blanks and what does not print as `?`, so that columns can be counted."""
     if text.isascii() and text.isprintable():
         return text
+    with suppress(UnicodeError):
+        # Names of files in a locale of ASCII: Python escapes their bytes, which are UTF-8.
+        text = text.encode("utf-8", "surrogateescape").decode("utf-8")
     return "".join(" " * _TAB if ch == "\t" else ch if ch.isprintable() else "?" for ch in text)
 
 

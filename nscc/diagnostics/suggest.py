@@ -42,8 +42,16 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     return best
 
 
-def meant(name: str, candidates: Iterable[str], otherwise: str = "") -> tuple[str, ...]:
-    """The help that asks for the nearest candidate; where none is near that says `otherwise`."""
+def meant(
+    name: str, candidates: Iterable[str], otherwise: str = "", written: str = "{}"
+) -> tuple[str, ...]:
+    """The help that asks for the nearest candidate, as it is `written`; where none is near, the
+    help that says `otherwise`."""
     near = closest(name, candidates)
-    help_text = f"did you mean `{near}`?" if near else otherwise
+    help_text = did_you_mean(written.format(near)) if near else otherwise
     return (help_text,) if help_text else ()
+
+
+def did_you_mean(text: str) -> str:
+    """The question whether the user meant a text."""
+    return f"did you mean `{text}`?"

@@ -66,11 +66,7 @@ def gates_text(decoding: Decoding, target: Target) -> str:
 def _segments(lines: list[str], title: str, segments: tuple[tuple[Gate, ...], ...]) -> None:
     if segments:
         lines.append(title)
-        lines += ["  " + "; ".join(_gate(gate) for gate in segment) for segment in segments]
-
-
-def _gate(gate: Gate) -> str:
-    return f"{gate.destination} = {gate.name}({', '.join(gate.sources)})"
+        lines += ["  " + "; ".join(map(str, segment)) for segment in segments]
 
 
 def schedule_text(lowered: Lowered) -> str:

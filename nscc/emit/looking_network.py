@@ -10,7 +10,7 @@ from collections.abc import Iterator
 
 import networkx as nx
 
-from nscc.emit.network import KernelFinder, gate_network, measured
+from nscc.emit.network import KernelFinder, add_reads, gate_network, measured
 from nscc.logic.problem import Gate
 from nscc.looks.passes import LookingLowered
 from nscc.looks.solve import LookingSolution, SetIn
@@ -71,14 +71,14 @@ class _Maker:
 
     def _gate(self, gate: Gate, boundary: int) -> None:
         written = words((gate,), self.allocation)
-        node, read = self._named("g"), [self.holds[source] for source in gate.sources]
+        node = self._named("g")
         self.network.add_node(
             node, kind="gate", function=gate.name, name=gate.destination,
             register=self.allocation.places.get(gate.destination, gate.destination),
             words=len(written), boundary=boundary,
             kernel=self.kernels.kernel_of(written, boundary),
         )  # fmt: skip
-        self.network.add_edges_from((value, node) for value in read)
+        add_reads(self.network, node, gate, self.holds)
         self.holds[gate.destination] = node
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:

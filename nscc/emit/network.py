@@ -17,6 +17,10 @@ demand  what FLAG must hold: `edge` "open", "rise", "fall" or "reset", `bucket` 
         reset), `boundary`
 end     a plane as it must be again when the frame ends: `register`, `boundary`
 
+A masked gate writes its function where its mask is 1 and keeps the register's old content
+elsewhere. The edges to it have a `role`, of the words "source", "mask" and "kept": a value may be
+several of them. An edge without a role leads from a source.
+
 Of a program whose pixels look at the light, planes are also the registers of its states, which the
 frame's first words clear or which the frame before left, for the behaviours of its machine. It has
 two kinds more:
@@ -30,7 +34,7 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import networkx as nx
 
@@ -64,29 +68,42 @@ def gate_network(lowered: Lowered) -> nx.DiGraph:
     gates = demands = 0
     for boundary, item in _in_order(lowered):
         if isinstance(item, Gate):
-            node, read = f"g{gates}", [holds[source] for source in item.sources]
+            node = f"g{gates}"
             written = words((item,), allocation)
             network.add_node(
                 node, kind="gate", function=item.name, name=item.destination,
                 register=allocation.places.get(item.destination, item.destination),
                 words=len(written), boundary=boundary, kernel=kernels.kernel_of(written, boundary),
             )  # fmt: skip
+            add_reads(network, node, item, holds)
             holds[item.destination] = node
             gates += 1
         else:
-            node, read = f"d{demands}", [holds["FLAG"]]
             edge, bucket = item
             network.add_node(
-                node, kind="demand", edge=edge, bucket=program.buckets[bucket].name,
+                f"d{demands}", kind="demand", edge=edge, bucket=program.buckets[bucket].name,
                 boundary=boundary,
             )  # fmt: skip
+            network.add_edge(holds["FLAG"], f"d{demands}")
             demands += 1
-        network.add_edges_from((value, node) for value in read)
     for i in range(len(solution.planes)):
         register = allocation.places[f"p{i}"]
         network.add_node(f"e{i}", kind="end", register=register, boundary=lowered.plan.slots)
         network.add_edge(holds[f"p{i}"], f"e{i}")
     return measured(network)
+
+
+def add_reads(network: nx.DiGraph, node: str, gate: Gate, holds: Mapping[str, str]) -> None:
+    """Edges from the values that a gate reads; `holds` has the value that is in each register."""
+    roles = {holds[source]: ["source"] for source in gate.sources}
+    if gate.mask is None:
+        network.add_edges_from((value, node) for value in roles)
+        return
+    for register, role in ((gate.mask, "mask"), (gate.destination, "kept")):
+        if register in holds:
+            roles.setdefault(holds[register], []).append(role)
+    for value, names in roles.items():
+        network.add_edge(value, node, role=" ".join(names))
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:
@@ -197,7 +214,9 @@ def dot_text(network: nx.DiGraph) -> str:
     for node, attributes in network.nodes(data=True):
         shape = _SHAPES[attributes["kind"]]
         lines.append(f"  {node} [shape={shape}, label={_quoted(_label(attributes))}];")
-    lines += [f"  {value} -> {reader};" for value, reader in network.edges]
+    for value, reader, role in network.edges(data="role", default="source"):
+        style = "" if "source" in role else " [style=dashed]"
+        lines.append(f"  {value} -> {reader}{style};")
     return "\n".join([*lines, "}"]) + "\n"
 
 

@@ -53,6 +53,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
         "analog_writes": _range(lowered),
         "headroom_e": lowered.headroom_e,
         "alternatives": [*map(_priced, choice.tried[1:]), *misfits],
+        "failed_generators": list(choice.failed_generators),
         "proof": {
             "codes": proof.codes,
             "slots": proof.slots,

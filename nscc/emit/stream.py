@@ -27,7 +27,8 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
     """What `nscc check` prints of it beside class and codes, as labels with what they say."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
-    places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, target.taps, strict=False)]
+    taps = target.taps[: len(program.buckets)]
+    places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
     rest = sorted({int(place) for place in sending.route.zeros} - {*range(len(program.buckets))})
     places += [f"the rest to {_place(place, target)}" for place in rest]
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
@@ -80,9 +81,10 @@ def sending_text(sending: Sending) -> str:
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
     """The report as JSON values: the keys of other chips' that mean something here, and planes."""
     program, target = sending.program, sending.program.target
+    names = [bucket.name for bucket in program.buckets]
     return {
         **subject(program),
-        "taps": {b.name: t for b, t in zip(program.buckets, target.taps, strict=False)},
+        "taps": dict(zip(names, target.taps[: len(names)], strict=True)),
         "lowering": "stream",
         "planes": {
             "rows": target.rows,

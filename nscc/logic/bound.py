@@ -4,6 +4,10 @@ Proved for the level lowering with one FLAG load a slot and no code bit in analo
 n the loaded registers are contained in the open set, some code needs a register that no other slot
 can use, a content serves one slot, and only M contents exist at the start. A slot in which all
 shutters are open, or none is, needs no load.
+
+The M registers must also tell all shutters apart at the start. If m of them hold what m slots load,
+the shutters that are closed in all of these slots are 0 in them, so the other M - m registers tell
+these shutters apart. In class d the fewest are closed if the m slots are evenly spaced.
 """
 
 from __future__ import annotations
@@ -33,8 +37,21 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
             contents = shutters
         case "d" if shutters in (bumps, bumps + 1):
             contents = slots
+            registers = _loadable_at_first(slots, shutters - bumps, registers)
         case _:
             return None
     # A load is an operation. The registers start with a content each; every other content that is
     # needed takes one more to be made.
     return loads + max(contents - registers, 0)
+
+
+def _loadable_at_first(slots: int, never: int, registers: int) -> int:
+    """The most registers that can hold at the start what a slot of class d loads; `never` is 1 if
+    a shutter never opens."""
+    for loaded in range(min(registers, slots), 0, -1):
+        gap, longer = divmod(slots - loaded, loaded + 1)
+        # A gap of g slots between loaded ones has g (g + 1) / 2 bumps that are closed in all.
+        closed = gap * (gap + 1) // 2 * (loaded + 1) + longer * (gap + 1)
+        if closed + never <= 1 << registers - loaded:
+            return loaded
+    return 0

@@ -72,3 +72,14 @@ def bumps_of(problem: Problem) -> Bumps:
     start[count == 0] = 0
     stop[count == 0] = 0
     return Bumps(start, stop, tuple(step), len(wanted))
+
+
+def two_ended(problem: Problem) -> Bumps:
+    """The bumps that the demands are. Raises GaveUp also where one end follows from the other."""
+    bumps = bumps_of(problem)
+    start, stop = bumps.start[~bumps.never], bumps.stop[~bumps.never]
+    # Bumps of one length may be cut by the end of the frame.
+    cut = stop == bumps.steps
+    if any(np.all(values == values[:1]) for values in (start, stop, (stop - start)[~cut])):
+        raise GaveUp("one end of each bump follows from the other")
+    return bumps

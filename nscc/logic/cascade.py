@@ -304,7 +304,7 @@ def _write(gates: Gates, found: Cascade, scratch: int) -> None:
     for link in reversed(found.links):
         sources = inner + ["FLAG"] * link.held
         free = [register for register in registers if register not in sources]
-        for register, mask in zip(free, link.cubes, strict=False):
+        for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
             gates.nor(register, _names(set_bits(mask)))
             sources.append(register)
         sources += _names(link.planes)

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 from nscc.logic.digits import Planes, unzipped
 from nscc.logic.gates import Gates
-from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 
 Cube = tuple[tuple[int, int], ...]
 """Literals (plane, value), planes in rising order."""
@@ -129,25 +129,58 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """Planes while gates are emitted: which of them stand `inverted` (1) and which do not."""
+    """Planes while gates are emitted: which of them stand `inverted` (1), and in which register.
 
-    def __init__(self, gates: Gates, planes: int) -> None:
+    A plane is inverted in place, which takes two words; where `free` names a register that holds
+    nothing then, into that register, which takes one and leaves the plane's old register free.
+    """
+
+    def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
         self._gates = gates
         self.inverted = [0] * planes
+        self.registers = [f"p{plane}" for plane in range(planes)]
+        self.free = free
 
     def flip(self, plane: int) -> Segment:
         """Turns a plane over; the gates that wait are in the same segment."""
         self.inverted[plane] ^= 1
-        self._gates.invert(f"p{plane}")
-        return self._gates.take()
+        if self.free is None:
+            self._gates.invert(self.registers[plane])
+            return self._gates.take()
+        return self._move(plane, "NOT")
 
     def turn(self, cube: Cube) -> list[Segment]:
         """Turns over the planes of `cube` that stand the wrong way for a NOR."""
         return [self.flip(plane) for plane, value in cube if self.inverted[plane] != value]
 
+    def read_by(self, cube: Cube) -> list[str]:
+        """The registers whose NOR is `cube`, once its planes are turned."""
+        return [self.registers[plane] for plane, _ in cube]
+
     def restore(self) -> tuple[Segment, ...]:
-        """Puts every inverted plane back."""
-        return tuple(self.flip(p) for p, inverted in enumerate(self.inverted) if inverted)
+        """Puts every plane back as it was and where it was."""
+        segments = []
+        while astray := [
+            plane
+            for plane, register in enumerate(self.registers)
+            if self.inverted[plane] or register != f"p{plane}"
+        ]:
+            # A plane whose register is free goes there; else one that is elsewhere makes room.
+            plane = min(astray, key=lambda p: (f"p{p}" != self.free, self.registers[p] == f"p{p}"))
+            if self.inverted[plane] and self.registers[plane] == f"p{plane}":
+                self._gates.invert(f"p{plane}")
+                segments.append(self._gates.take())
+            else:
+                segments.append(self._move(plane, "NOT" if self.inverted[plane] else "MOV"))
+            self.inverted[plane] = 0
+        return tuple(segments)
+
+    def _move(self, plane: int, name: str) -> Segment:
+        """Writes a plane, or its inverse, into the free register, which its own one becomes."""
+        assert self.free is not None
+        self._gates.add(Gate(name, self.free, (self.registers[plane],)))
+        self.registers[plane], self.free = self.free, self.registers[plane]
+        return self._gates.take()
 
 
 class _Emitter:

@@ -221,15 +221,6 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
     return _covered(problem, "open slots, edges made from them", planes, budget)
 
 
-def covered_stored(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """As many predicates stored as there are registers but two, the rest made from those planes."""
-    distinct = list(dict.fromkeys(d.predicate for d in problem.demands))
-    # One register to compute in; two where some predicates have to be made, of several cubes each.
-    room = machine.registers - (2 if len(distinct) > machine.registers - 1 else 1)
-    planes = [(predicate, f"predicate {i}") for i, predicate in enumerate(distinct[:room])]
-    return _covered(problem, "predicates, the rest made from them", planes, budget)
-
-
 def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
     wanted = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]

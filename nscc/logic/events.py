@@ -1,13 +1,15 @@
 """Events: each shutter's k-th rise or fall is a time, and a demand picks out the equal times.
 
-A time is a group and a place in it. Places are digits with a plane for each value, 0 where a digit
-has it; the group is in Gray code and turned over as time goes on, so that now is always 0. An
-equality is one NOR, whatever the time.
+A time is a group and a place in it. The place is written in digits. Each value of a digit has a
+plane, which is 0 where the digit has that value. Planes of the group's code are inverted as time
+goes on, so that those which identify the current group are all 0. An equality is then one NOR. The
+codes are chosen such that few planes must be inverted.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice, product
 from math import prod
@@ -15,12 +17,13 @@ from math import prod
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.logic.cube_tables import number_cubes
+from nscc.logic.cubes import Cube
 from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
 from nscc.logic.encodings import asked, event_fields, event_name
-from nscc.logic.gray import cycle
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
-from nscc.truth import columns, members, set_bits, union, vector
+from nscc.truth import columns, members, union, vector
 
 
 @dataclass(frozen=True)
@@ -75,7 +78,8 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     if all(d.edge == "open" for d in problem.demands):
         raise GaveUp("the demands are levels")
     room = machine.registers - 1
-    fields = _fields(problem, frozenset())
+    events = _events(problem)
+    fields = [_field(name, known, problem.shutters) for name, known in events]
     fitting = [
         chosen
         for chosen in islice(product(*(_forms(f, room) for f in fields)), _MOST_COMBINED)
@@ -85,38 +89,43 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     for chosen in fitting[:_MOST_TRIED]:
         stored = room - sum(form.planes for form in chosen)
         for kept in {0, stored}:
-            script = _script(problem, fields, chosen, kept)
-            yield from walk(problem, machine, script, steps)
+            with suppress(GaveUp):
+                yield from walk(problem, machine, _script(problem, events, chosen, kept), steps)
 
 
-def _fields(problem: Problem, left_out: frozenset[int]) -> list[_Field]:
-    """A field for each kind and rank of events; one for several whose times tell each other.
+_Events = list[tuple[int, int]]
+"""Demands in time order, each with the truth vector of the shutters that have this event."""
 
-    Demands in `left_out` are nobody's event.
-    """
+
+def _events(problem: Problem) -> list[tuple[str, _Events]]:
+    """The events of each field, by its name: one field for each kind and rank of events, and one
+    for several whose times tell each other."""
     kinds = event_fields(problem, _MOST_KINDS)
-    merged: list[tuple[str, list[tuple[int, int]], list[int]]] = []
+    merged: list[tuple[str, _Events]] = []
     for key, found in kinds.items():
         events = [(demand, vector(shutters)) for demand, shutters in found]
-        events = [event for event in events if event[0] not in left_out]
         name = event_name(*key, kinds)
-        for i, (other, known, _) in enumerate(merged):
+        for i, (other, known) in enumerate(merged):
             both = sorted([*known, *events])
-            atoms = _atoms([v for _, v in both])
-            if atoms is not None:
-                merged[i] = f"{other} and {name}", both, atoms
+            if _atoms([v for _, v in both]) is not None:
+                merged[i] = f"{other} and {name}", both
                 break
         else:
-            merged.append((name, events, list(dict.fromkeys(v for _, v in events))))
-    fields = []
-    for name, known, atoms in merged:
-        numbers = np.full(problem.shutters, len(atoms), dtype=np.int64)
-        for i, v in enumerate(atoms):
-            numbers[members(v, problem.shutters)] = i
-        number = {v: int(numbers[(v & -v).bit_length() - 1]) for _, v in known}
-        count = int(numbers.max(initial=0)) + 1
-        fields.append(_Field(name, numbers, tuple((d, number[v]) for d, v in known), count))
-    return fields
+            merged.append((name, events))
+    return merged
+
+
+def _field(name: str, events: _Events, shutters: int) -> _Field:
+    """The field that numbers these events; raises GaveUp where no numbers tell them apart."""
+    atoms = _atoms([v for _, v in events])
+    if atoms is None:
+        raise GaveUp("the events that are left are no unions of each other")
+    numbers = np.full(shutters, len(atoms), dtype=np.int64)
+    for i, v in enumerate(atoms):
+        numbers[members(v, shutters)] = i
+    number = {v: int(numbers[(v & -v).bit_length() - 1]) for _, v in events}
+    count = int(numbers.max(initial=0)) + 1
+    return _Field(name, numbers, tuple((d, number[v]) for d, v in events), count)
 
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
@@ -140,7 +149,7 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 def _forms(field: _Field, room: int) -> list[_Form]:
     """Ways to hold a field, those with the fewest planes first."""
     found: list[_Form] = []
-    for bits in range((field.count - 1).bit_length(), -1, -1):
+    for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         least = -(-field.count // (1 << bits))
         inner = radices_of(room - bits, least) if least > 1 else ((),)
         for radices in inner[:1]:
@@ -152,41 +161,47 @@ def _forms(field: _Field, room: int) -> list[_Form]:
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
     """The bits of the group turned over before each demand and, at -1, after the last one."""
-    codes = _codes(field, form)
-    standing = 0
+    _, cubes = _groups(field, form)
+    standing = [0] * form.bits
     turned: dict[int, tuple[Segment, ...]] = {}
+    back = tuple((bit, 0) for bit in range(form.bits))
     for demand, number in (*field.events, (-1, None)):
-        wanted = 0 if number is None else codes[number // form.size]
-        # A plane stands turned over where the group's code is 1: now reads as all zeros.
-        if wanted != standing:
-            turned[demand] = turned_over(base + b for b in set_bits(wanted ^ standing))
-        standing = wanted
+        # A plane stands turned over where the group's cube asks for a 1: now reads as all zeros.
+        cube = back if number is None else cubes[number // form.size]
+        flips = [bit for bit, value in cube if standing[bit] != value]
+        if flips:
+            turned[demand] = turned_over(base + bit for bit in flips)
+        for bit in flips:
+            standing[bit] ^= 1
     return turned
 
 
-def _codes(field: _Field, form: _Form) -> tuple[int, ...]:
-    return cycle(-(-field.count // form.size), form.bits) if form.bits else (0,)
+def _groups(field: _Field, form: _Form) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
+    """The code of each group and the cube that identifies it; the first event inverts no plane."""
+    if not form.bits:
+        return (0,), ((),)
+    return number_cubes(-(-field.count // form.size), form.bits)
 
 
 def _script(
-    problem: Problem, fields: list[_Field], chosen: tuple[_Form, ...], stored: int
+    problem: Problem, events: list[tuple[str, _Events]], chosen: tuple[_Form, ...], stored: int
 ) -> Script:
     """`stored`: how many of the last demands have a plane of their own."""
     raw = [i for i in range(len(problem.demands)) if not problem.answered(i)]
     raw = raw[len(raw) - stored :]
-    if raw:
-        fields = _fields(problem, frozenset(raw))
     planes: Planes = []
     before: dict[int, tuple[Segment, ...]] = {}
-    for field, form in zip(fields, chosen, strict=False):
+    for (name, known), form in zip(events, chosen, strict=True):
+        numbered = [(demand, v) for demand, v in known if demand not in raw]
+        field = _field(name, numbered, problem.shutters)
         for demand, flips in _turns(field, form, len(planes)).items():
             before[demand] = (*before.get(demand, ()), *flips)
-        codes = np.array(_codes(field, form), dtype=np.int64)
+        codes = np.array(_groups(field, form)[0], dtype=np.int64)
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
-        for name, digit, radix in digits_of(field.numbers, form.radices):
+        for digit_name, digit, radix in digits_of(field.numbers, form.radices):
             held = columns(digit[:, None] != np.arange(radix))
-            planes += [(p, f"{field.name}, {name} is not {m}") for m, p in enumerate(held)]
+            planes += [(p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(held)]
     planes += [(problem.demands[i].predicate, asked(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
     name = "event times in digits " + " and ".join(form.name for form in chosen)

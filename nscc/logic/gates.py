@@ -35,13 +35,13 @@ class Gates:
         """A gate that is within the machine's fan-in."""
         self._gates.append(gate)
 
-    def nor(self, destination: str, sources: Sequence[str]) -> None:
+    def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
         """destination := NOR(sources), 1 if there are none. The destination may be among them."""
-        self._gather("NOR", "NOT", destination, sources)
+        self._gather("NOR", "NOT", destination, sources, mask)
 
-    def or_(self, destination: str, sources: Sequence[str]) -> None:
+    def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
         """destination := OR(sources), 0 if there are none. The destination may be among them."""
-        self._gather("OR", "MOV", destination, sources)
+        self._gather("OR", "MOV", destination, sources, mask)
 
     def invert(self, register: str) -> None:
         """register := NOT register."""
@@ -61,9 +61,11 @@ class Gates:
             sources = [scratch, *rest[spill:]]
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
-    def _gather(self, many: str, single: str, destination: str, sources: Sequence[str]) -> None:
+    def _gather(
+        self, many: str, single: str, destination: str, sources: Sequence[str], mask: str | None
+    ) -> None:
         if not sources:
-            self.add(Gate("SET" if many == "NOR" else "CLR", destination, ()))
+            self.add(Gate("SET" if many == "NOR" else "CLR", destination, (), mask))
             return
         limit = self._machine.or_sources
         rest = [name for name in sources if name != destination]
@@ -74,12 +76,12 @@ class Gates:
             room = limit - 1 if in_place else limit
             while len(rest) > room:
                 head, rest = rest[:room], rest[room:]
-                self._append("OR", "MOV", destination, head, in_place)
+                self._append("OR", "MOV", destination, [destination] * in_place + head, mask)
                 in_place, room = True, limit - 1
-        self._append(many, single, destination, rest, in_place)
+        self._append(many, single, destination, [destination] * in_place + rest, mask)
 
     def _append(
-        self, many: str, single: str, destination: str, sources: Sequence[str], in_place: bool
+        self, many: str, single: str, destination: str, sources: Sequence[str], mask: str | None
     ) -> None:
-        read = (destination, *sources) if in_place else tuple(sources)
-        self._gates.append(Gate(many if len(read) > 1 else single, destination, read))
+        name = many if len(sources) > 1 else single
+        self._gates.append(Gate(name, destination, tuple(sources), mask))

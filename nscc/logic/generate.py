@@ -2,13 +2,24 @@
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable, Iterable, Iterator
 from collections.abc import Generator as Yields
 from dataclasses import dataclass
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.logic import encodings, events, field_digits, nested, spans, states, windows
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.logic import (
+    encodings,
+    events,
+    field_digits,
+    halved_bumps,
+    nested,
+    paired_bumps,
+    spans,
+    states,
+    windows,
+)
 from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget, Encoding, emit
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
@@ -82,7 +93,8 @@ GENERATORS: dict[str, Generator] = {
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
     "stored_spans": Generator("family", spans.stored_spans),
-    "counted_spans": Generator("family", spans.counted_spans),
+    "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
+    "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
     "field_digits": Generator("family", field_digits.field_digits),
     "gray_times": _emitted("equality", encodings.gray_times),
@@ -93,7 +105,6 @@ GENERATORS: dict[str, Generator] = {
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
-    "covered_stored": _emitted("cover", encodings.covered_stored),
     "covered_gray_index": _emitted("cover", encodings.covered_gray_index),
     "gray_index_wide": _emitted("last", encodings.gray_index_wide),
 }
@@ -125,11 +136,36 @@ def added_generators() -> dict[str, Generator]:
     return found
 
 
-def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Solution]:
+@dataclass(frozen=True)
+class GeneratorFault:
+    """An exception of a generator, which its author did not expect."""
+
+    generator: str
+    level: int
+    error: str
+    traceback: str
+
+    def diagnostic(self) -> Diagnostic:
+        """NS0504, with the traceback in its data."""
+        return Diagnostic(
+            "NS0504",
+            f"the generator {self.generator[:60]!a} of gates failed at -O{self.level} and was left "
+            f"out: {self.error}",
+            severity=Severity.WARNING,
+            notes=("the program was compiled with the other generators; its words are proved",),
+            data={"generator": self.generator, "traceback": self.traceback},
+        )
+
+
+def solutions(
+    problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
+) -> Iterator[Solution]:
     """Solutions of a problem, each from another generator; none where every one gives up.
 
     They are made as they are asked for, those first that tend to be cheapest. The caller prices
-    them: what a solution costs depends on the words around it.
+    them: what a solution costs depends on the words around it. A generator that raises an
+    unexpected exception is left out, and `faults` gets the exception; without `faults`, it is
+    raised.
     """
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
@@ -143,9 +179,18 @@ def solutions(problem: Problem, machine: Machine, level: int) -> Iterator[Soluti
         for kind in kinds:
             for name, each in generators.items():
                 if each.kind == kind:
-                    for solution in _tried(name, each, problem, machine, allowed):
-                        yield solution
-                        some = True
+                    try:
+                        for solution in _tried(name, each, problem, machine, allowed):
+                            yield solution
+                            some = True
+                    except (Rejected, MemoryError):
+                        raise
+                    except Exception as error:
+                        if faults is None:
+                            raise
+                        said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+                        trace = "".join(traceback.format_exception(error))
+                        faults.append(GeneratorFault(name, level, said, trace))
         return some
 
     direct = list(made("direct"))
@@ -198,12 +243,6 @@ def _tried(
             yield solution
     except GaveUp:
         return
-    except (Rejected, MemoryError):
-        raise
-    except Exception as error:  # whatever somebody else's code raises
-        if own:
-            raise
-        raise unusable(_GROUP, name, f"it raised {type(error).__name__}: {error}") from error
 
 
 def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:

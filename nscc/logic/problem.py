@@ -27,12 +27,18 @@ class Gate:
     """A digital operation on virtual registers.
 
     `name` is WHERE (destination FLAG), SET, CLR, MOV, NOT, OR or NOR. A gate whose destination is
-    among its sources is an in-place pair of words.
+    among its sources is an in-place pair of words. With a `mask`, the gate writes its destination
+    only where the register `mask` is 1; elsewhere the destination keeps its content.
     """
 
     name: str
     destination: str
     sources: tuple[str, ...]
+    mask: str | None = None
+
+    def __str__(self) -> str:
+        where = f" where {self.mask}" if self.mask is not None else ""
+        return f"{self.destination} = {self.name}({', '.join(self.sources)}){where}"
 
     @property
     def words(self) -> int:
@@ -96,7 +102,7 @@ class Machine:
     """What gates cost and may do: the digital half of a target.
 
     `registers` is how many one-bit registers a pixel has; `masked` says that one of them (R12 on
-    SCAMP-5) takes a write only where another (R0) is 1.
+    SCAMP-5) takes a write only where another (R0) is 1. Masked gates need such a pair.
     """
 
     registers: int
@@ -141,6 +147,15 @@ class Solution:
     def segments(self) -> Sequence[Segment]:
         """All segments in the order in which they run."""
         return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
+
+    def masked_pair(self) -> tuple[str, str] | None:
+        """The register that masked gates write and the register that masks it.
+
+        There is one such pair in a pixel. A solution with masked gates holds these two registers
+        in it; every write to the first one is a masked gate. None without masked gates.
+        """
+        gates = chain.from_iterable(self.segments())
+        return next(((g.destination, g.mask) for g in gates if g.mask is not None), None)
 
     def writes(self) -> list[int]:
         """How often a frame writes each plane."""

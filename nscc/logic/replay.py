@@ -36,8 +36,9 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
 def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
     """Raises _Wrong for a solution that names what is not there."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
-    # Only a plane may live where a mask decides about writes.
-    room = machine.registers - (machine.masked and not planes)
+    pair = solution.masked_pair()
+    # Without masked gates, only a plane may live where a mask decides about writes.
+    room = machine.registers - (machine.masked and not planes and pair is None)
     if min(states, scratch) < 0 or planes + states + scratch > room:
         raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
     if len(solution.holders) != planes:
@@ -50,8 +51,8 @@ def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
         raise _Wrong("it keeps its state in FLAG, which does not last or has no scratch beside it")
     registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
     for gate in dict.fromkeys(gate for segment in solution.segments() for gate in segment):
-        if not _possible(gate, registers, machine):
-            raise _Wrong(f"the machine has no gate {_text(gate)}")
+        if not _possible(gate, registers, machine) or not _masks_agree(gate, pair, machine):
+            raise _Wrong(f"the machine has no gate {gate}")
 
 
 def _names(kind: str, count: int) -> list[str]:
@@ -74,8 +75,17 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
     )
 
 
-def _text(gate: Gate) -> str:
-    return f"{gate.destination} = {gate.name}({', '.join(gate.sources)})"
+def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> bool:
+    """Whether the gate is masked where its destination is the masked register, and nowhere else."""
+    if gate.mask is None:
+        return pair is None or gate.destination != pair[0]
+    # A state is lost where a refresh sets the mask.
+    return (
+        machine.masked
+        and (gate.destination, gate.mask) == pair
+        and gate.destination != gate.mask
+        and gate.mask[0] in "pt"
+    )
 
 
 class _Frame:
@@ -118,27 +128,33 @@ class _Frame:
     def _forget(self, registers: Sequence[str]) -> None:
         self.held |= dict.fromkeys(registers)
 
+    def _known(self, name: str, gate: Gate) -> int:
+        content = self.held[name]
+        if content is None:
+            raise _Wrong(f"{gate} reads {name}, of which nothing is known")
+        return content
+
     def _run(self, segments: Sequence[Segment]) -> None:
         held, everything, masked = self.held, self.problem.everything, self.masked
         for segment in segments:
             for gate in segment:
                 some = 0
                 for name in gate.sources:
-                    content = held[name]
-                    if content is None:
-                        raise _Wrong(f"{_text(gate)} reads {name}, of which nothing is known")
-                    some |= content
-                held[gate.destination] = some ^ everything if gate.name in _INVERTED else some
+                    some |= self._known(name, gate)
+                value = some ^ everything if gate.name in _INVERTED else some
+                if gate.mask is not None and (mask := self._known(gate.mask, gate)) != everything:
+                    value = value & mask | self._known(gate.destination, gate) & ~mask
+                held[gate.destination] = value
                 if gate.destination == masked:
                     if not self.scratch:
-                        raise _Wrong(f"{_text(gate)} writes the register that needs a free mask")
+                        raise _Wrong(f"{gate} writes the register that needs a free mask")
                     held["t0"] = None
 
 
 def _masked(machine: Machine, solution: Solution) -> str | None:
-    """The plane that `nscc.lower.allocate` gives the masked register: where all are in use, the
-    one that is written least. Its writes destroy t0."""
+    """The plane that `nscc.lower.allocate` gives the masked register where there are no masked
+    gates: where all registers are in use, the one that is written least. Its writes destroy t0."""
     used = len(solution.planes) + solution.states + solution.scratch
-    if not machine.masked or used < machine.registers:
+    if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
         return None
     return f"p{quietest(solution.writes())}"

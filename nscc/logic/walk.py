@@ -87,9 +87,9 @@ def _within_fan_in(script: Script, machine: Machine) -> Script:
             if len(gate.sources) <= limit or gate.name == "WHERE":
                 gates.add(gate)
             elif gate.name == "NOR":
-                gates.nor(gate.destination, gate.sources)
+                gates.nor(gate.destination, gate.sources, gate.mask)
             else:
-                gates.or_(gate.destination, gate.sources)
+                gates.or_(gate.destination, gate.sources, gate.mask)
         return gates.take()
 
     def all_of(run: tuple[Segment, ...]) -> tuple[Segment, ...]:
@@ -125,8 +125,11 @@ class _Walker:
         """Runs the script and answers every demand."""
         script, problem = self.script, self.problem
         self.gates = Gates(self.machine)
-        if self.machine.masked and script.planes:
-            writes = Counter(gate.destination for gate in _all_gates(script))
+        writes = Counter(gate.destination for gate in _all_gates(script))
+        if any(gate.mask is not None for gate in _all_gates(script)):
+            if not self.machine.masked:
+                raise GaveUp("no register takes masked writes")
+        elif self.machine.masked and script.planes:
             self.quiet = f"p{quietest([writes[f'p{i}'] for i in range(len(script.planes))])}"
         planes, holders = unzipped(script.planes)
         self.values = {f"p{i}": vector for i, vector in enumerate(planes)}
@@ -148,6 +151,8 @@ class _Walker:
                 scripted = (*scripted, self._answer(i))
             answers.append(scripted)
         self.values.pop("FLAG", None)
+        if not problem.flag_lasts:
+            self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
         self._run(script.closing)
         for i, vector in enumerate(planes):
             if self.values[f"p{i}"] != vector:
@@ -160,11 +165,14 @@ class _Walker:
     def _run(self, segments: Sequence[Segment]) -> None:
         """Brings the truth vectors up to date with scripted gates."""
         for gate in chain.from_iterable(segments):
-            for name in gate.sources:
+            for name in (*gate.sources, *((gate.mask, gate.destination) if gate.mask else ())):
                 if name not in self.values:
                     raise GaveUp(f"the script reads {name}, which holds nothing known")
-            inverted = gate.name in ("NOT", "NOR", "SET")
-            self.values[gate.destination] = self._or(gate.sources, inverted)
+            value = self._or(gate.sources, gate.name in ("NOT", "NOR", "SET"))
+            if gate.mask is not None:
+                mask = self.values[gate.mask]
+                value = value & mask | self.values[gate.destination] & ~mask
+            self.values[gate.destination] = value
             if gate.destination == self.quiet:
                 # Its mask, the first scratch register, is set for the write.
                 self.values.pop("t0", None)

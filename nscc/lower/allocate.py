@@ -1,8 +1,9 @@
 """Places for virtual registers, and gates as words.
 
-The masked register (R12 on SCAMP-5) takes a write only where its mask (R0) is 1, so it is given to
-code that does not change inside the frame; where every register is needed, to the plane that
-changes least, and each of its writes is preceded by SET of the mask, which is scratch then.
+The masked register (R12 on SCAMP-5) takes a write only where its mask (R0) is 1. Masked gates name
+the two. Without such gates, the masked register is given to code that does not change inside the
+frame; where every register is needed, to the plane that changes least, and each of its writes is
+preceded by SET of the mask, which is scratch then.
 """
 
 from __future__ import annotations
@@ -31,19 +32,16 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     planes = [f"p{i}" for i in range(len(solution.planes))]
     scratch = [f"t{i}" for i in range(solution.scratch)]
     states = [f"s{i}" for i in range(solution.states)]
-    places: dict[str, str] = {}
-    free = list(target.digital_registers)
-    if target.masked_register is not None and target.mask_register is not None:
-        if scratch:
-            places[scratch[0]] = target.mask_register
-            free.remove(target.mask_register)
-        if len(planes) + len(states) + len(scratch) == len(target.digital_registers):
-            places[planes[quietest(solution.writes())]] = target.masked_register
-        free.remove(target.masked_register)
-        if not scratch and len(free) > len(planes) + len(states):
-            free.remove(target.mask_register)  # code stays out of the mask while there is room
+    places = _pair_places(solution, target)
+    free = [
+        register
+        for register in target.digital_registers
+        if register != target.masked_register and register not in places.values()
+    ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
-    places.update(zip(names, free, strict=False))
+    if target.mask_register in free and len(free) > len(names):
+        free.remove(target.mask_register)  # code stays out of the mask while there is room
+    places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
         **dict.fromkeys(states, "state: open"),
@@ -60,6 +58,21 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     )
 
 
+def _pair_places(solution: Solution, target: Target) -> dict[str, str]:
+    """Which virtual registers live in the masked register and in its mask."""
+    masked, mask = target.masked_register, target.mask_register
+    if masked is None or mask is None:
+        return {}
+    pair = solution.masked_pair()
+    if pair is not None:
+        return dict(zip(pair, (masked, mask), strict=True))
+    places = {"t0": mask} if solution.scratch else {}
+    used = len(solution.planes) + solution.states + solution.scratch
+    if used == len(target.digital_registers):
+        places[f"p{quietest(solution.writes())}"] = masked
+    return places
+
+
 def _load_order(registers: list[str], target: Target) -> tuple[str, ...]:
     """Code registers in the order of loading: the masked one needs its mask at 1, so it goes first
     and the mask's own code last."""
@@ -72,7 +85,8 @@ def words(segment: Segment, allocation: Allocation) -> tuple[Op, ...]:
     """The ICWs of a segment."""
     out: list[Op] = []
     for gate in segment:
-        if allocation.places.get(gate.destination) == allocation.masked is not None:
+        writes_masked = allocation.places.get(gate.destination) == allocation.masked is not None
+        if writes_masked and gate.mask is None:
             assert allocation.mask is not None
             out.append(op("SET", (allocation.mask,)))
         out.extend(_gate_words(gate, allocation.places))

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nscc.cache.results import Result, Results
-from nscc.logic.generate import solutions
+from nscc.logic.generate import GeneratorFault, solutions
 from nscc.logic.problem import Machine, Solution
 from nscc.lower.decoding import Decoding, problem_of
 from nscc.lower.lowered import Lowered, lay_out
@@ -21,7 +21,8 @@ MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 class Gated:
     """The plans for which gates were searched for and found, best first, and why others are none.
 
-    `fits`: whether the words of the best one do.
+    `fits`: whether the words of the best one do. `faults`: exceptions of generators, which were
+    left out.
     """
 
     program: Program
@@ -29,6 +30,7 @@ class Gated:
     tried: tuple[Decoding, ...]
     misfits: dict[Lowering, Misfit]
     fits: bool
+    faults: tuple[GeneratorFault, ...] = ()
 
 
 def find_gates(
@@ -45,11 +47,12 @@ def find_gates(
     """
     tried: list[Lowered] = []
     misfits = dict(planned.misfits)
+    faults: list[GeneratorFault] = []
     for plan in planned.plans:
         writes = plan.analog_writes[1]
         if not price_all and any(t.fits and t.plan.analog_writes[1] < writes for t in tried):
             break
-        found = lower(planned, plan, level, results, most_words)
+        found = lower(planned, plan, level, results, most_words, faults)
         if isinstance(found, Misfit):
             misfits[plan.lowering] = found
         else:
@@ -61,6 +64,7 @@ def find_gates(
         tuple(lowered.decoding for lowered in tried),
         {name: misfits[name] for name in LOWERINGS if name in misfits},
         bool(tried) and tried[0].fits,
+        tuple(faults),
     )
 
 
@@ -77,18 +81,19 @@ def lower(
     level: int,
     results: Results | None = None,
     most_words: int | None = None,
+    faults: list[GeneratorFault] | None = None,
 ) -> Lowered | Misfit:
     """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
 
-    `most_words` as in Lowered. Level 0 takes the first solution that fits, levels 2 and 3 improve
-    the best ones. No level's solution is dearer than that of the level below. What is already known
-    comes from `results`.
+    `most_words` as in Lowered. Levels 2 and 3 improve the best solutions. No level's solution is
+    dearer than that of the level below, or than another one that the level finds. What is already
+    known comes from `results`. `faults` as in `nscc.logic.generate.solutions`.
     """
     program, target, time = planned.program, planned.program.target, planned.time
     if most_words is not None and level >= 2:
         # Improving starts from what fits: a limit that the cheapest solution meets in the end might
         # leave out what that is made from.
-        free = lower(planned, plan, level, results)
+        free = lower(planned, plan, level, results, None, faults)
         if isinstance(free, Misfit):
             return free
         kept = lay_out(program, free.decoding, time, most_words)
@@ -105,13 +110,11 @@ def lower(
         if results is not None:
             known = results.find(problem, machine, level, plan, time, target, most_words)
         by_encoding: dict[str, Lowered] = {}
-        for solution in known.or_else(solutions(problem, machine, level)):
+        for solution in known.or_else(solutions(problem, machine, level, faults)):
             candidate = priced(solution)
             other = by_encoding.get(solution.encoding)
             if other is None or candidate.price < other.price:
                 by_encoding[solution.encoding] = candidate
-            if level == 0 and candidate.fits:
-                break
         found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
         searched = known.known is None and bool(problem.demands)
         if level >= 2 and searched and found:
@@ -127,7 +130,7 @@ def lower(
         if not found:
             return None
         best = min(found, key=lambda each: each.price)
-        if level >= 2 and searched:
+        if level >= 2 and searched and not faults:
             known.keep(best.solution)
         return best
 

@@ -162,10 +162,14 @@ class Lowered:
 
 @dataclass(frozen=True)
 class Choice:
-    """The lowerings that were laid out, best first, and why others are none."""
+    """The lowerings that were laid out, best first, and why others are none.
+
+    `failed_generators` names the generators that raised an exception.
+    """
 
     tried: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]
+    failed_generators: tuple[str, ...] = ()
 
     @property
     def best(self) -> Lowered:

@@ -43,7 +43,8 @@ class Schedule:
         """The boundaries at which IN is set anew, once for each time."""
         found: list[int] = []
         last: int | None = None
-        for (boundary, _), level in zip(self.launches, self.levels, strict=False):
+        levels = self.levels or (None,) * len(self.launches)
+        for (boundary, _), level in zip(self.launches, levels, strict=True):
             if level not in (None, last):
                 found.append(boundary)
                 last = level
@@ -147,12 +148,20 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
 def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
-    """The code registers that the frame's own words do not write often enough."""
+    """The code registers that the frame's own words do not write often enough.
+
+    A write to the masked register counts only where SET of its mask comes before it: elsewhere some
+    pixels keep their old charge.
+    """
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
+    mask_is_set = False
     for n, segments in enumerate(boundaries):
         for word in chain.from_iterable(segments):
             for register in written.keys() & word.destinations:
-                written[register].add(n)
+                if register != allocation.masked or mask_is_set:
+                    written[register].add(n)
+            if allocation.mask in word.destinations:
+                mask_is_set = word.operation.name == "SET"
     return tuple(register for register, at in written.items() if fades(at, time))
 
 

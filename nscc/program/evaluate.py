@@ -9,6 +9,7 @@ that decides them, and `A if C else B` evaluates only the branch that C names, s
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from itertools import pairwise
 from typing import assert_never
 
 import numpy as np
@@ -130,7 +131,7 @@ def _junction(a: Value, b: Value, conjunction: bool) -> Value:
 def _chain(node: tree.Compare, given: list[Value]) -> Value:
     links = [
         Value(_COMPARE[op](a.data, b.data), 0, 1, b.faults)
-        for op, a, b in zip(node.ops, given, given[1:], strict=False)
+        for op, (a, b) in zip(node.ops, pairwise(given), strict=True)
     ]
     result = Value(links[0].data, 0, 1, either(given[0].faults, links[0].faults))
     for link in links[1:]:

@@ -186,10 +186,7 @@ class _Builder:
     def _place(self, node: Nodes, boundary: int) -> str:
         """A node in words."""
         parts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
-        parts += [
-            f"{state.name} = {value}"
-            for state, value in zip(self.looking.states, node[1:].tolist(), strict=False)
-        ]
+        parts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(parts)}, at n = {boundary}" if parts else f"at n = {boundary}"
 
     def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:

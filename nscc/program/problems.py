@@ -9,7 +9,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected, Severity
 from nscc.diagnostics.many import MOST_ERRORS, more_errors
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Source, Span
 
 _MOST_SUGGESTIONS = 20
@@ -49,7 +49,7 @@ class Problems:
         near = closest(name, candidates)
         shown = ", ".join(f"`{c}`" for c in candidates[:12])
         others = f"names that can stand here: {shown}" if shown else ""
-        help_text = f"did you mean `{near}`?" if near else others
+        help_text = did_you_mean(near) if near else others
         helps = (help_text,) if help_text else ()
         fixes = (Fix(f"write `{near}`", span, near, sure=False),) if near else ()
         message = f"`{clipped(name)}` is not the name of {what}"

@@ -16,7 +16,8 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op
+from nscc.prove.interpreter import Interpreter
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import UNKNOWN, Bits, Floats, Lanes
 from nscc.words.container import Container
@@ -35,7 +36,7 @@ class Wrong(Exception):
         self.what, self.bucket, self.behaviour = what, bucket, behaviour
 
 
-class Looks:
+class Looks(Interpreter[Bits]):
     """A container with a machine, its words, and the pixels that run them."""
 
     def __init__(
@@ -203,25 +204,7 @@ class Looks:
         nodes = np.array([starts[behaviour, *values] for behaviour, values in keys], np.int64)
         self.lanes = self._started(nodes, lanes.bits).merged({}, self.scale)
 
-    def _run(self, word: Op) -> None:
-        row = word.operation
-        match row.effect:
-            case Effect.NONE:
-                pass
-            case Effect.RESET_PIX:
-                self._reset()
-            case Effect.BUS:
-                self._bus(word)
-            case Effect.FLAG_ALL:
-                self._write("FLAG", np.ones(self.lanes.count, np.int8))
-            case Effect.FLAG_ANALOG:
-                self._compare(word)
-            case Effect.FLAG_DIGITAL:
-                self._write("FLAG", self._some(word))
-            case Effect.DIGITAL:
-                self._digital(word)
-
-    def _reset(self) -> None:
+    def _reset(self, word: Op) -> None:
         analog = self.lanes.analog.copy()
         owes = self.lanes.owes.copy()
         pix = self.analog["PIX"]
@@ -327,28 +310,21 @@ class Looks:
             found = np.where((found == 1) | (value == 1), 1, either).astype(np.int8)
         return found
 
-    def _digital(self, word: Op) -> None:
-        row = word.operation
-        if row.phase is Phase.WRITE:
-            value = self._read("bus")
-        else:
-            value = self._some(word)
-            if row.inverted:
-                value = np.where(value == UNKNOWN, UNKNOWN, 1 - value).astype(np.int8)
-            if row.phase is Phase.READ:
-                self._write("bus", value)
-                return
-        guard = None
-        if self.target.masked_register in word.destinations:
-            guard = self._read(self.target.mask_register or "")
-        for name in word.destinations:
-            if name == self.target.masked_register and guard is not None and (guard != 1).any():
-                old = self._read(name)
-                unsure = np.where(old == value, old, UNKNOWN)
-                kept = np.where(guard == 1, value, np.where(guard == 0, old, unsure))
-                self._set(name, kept.astype(np.int8))
-            else:
-                self._write(name, value)
+    def _ones(self) -> Bits:
+        return np.ones(self.lanes.count, np.int8)
+
+    def _inverse(self, value: Bits) -> Bits:
+        return np.where(value == UNKNOWN, UNKNOWN, 1 - value).astype(np.int8)
+
+    def _write_masked(self, name: str, value: Bits) -> None:
+        guard = self._read(self.target.mask_register or "")
+        if (guard == 1).all():
+            self._write(name, value)
+            return
+        old = self._read(name)
+        unsure = np.where(old == value, old, UNKNOWN)
+        kept = np.where(guard == 1, value, np.where(guard == 0, old, unsure))
+        self._set(name, kept.astype(np.int8))
 
     def _set(self, name: str, value: Bits) -> None:
         bits = self.lanes.bits.copy()

@@ -19,7 +19,8 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Op
+from nscc.prove.interpreter import Interpreter
 from nscc.prove.noise import Noise
 from nscc.truth import columns, members
 from nscc.words.container import Container
@@ -35,7 +36,7 @@ _Lanes = NDArray[np.intp] | slice
 
 
 @dataclass
-class Replay:
+class Replay(Interpreter[Bits]):
     """The pixels of all codes, and the words that they run, over consecutive frames.
 
     `kernels` are decoded words. `exposures` runs one frame and leaves the state for the next.
@@ -67,10 +68,9 @@ class Replay:
             ones = encoded[column[name]]
             self.code[name] = (ones, self.everything & ~ones)
         self.digital: dict[str, Bits] = {
-            **dict.fromkeys((*target.digital_registers, "FLAG", "SELECT"), UNKNOWN),
+            **dict.fromkeys((*target.digital_registers, "FLAG", "SELECT", "bus"), UNKNOWN),
             **self.code,
         }
-        self._bus = UNKNOWN
         self._split: tuple[Bits, _Lanes, _Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
         self._now_us = 0.0
         self._written_us = dict.fromkeys(self.digital, 0.0)
@@ -123,31 +123,19 @@ class Replay:
             return np.zeros((lanes, self.lights))
         return self._random.levels(lanes, self.lights)
 
-    def _run(self, word: Op) -> None:
-        row = word.operation
-        match row.effect:
-            case Effect.NONE:
-                pass
-            case Effect.RESET_PIX:
-                self._reset(word)
-            case Effect.BUS:
-                where, unsure = self._flagged(word)
-                value = self._total(word, where)
-                for name in word.destinations:
-                    self.analog[name][where] = value / -row.divisor
-                    if unsure is not None:
-                        self._spoil(self.analog[name], unsure)
-            case Effect.FLAG_ALL:
-                self._write("FLAG", (self.everything, 0))
-            case Effect.FLAG_ANALOG:
-                # Where `where` obeys FLAG, pixels that were masked stay masked.
-                masked = self._read("FLAG")[1] if self.target.where_obeys_flag else 0
-                self._write("FLAG", (0, masked))
-                self._doubt(f"`{word}` makes FLAG hang on the light")
-            case Effect.FLAG_DIGITAL:
-                self._write("FLAG", self._some(word))
-            case Effect.DIGITAL:
-                self._digital(word)
+    def _bus(self, word: Op) -> None:
+        where, unsure = self._flagged(word)
+        value = self._total(word, where)
+        for name in word.destinations:
+            self.analog[name][where] = value / -word.operation.divisor
+            if unsure is not None:
+                self._spoil(self.analog[name], unsure)
+
+    def _compare(self, word: Op) -> None:
+        # Where `where` obeys FLAG, pixels that were masked stay masked.
+        masked = self._read("FLAG")[1] if self.target.where_obeys_flag else 0
+        self._write("FLAG", (0, masked))
+        self._doubt(f"`{word}` makes FLAG hang on the light")
 
     def _reset(self, word: Op) -> None:
         if self.target.reset_honours_flag == "no":
@@ -161,22 +149,11 @@ class Replay:
         if unsure is not None:
             self._spoil(self.pix, unsure)
 
-    def _digital(self, word: Op) -> None:
-        row = word.operation
-        if row.phase is Phase.WRITE:
-            value = self._bus
-        else:
-            value = self._some(word)
-            if row.inverted:
-                value = (value[1], value[0])
-            if row.phase is Phase.READ:
-                self._bus = value
-                return
-        for name in word.destinations:
-            if name == self.target.masked_register:
-                self._write_masked(name, value)
-            else:
-                self._write(name, value)
+    def _ones(self) -> Bits:
+        return self.everything, 0
+
+    def _inverse(self, value: Bits) -> Bits:
+        return value[1], value[0]
 
     def _write(self, name: str, value: Bits) -> None:
         self.digital[name] = value

@@ -40,7 +40,7 @@ def container_of(sending: Sending) -> Container:
     """The container: no words, and planes where pixels have codes."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
-    gains = target.gains
+    used = len(names)
     container = Container(
         target=target,
         slot_us=program.frame.slot_us,
@@ -53,7 +53,7 @@ def container_of(sending: Sending) -> Container:
         pixel_codes=program.pixel_codes,
         readouts=tuple(
             Readout(tap, name, gain)
-            for tap, name, gain in zip(target.taps, names, gains, strict=False)
+            for tap, name, gain in zip(target.taps[:used], names, target.gains[:used], strict=True)
         ),
         source_lines=tuple(program.source.text.splitlines()),
         notes={"class": program.class_name, "codes": program.mode, "lowering": "stream"},

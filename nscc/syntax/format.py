@@ -260,7 +260,7 @@ class _Rows:
         if len(self.rows) == 1:
             return None
         found = [_Line(self.head, self.after[0])]
-        for row, above, after in zip(self.rows, self.above, self.after[1:], strict=False):
+        for row, above, after in zip(self.rows, self.above[:-1], self.after[1:], strict=True):
             found += [_Line(_INDENT + text) for text in above]
             found.append(_Line(f"{_INDENT}{_joined(row)},", after))
         return [*found, *(_Line(_INDENT + text) for text in self.above[-1]), _Line("]")]
@@ -277,9 +277,7 @@ class _Rows:
         found: list[_Line] = []
         for k, (row, after) in enumerate(zip(values, self.after[1:], strict=True)):
             found += [_Line(" " * len(self.head) + text) for text in self.above[k]]
-            cells = ", ".join(
-                f"{value:>{width}}" for value, width in zip(row, widths, strict=False)
-            )
+            cells = ", ".join(f"{value:>{widths[i]}}" for i, value in enumerate(row))
             begin = " " * len(self.head) if found else self.head
             end = "]]" if k + 1 == len(values) else "],"
             found.append(_Line(f"{begin}[{cells}{end}", after))

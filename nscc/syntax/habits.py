@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from nscc.diagnostics.diagnostic import Fix
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
 from nscc.syntax.lexer import Tokens
 from nscc.syntax.statement import Stuck
@@ -113,7 +113,7 @@ def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
     kind = _text(tokens, first + 3, at)
     near = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
     if near is not None and kind != near:
-        yield f"did you mean `{near}`?"
+        yield did_you_mean(near)
     else:
         yield "a range is two values with two dots between them, both included: `1..8`"
 

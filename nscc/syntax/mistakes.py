@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Set
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.source import Span
 from nscc.syntax import habits
 from nscc.syntax.grammar import END, spellings
@@ -102,7 +102,7 @@ def unknown_statement(tokens: Tokens, token: int) -> Diagnostic:
         label=Label(span, "a statement should begin here, or the last one go on"),
         notes=("statements begin with " + ", ".join(words),),
         helps=(f"`{word}` is a statement of version 2: begin the file with `nsl 2`",) * later,
-        fixes=(Fix(f"did you mean `{near}`?", span, near, sure=False),) if near else (),
+        fixes=(Fix(did_you_mean(near), span, near, sure=False),) if near else (),
     )
 
 
@@ -233,4 +233,4 @@ def _fixes(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[Fix]
     elif kind == "NAME":
         near = closest(text, (word for word in stuck.expected if _is_word(word)))
         if near is not None:
-            yield Fix(f"did you mean `{near}`?", span, near, sure=False)
+            yield Fix(did_you_mean(near), span, near, sure=False)

@@ -11,6 +11,7 @@ from itertools import pairwise
 
 from nscc.diagnostics.diagnostic import Diagnostic, Fix, Label, Rejected
 from nscc.diagnostics.many import MOST_ERRORS, more_errors
+from nscc.diagnostics.suggest import did_you_mean
 from nscc.source import Source, Span
 from nscc.syntax import tree
 from nscc.syntax.build import Builder
@@ -163,7 +164,7 @@ def _no_language_line(tokens: Tokens, starts: list[int]) -> Diagnostic:
         if source.text.startswith(("//", "/*"), place.start):
             helps = ("comments begin with `#`",)
     elif word.isalpha() and sorted(word.lower()) == sorted("nsl"):
-        fixes = (Fix("did you mean `nsl`?", place, "nsl", sure=False),)
+        fixes = (Fix(did_you_mean("nsl"), place, "nsl", sure=False),)
     else:
         fixes = (Fix("begin with `nsl 1`", Span(place.start, place.start), "nsl 1\n"),)
     return Diagnostic(

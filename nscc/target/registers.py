@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import islice
 from typing import Any
 
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
 from nscc.toml.text import shown
 
@@ -60,9 +60,8 @@ def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, s
         if name in names[:index]:
             yield f"{shown(name)} twice", ""
         elif name not in known:
-            near = closest(name, known)
             some = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
             yield (
                 f"{shown(name)}, which no instruction word can name",
-                f"did you mean {near}?" if near else f"words name {some}",
+                meant(name, known, f"words name {some}")[0],
             )

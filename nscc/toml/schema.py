@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import Any, Generic, TypeVar
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean, meant
 from nscc.source import Source
 from nscc.toml.kinds import Kind, Text
 from nscc.toml.text import shown, span_of, spelled_value
@@ -206,8 +206,8 @@ class Schema(Generic[Row]):
             return self.problem(self.codes.wrong, message, section, name, source)
         table = section if section not in self.sections else name
         if tables and (table == section or (not section and isinstance(value, Mapping))):
-            message, near = f"a {self.what} has no table {shown(table)}", closest(table, tables)
-            help_text = f"did you mean `{near}`?" if near else f"the tables are {', '.join(tables)}"
+            message = f"a {self.what} has no table {shown(table)}"
+            [help_text] = meant(table, tables, f"the tables are {', '.join(tables)}")
         else:
             where = f"[{section}] of a {self.what}" if section else f"a {self.what}"
             message = f"{where} has no {self.noun} {shown(name)}"
@@ -222,7 +222,7 @@ class Schema(Generic[Row]):
         if name in homes:
             return f"`{name}` belongs {places[homes[name]]}"
         if near:
-            return f"did you mean `{near}`?"
+            return did_you_mean(near)
         if elsewhere:
             return f"did you mean `{elsewhere}` {places[homes[elsewhere]]}?"
         return f"the {self.noun}s here are {', '.join(known)}" if len(known) <= _FEW else self.start

@@ -137,7 +137,7 @@ def _tokens(text: str, begin: int, faults: Faults) -> list[Token]:
             span = Span(begin + at, begin + len(text))
             faults.add("NS0714", f"malformed text in quotation marks: {shown(text[at:])}", span)
             return []
-        tokens.append(Token(value, Span(begin + at, begin + match.end()), quoted))
+        tokens.append(Token(value, Span(begin + at, begin + match.end())))
         blanks = _BLANKS.match(text, match.end())
         at = blanks.end() if blanks else match.end()
         if at == match.end() and not (at < len(text) and text[at] in '";#') and at < len(text):

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -105,6 +106,10 @@ class Container:
     machine: Machine | None = None
     state_planes: Mapping[str, StatePlanes] = field(default_factory=dict)
     stream: Stream | None = None
+
+    def __getstate__(self) -> dict[str, Any]:
+        """What copies and pickles take: the fields, without what others have analysed."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @property
     def slots(self) -> int:

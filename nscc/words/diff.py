@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from difflib import unified_diff
+from itertools import takewhile, zip_longest
 from typing import Any
 
 import numpy as np
@@ -116,7 +117,9 @@ def _listing_change(
     before: Kernel | None, first: Container, after: Kernel | None, second: Container
 ) -> Iterator[str]:
     old, new = _listing(before, first), _listing(after, second)
-    same = next((i for i, (a, b) in enumerate(zip(old, new, strict=False)) if a != b), None)
+    # Listings of which one begins with the other part where the shorter one ends.
+    alike = takewhile(lambda pair: pair[0] == pair[1], zip_longest(old, new))
+    same = sum(1 for _ in alike)
     yield from _text_change(old, new, 2, f"; they part at line {same}")
 
 

@@ -15,11 +15,10 @@ _IMPLIED_KERNEL = "main"
 
 @dataclass(frozen=True, slots=True)
 class Token:
-    """A piece of a line; `quoted` if it stood in quotation marks (`text` is what they hold)."""
+    """A piece of a line; of one in quotation marks, `text` is what they hold."""
 
     text: str
     span: Span
-    quoted: bool = False
 
 
 @dataclass(frozen=True, slots=True)

@@ -73,7 +73,9 @@ def check_header(header: Any) -> None:
         sound &= sound and all(isinstance(r, str) for r in plane[1])
         sound &= sound and all(_is_whole(v) for v in plane[2])
         sound &= sound and all(
-            isinstance(row, list) and len(row) == len(plane[1]) and {*row} <= {0, 1}
+            isinstance(row, list)
+            and len(row) == len(plane[1])
+            and all(type(bit) is int and bit in (0, 1) for bit in row)
             for row in plane[3]
         )
         sound &= sound and len(plane[2]) == len(plane[3]) > 0
@@ -196,6 +198,10 @@ def faults(container: Container) -> Iterator[str]:
         if array.shape != shape or array.dtype != np.dtype(dtype):
             yield f"its machine has {name} of {array.dtype} {array.shape}"
             return
+    shortest_us, frame_us = min(container.slot_us), sum(container.slot_us) * (1 + 1e-9)
+    is_sum = (machine.open_us >= shortest_us) & (machine.open_us <= frame_us)
+    if not (is_sum | np.isin(machine.open_us, (-1.0, 0.0))).all():
+        yield "the times that pixels of its machine were open are no times"
     yield from _step_faults(machine)
     for comparison in machine.comparisons:
         if comparison.boundary not in machine.looks:
@@ -242,11 +248,19 @@ def _state_faults(container: Container, machine: Machine) -> Iterator[str]:
             values.size and not (state.low <= values.min() and values.max() <= state.high)
         ):
             yield f"the state {state.name[:40]!a} leaves its range"
-        if (state.read or state.kept) != (state.name in container.state_planes):
+        planes = container.state_planes.get(state.name)
+        if (state.read or state.kept) != (planes is not None):
             yield f"the state {state.name[:40]!a} has planes, or lacks them"
+        elif planes is not None and not {*values.tolist()} <= {*planes.values}:
+            yield f"the planes of {state.name[:40]!a} have no bits for some of its values"
+        elif planes and state.kept and not {*planes.registers} <= {*container.code_registers}:
+            yield f"the planes of {state.name[:40]!a} are kept and not loaded"
     registers = container.target.digital_registers
     for name, planes in container.state_planes.items():
+        if len({*planes.values}) < len(planes.values):
+            yield f"the planes of {name[:40]!a} have two rows of bits for one value"
         if name not in names or not {*planes.registers} <= {*registers}:
             yield f"the planes of {name[:40]!a} are those of nothing"
-    if len(machine.start_nodes()) != len(container.encoding):
+    starts = machine.behaviour[machine.start_nodes()]
+    if not np.array_equal(starts, np.arange(len(container.encoding))):
         yield "a behaviour of its machine has no start"

@@ -13,7 +13,7 @@ from nscc.words.container import Container
 MOST_WORDS = 1 << 18
 MOST_SLOTS = 1 << 20
 _LONGEST_NAME = 200
-_LONGEST_SLOT_US = 1e15
+_SHORTEST_SLOT_US, _LONGEST_SLOT_US = 1e-9, 1e15
 
 
 def faults(container: Container) -> list[str]:
@@ -41,7 +41,7 @@ def _time_faults(container: Container) -> Iterator[str]:
     if not 1 <= container.slots <= MOST_SLOTS:
         yield f"it has {container.slots} slots, 1 to {MOST_SLOTS} are possible"
     for index, length in enumerate(container.slot_us):
-        if not (isfinite(length) and 0 < length <= _LONGEST_SLOT_US):
+        if not (isfinite(length) and _SHORTEST_SLOT_US <= length <= _LONGEST_SLOT_US):
             yield f"slot {index} has the length {length} us"
             break
     if not container.buckets:

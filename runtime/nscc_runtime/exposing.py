@@ -78,7 +78,7 @@ def capture(
     `scene(..)` or its name; a `Light`. float32 arrays are not copied. `sensor`: a sensor, its file,
     or numbers by name, as {"full_well_e": 20000}; by default that of the program's chip.
 
-    `effects`: "none" (the default: exact sums of light), "auto", "all" or names, as `nscc run
+    `effects`: "none" (the default: sums of light), "auto", "all" or names, as `nscc run
     --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb", "1%" of the mean
     signal, "0.15noise", the default, of the frame's own noise, or electrons), a `tolerance_max` of
     the worst pixel, a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or a

@@ -25,6 +25,7 @@ from nscc_runtime.execution.program import Program, analysed
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.trace import AnalogWord
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.response import converter_e2, shutter_response
 
 Values = NDArray[np.float64]
 
@@ -90,15 +91,9 @@ def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]
 
 def _noise_e(program: Program) -> Values:
     """The standard deviation (lanes, buckets) of a reading that no light disturbs."""
-    effects, sensor = everything(), program.sensor
-    model = program.full
-    variance = np.zeros(program.tables.pattern(model).shape)
-    for _, part in effects.errors():
-        factor, rest = program.tables.noise(part.at, model)
-        variance += part.sigma_e(sensor) ** 2 * ((factor * factor).sum(axis=2) + rest)
-    variance += (effects.the(WordGain).spread_e(sensor) * program.tables.pattern(model)) ** 2
-    converter = effects.converter_lsb(sensor)
-    return np.asarray(np.sqrt(variance + sensor.electrons_per_lsb**2 * (converter**2 + 1 / 12)))
+    sensor, effects = program.sensor, everything()
+    response = shutter_response(program.container, sensor, effects)
+    return np.asarray(np.sqrt(response.variance_e2 + converter_e2(sensor, effects)))
 
 
 def _steady(program: Program, lanes: NDArray[np.integer]) -> tuple[Values, NDArray[np.uint8]]:

@@ -45,6 +45,5 @@ def described(text: str) -> str:
 def _compiler() -> Finding:
     found = compiler()
     if found is None:
-        twin = "`nscc device serve` stands in with the firmware's twin"
-        return Finding(ABSENT, f"C++ compiler: {twin}")
+        return Finding(ABSENT, "C++ compiler: `nscc device serve` compiles the firmware with it")
     return Finding(GOOD, f"C++ compiler: {found} (nscc device serve runs the firmware)")

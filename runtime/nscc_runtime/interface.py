@@ -1,16 +1,12 @@
-"""What exposes a frame: one method, shared by the emulator and by devices."""
+"""An exposed frame, as the emulator and devices return it."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
-
-if TYPE_CHECKING:
-    from nscc.words.container import Container
-    from nscc_runtime.light import Light
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,13 +24,10 @@ class Exposure:
     saturated_by: NDArray[np.uint8] | None = None
 
 
-class Exposer(Protocol):
-    """Anything that can run a compiled program for one frame."""
+@dataclass(frozen=True, eq=False)
+class Executed:
+    """One frame of pixels that look: the exposure, and the digital registers that are read, kept or
+    hold code, as planes (rows, cols)."""
 
-    def expose(self, container: Container, light: Light | None) -> Exposure:
-        """Expose one frame of `container`.
-
-        `light` is the scene on the array; a device that looks at the world takes None. Raises
-        `nscc.diagnostics.diagnostic.Rejected` where the program cannot run here.
-        """
-        ...
+    exposure: Exposure
+    planes: Mapping[str, NDArray[np.bool_]]

@@ -9,29 +9,20 @@ is infinite where a pixel was full, for there the light was at least so much.
 
 from __future__ import annotations
 
-import json
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
-from nscc.files import reads
 from nscc.words.container import Container
 from nscc.words.machine import Machine
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import (
-    CountedDark,
-    CountedLight,
-    Leak,
-    Response,
-    Soft,
-    WordGain,
-)
+from nscc_runtime.effects.parts import CountedLight, Soft
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import Frame
+from nscc_runtime.looking.ends import looked_response, row_of
+from nscc_runtime.response import converter_e2, gain_spread
 
 Values = NDArray[np.float64]
 
@@ -39,12 +30,6 @@ LIGHT, DEVIATION = "light_e_per_s", "light_sd_e_per_s"
 """The keys of the frame file: (buckets, rows, cols), electrons a second."""
 OPEN = "open_slots"
 """The key of how many slots each bucket was open (buckets, rows, cols)."""
-
-_READS, _WORDS = 2, 3
-"""An exposure is PIX less its reset level: each is read once, and three words bring them together,
-four where shutters open again."""
-_PIXELS = np.arange(4096, dtype=np.int64)
-"""Of a chip, for the mean and the spread of what differs from pixel to pixel."""
 
 
 def told_by(
@@ -67,8 +52,9 @@ def told_by(
     }
     behaviour = container.table.shutter_of_code[container.pixel_codes]
     slots, open_us = open_times(machine, behaviour, found)
+    told: list[NDArray[np.integer]] = [behaviour, *found.values()]
     states = {f"states_{name}": each for name, each in found.items()}
-    light = light_of(frame, open_us, container, sensor, effects)
+    light = light_of(frame, told, open_us, container, sensor, effects)
     return {**states, OPEN: slots, **light}
 
 
@@ -93,33 +79,15 @@ def open_times(
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
     pixels: list[NDArray[np.integer]] = [behaviour]
     pixels += [states[machine.states[k].name] for k in read]
-    row, there = _row_of(ends, pixels)
+    row, there = row_of(ends, pixels)
     slots = np.where(there[..., None], machine.open_slots[last][row], -1)
     us = np.where(there[..., None], machine.open_us[last][row], -1.0)
     return np.moveaxis(slots.astype(np.int64), -1, 0), np.moveaxis(us, -1, 0)
 
 
-def _row_of(
-    rows: NDArray[np.int64], columns: Sequence[NDArray[np.integer]]
-) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
-    """Which of `rows` (R, K) has the values of these K arrays, element by element, and where there
-    is one."""
-    number = np.zeros(len(rows), np.int64)
-    found = np.zeros(columns[0].shape, np.int64)
-    there = np.ones(found.shape, np.bool_)
-    for column, values in zip(rows.T, columns, strict=True):
-        low, span = int(column.min()), int(np.ptp(column)) + 1
-        known, number = np.unique(number * span + column - low, return_inverse=True)
-        there &= (values >= low) & (values < low + span)
-        wanted = found * span + values - low
-        found = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
-        there &= known[found] == wanted
-    first = np.unique(number, return_index=True)[1]
-    return first[found], there
-
-
 def light_of(
     frame: Frame,
+    told: Sequence[NDArray[np.integer]],
     open_us: Values,
     container: Container,
     sensor: Sensor,
@@ -127,47 +95,35 @@ def light_of(
 ) -> dict[str, Values]:
     """The light and its standard deviation, by key, each (buckets, rows, cols).
 
-    `frame` is one frame, `open_us` (buckets, rows, cols) is -1 where the states are those of no
-    pixel. `effects` are those of the chip: all, or what an emulator had on. Of a pixel that never
-    opened, or whose time is unknown, both are NaN.
+    `frame` is one frame, `told` (rows, cols) what each pixel tells of its end, its behaviour and
+    the states that are read, `open_us` (buckets, rows, cols)
+    is -1 where no pixel ends so. `effects` are those of the chip: all, or what an emulator had on.
+    Of a pixel that never opened, or whose time is unknown, both are NaN; the deviation is NaN, too,
+    where the words that acted in a pixel are unknown.
     """
-    frame_us = float(sum(container.slot_us))
-    step_e = sensor.electrons_per_lsb
-    read_e = (frame.frame.astype(np.float64) - sensor.adc_offset_lsb) * step_e
-    gain = _gain(container, sensor, effects, open_us, frame_us)
-    held_e = _unbent(read_e, sensor, effects) - _offset_e(container, sensor, effects)
+    codes = frame.frame.astype(np.float64)
+    read_e = (codes - sensor.adc_offset_lsb) * sensor.electrons_per_lsb
     open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6
-    dark_e = _dark_e_per_s(sensor, effects) * open_s
-    electrons = held_e / gain
-    light_e = electrons - dark_e
-    variance = variance_e2(np.maximum(electrons, 0.0), gain, sensor, effects)
-    deviation = np.where(frame.saturated, np.inf, np.sqrt(variance) / open_s)
-    deviation[np.isnan(open_s)] = np.nan
-    return {LIGHT: light_e / open_s, DEVIATION: deviation}
-
-
-def _offset_e(container: Container, sensor: Sensor, effects: Selection) -> float:
-    """The mean error of the words of an exposure: three of one copy, of which each adds its own.
-    Of four, with the reset level copied twice, they cancel."""
-    words = effects.part(WordGain)
-    if words is None or container.notes.get("lowering") != "latch":
-        return 0.0
-    return float(_WORDS * words.mean_e(sensor))
-
-
-def _gain(
-    container: Container, sensor: Sensor, effects: Selection, open_us: Values, frame_us: float
-) -> Values:
-    """What of the light is left in the exposure."""
-    words, leak = effects.part(WordGain), effects.part(Leak)
-    gain = np.full(open_us.shape, 1.0 if words is None else words.gain(sensor) ** 2)
-    if leak is not None:
-        # A copy is made when the shutter closes; a sum is half that old in the mean.
-        closed_us = frame_us - np.maximum(open_us, 0.0)
-        share = 1.0 if container.notes.get("lowering") == "latch" else 0.5
-        readout_us = container.target.readout_us * np.arange(len(open_us))[:, None, None]
-        gain *= np.exp(-(share * closed_us + readout_us) * 1e-6 / leak.tau_s(sensor))
-    return gain
+    response = looked_response(container)(sensor, effects)
+    if response is None:
+        deviation = np.where(frame.saturated, np.inf, np.nan)
+        return {LIGHT: read_e / open_s, DEVIATION: np.where(np.isnan(open_s), np.nan, deviation)}
+    ends, by_end = response
+    row, _ = row_of(ends.told, told)
+    seen_s, bias_e, variance_e2 = (
+        np.moveaxis(each[row], -1, 0) for each in (by_end.seen_s, by_end.bias_e, by_end.variance_e2)
+    )
+    light = np.full(open_s.shape, np.nan)
+    seen = ~np.isnan(open_s) & (seen_s > 0)
+    np.divide(_unbent(read_e, sensor, effects) - bias_e, seen_s, out=light, where=seen)
+    electrons = np.maximum(light, 0.0) * open_s
+    variance_e2 = (variance_e2 + converter_e2(sensor, effects)) * (open_s / seen_s) ** 2
+    if effects.part(CountedLight) is not None:
+        variance_e2 += electrons
+    variance_e2 += (gain_spread(sensor, effects) * electrons) ** 2
+    deviation = np.where(frame.saturated, np.inf, np.sqrt(variance_e2) / open_s)
+    deviation[~seen] = np.nan
+    return {LIGHT: light, DEVIATION: deviation}
 
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
@@ -183,27 +139,6 @@ def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
     return np.where(read_e > soft.linear_e(sensor), unbent, read_e)
 
 
-def _dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
-    dark = effects.part(CountedDark)
-    return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
-
-
-def variance_e2(electrons: Values, gain: Values, sensor: Sensor, effects: Selection) -> Values:
-    """Of the estimate, in square electrons on PIX."""
-    found = np.full(electrons.shape, sensor.electrons_per_lsb**2 / 12.0)
-    found += (effects.converter_lsb(sensor) * sensor.electrons_per_lsb) ** 2
-    times = {"reads": _READS, "words": _WORDS, "resets": 0}
-    for _, errors in effects.errors():
-        found += times[errors.at] * errors.sigma_e(sensor) ** 2
-    found /= gain**2
-    if effects.part(CountedLight) is not None:
-        found += electrons
-    response = effects.part(Response)
-    if response is not None:
-        found += (float(response.factor(sensor, 0, _PIXELS).std()) * electrons) ** 2
-    return found
-
-
 def merged_image(light: Values, deviation: Values) -> Values:
     """One light (rows, cols) of all buckets, each weighted by what it knows; where every one was
     full, the greatest."""
@@ -213,30 +148,3 @@ def merged_image(light: Values, deviation: Values) -> Values:
     mean = (np.nan_to_num(light) * weight).sum(axis=0) / np.where(known > 0, known, 1.0)
     least = np.nan_to_num(np.fmax.reduce(light, axis=0))
     return np.asarray(np.where(known > 0, mean, least))
-
-
-def image_of(frame: Path) -> NDArray[np.float32]:
-    """What `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols), from the light
-    that the frame file has; of repeats, their mean.
-
-    Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
-    """
-    reads(frame)
-    try:
-        with np.load(frame, allow_pickle=False) as file:
-            arrays: Mapping[str, Any] = {key: file[key] for key in (LIGHT, DEVIATION)}
-            meta = json.loads(str(file["meta"]))
-        frame_s = float(meta["frame_us"]) * 1e-6
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise rejected(
-            "NS0819",
-            f"'{frame.as_posix()}' says no light by itself: it is no frame file of a program whose "
-            "pixels look at the light",
-            notes=(f"{type(error).__name__}: {error}",),
-            helps=("name the run that the frame was taken for: `nscc reconstruct RUN FRAME.npz`",),
-        ) from None
-    light, deviation = arrays[LIGHT], arrays[DEVIATION]
-    if light.ndim == 3:
-        light, deviation = light[None], deviation[None]
-    images = [merged_image(*each) for each in zip(light, deviation, strict=True)]
-    return np.asarray(np.mean(images, axis=0) * frame_s, np.float32)

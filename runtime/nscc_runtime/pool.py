@@ -28,6 +28,16 @@ def _pool(threads: int) -> ThreadPoolExecutor:
     return ThreadPoolExecutor(threads, thread_name_prefix=THREADS)
 
 
+def after_fork(renew: Callable[[], object]) -> None:
+    """Have `renew` called in every child process right after fork, where the system can fork."""
+    if hasattr(os, "register_at_fork"):
+        os.register_at_fork(after_in_child=renew)
+
+
+# Fork copies the pools of the parent process, but not their threads.
+after_fork(_pool.cache_clear)
+
+
 def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple: int = 1) -> None:
     """Call `run(begin, end)` for parts of 0 .. `count`, `threads` at a time.
 

@@ -1,8 +1,10 @@
 """What a chip makes of steady light: the sensor's figures, through a program's words.
 
-The words lose a little of the light, add a little of their own, and an exposure that they read is
-off by that whatever the scene. Both follow from the sensor file, which `nscc calibrate` measures,
-and both can be taken away again:
+As long as nothing saturates, an exposure is in the mean `zero_e` + `gain` x the light that falls
+while the pixel is open, with a variance that the light does not change and that of the photons.
+All four follow from the words (`nscc_runtime.reference.weights`) and the sensor file, which
+`nscc calibrate` measures. What frames tell of light, decode tables, calibration and the codes of
+full pixels are computed from them:
 
     response = response_of(program, sensor, taken.plan.kept)
     electrons = response.electrons(taken.frame)     # that fell while pixels were open
@@ -12,6 +14,7 @@ and both can be taken away again:
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,19 +22,102 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import CountedDark, Leak, SlowWords, WordGain
+from nscc_runtime.effects.parts import CountedDark, WordGain
+from nscc_runtime.effects.parts import Response as PixelGain
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.reference.weights import Backward, backward
+from nscc_runtime.reference.trace import analog_words, retention_us
+from nscc_runtime.reference.weights import Backward, Model, backward
 
 Values = NDArray[np.float64]
 
-_PIXELS = 4096
-"""Of a chip, for the mean of what differs from pixel to pixel."""
+_PIXELS = np.arange(4096, dtype=np.int64)
+"""Of a chip, for the mean and the spread of what differs from pixel to pixel."""
+
+
+@dataclass(frozen=True, eq=False)
+class ShutterResponse:
+    """Of the shutters of a program on a sensor; each float64 (shutters, buckets).
+
+    `seen_s`: for how long the light reaches the exposure, weighted by how much of it does. In the
+    mean an exposure in electrons is `bias_e` + `seen_s` x the light a second, and its variance
+    `variance_e2` and that of the photons.
+    """
+
+    seen_s: Values
+    bias_e: Values
+    variance_e2: Values
+
+    @classmethod
+    def of_weights(
+        cls, weights: Backward, slot_s: Values, sensor: Sensor, effects: Selection
+    ) -> ShutterResponse:
+        """Of the words that have these weights."""
+        seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
+        dark_e = mean_dark_e_per_s(sensor, effects) * seen_s
+        bias_e, variance_e2 = dark_e, np.maximum(dark_e, 0.0)
+        words = effects.part(WordGain)
+        if words is not None:
+            bias_e = bias_e + words.mean_e(sensor) * weights.error_sum
+            variance_e2 = variance_e2 + (words.spread_e(sensor) * weights.error_sum) ** 2
+        for _, errors in effects.errors():
+            variance_e2 = variance_e2 + errors.sigma_e(sensor) ** 2 * weights.squared(errors.at)
+        return cls(seen_s, bias_e, variance_e2)
+
+    def gain(self, open_s: Values) -> Values:
+        """How much of the light that falls while shutters are open (shutters, buckets) reaches
+        the exposure; 1 for those that never are."""
+        return np.divide(self.seen_s, open_s, out=np.ones(open_s.shape), where=open_s > 0)
+
+
+def shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
+    """The response of every shutter of a program whose pixels do not look.
+
+    Raises Rejected (NS0442) for words that open no shutters.
+    """
+    kept_us = retention_us(effects, sensor)
+    words = () if container.target.streamed else analog_words(container, kept_us)
+    weights = backward(container, words, Model.of(effects, sensor))
+    return ShutterResponse.of_weights(weights, slot_seconds(container), sensor, effects)
+
+
+def open_shutters(container: Container) -> NDArray[np.bool_]:
+    """The shutters (shutters, buckets, N) of a program, of its table or of its words.
+
+    Raises Rejected (NS0442) for words that open none.
+    """
+    if container.has_table:
+        return container.table.shutters
+    return backward(container, analog_words(container)).open().transpose(1, 2, 0)
+
+
+def slot_seconds(container: Container) -> Values:
+    """The lengths of the slots."""
+    return np.array(container.slot_us, np.float64) * 1e-6
+
+
+@lru_cache
+def mean_dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
+    """The mean dark current of the pixels, electrons a second."""
+    dark = effects.part(CountedDark)
+    return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
+
+
+@lru_cache
+def gain_spread(sensor: Sensor, effects: Selection) -> float:
+    """The relative standard deviation, over the pixels, of what they make of light."""
+    gain = effects.part(PixelGain)
+    return 0.0 if gain is None else float(gain.factor(sensor, 0, _PIXELS).std())
+
+
+def converter_e2(sensor: Sensor, effects: Selection) -> float:
+    """The variance that the converter adds by rounding and by noise, square electrons."""
+    noise_lsb = effects.converter_lsb(sensor)
+    return float(sensor.electrons_per_lsb**2 * (noise_lsb**2 + 1.0 / 12.0))
 
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """Of a program on a sensor; each float64 (buckets, rows, cols).
+    """Of the pixels of a program on a sensor; each float64 (buckets, rows, cols).
 
     `open_s`: how long pixels are open, 0 for those that never are. As long as nothing saturates, an
     exposure in electrons is in the mean `zero_e` + `gain` x the light that falls meanwhile.
@@ -52,51 +138,24 @@ class Response:
 def response_of(container: Container, sensor: Sensor, effects: Selection | None = None) -> Response:
     """The response of a program with pixels, under `effects` (default: all, as a chip has them).
 
-    What words make of light that they compare is not foretold: there `gain` is 1 and `zero_e` 0,
-    as without effects, and `open_s` is NaN, for it hangs on the light. ValueError for a container
+    Of pixels that look, the open time hangs on the light: `open_s` is NaN, `gain` 1 and `zero_e` 0;
+    what their frames tell of light is `nscc_runtime.looked_light`'s. ValueError for a container
     without pixels.
     """
     if container.pixel_codes is None:
         raise ValueError("a container without pixels has no response")
-    slot_s = np.array(container.slot_us) * 1e-6
-    lanes = container.table.shutter_of_code[container.pixel_codes]
-    open_s = (container.table.shutters @ slot_s)[lanes].transpose(2, 0, 1)
     effects = everything() if effects is None else effects
-    plain = Response(open_s, np.ones(open_s.shape), np.zeros(open_s.shape), sensor)
+    lanes = container.table.shutter_of_code[container.pixel_codes]
+    open_s = container.table.shutters @ slot_seconds(container)
+    by_pixel = open_s[lanes].transpose(2, 0, 1)
+    plain = Response(by_pixel, np.ones(by_pixel.shape), np.zeros(by_pixel.shape), sensor)
     if container.machine is not None:
-        return replace(plain, open_s=np.full(open_s.shape, np.nan))
-    if container.target.streamed:
-        gains = np.array([readout.gain for readout in container.readouts])[:, None, None]
-        plain = replace(plain, gain=plain.gain * gains)
-    if effects.noiseless:
-        return plain
-    weights = _weights(container, sensor, effects)
-    if weights is None:
-        return plain
-    seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
-    zero_e = np.zeros(seen_s.shape)
-    words, dark = effects.part(WordGain), effects.part(CountedDark)
-    if words is not None:
-        zero_e += words.mean_e(sensor) * sum(weights.errors.values(), np.zeros(seen_s.shape))
-    if dark is not None:
-        current = dark.per_s(sensor, 0, np.arange(_PIXELS, dtype=np.int64)).mean()
-        zero_e += current * seen_s
-    seen, zero = (each[lanes].transpose(2, 0, 1) for each in (seen_s, zero_e))
-    gain = np.divide(seen, open_s, out=np.ones(open_s.shape), where=(open_s > 0) & (seen > 0))
-    return Response(open_s, gain, zero, sensor)
-
-
-def _weights(container: Container, sensor: Sensor, effects: Selection) -> Backward | None:
-    """What of each slot's light, and of each word's error, reaches exposures; None for words that
-    open no shutters."""
-    if container.target.streamed:
-        leak = effects.part(Leak)
-        rate = 1.0 / leak.tau_s(sensor) if leak else 0.0
-        return backward(container, (), 1.0, rate, effects.part(SlowWords) is not None)
-    from nscc_runtime.execution.program import analysed
-
+        return replace(plain, open_s=np.full(by_pixel.shape, np.nan))
     try:
-        program = analysed(container, sensor)
-    except Rejected:  # NS0442
-        return None
-    return program.tables.weights(program.model(effects))
+        response = shutter_response(container, sensor, effects)
+    except Rejected:  # NS0442: its words open no shutters
+        return plain
+    # Nothing is told of light that never reaches the exposure.
+    gain = np.where(response.seen_s > 0, response.gain(open_s), 1.0)
+    gain, zero_e = (each[lanes].transpose(2, 0, 1) for each in (gain, response.bias_e))
+    return replace(plain, gain=gain, zero_e=zero_e)

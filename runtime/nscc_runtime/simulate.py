@@ -243,10 +243,9 @@ def _looking(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Iterable[Frame]:
     """The frames of a program whose pixels look: kept states go on from one to the next."""
-    from nscc_runtime.looking.frames import frames
+    from nscc_runtime.looked_frames import frames, looking_frames
     from nscc_runtime.looking.way_loop import run_ways
     from nscc_runtime.noise.loops import fill_normals
-    from nscc_runtime.reference.looks import looking_frames
 
     seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
     if request.effects.noiseless:

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nscc_training import metrics
 from nscc_training.baselines.loops import denoise
 from nscc_training.baselines.sci import gap_tv
-from nscc_training.evaluation.sci8 import SciClip, read_sci_clip
+from nscc_training.protocol_scenes.sci import SciClip, sci_scenes
 from nscc_training.protocols import load_protocol
 
 _ITERATIONS = 40
@@ -47,7 +47,8 @@ def made() -> SciClip:
     for k in range(8):
         clip[k, 60:140, 30 + 6 * k : 110 + 6 * k] = 230
     mask = (rng.random(clip.shape) < 0.5).astype(np.float32)
-    return SciClip(clip.astype(np.uint8), mask, (clip * mask / 255).sum(axis=0).astype(np.float32))
+    measurement = (clip * mask / 255).sum(axis=0).astype(np.float32)
+    return SciClip(Path("made"), None, None, clip / 255, load_protocol("sci8"), mask, measurement)
 
 
 def score(truth: NDArray[np.uint8], clip: NDArray[np.float64]) -> float:
@@ -69,7 +70,7 @@ def main() -> int:
         return 1
     denoise.load()
     protocol = load_protocol("sci8")
-    clips = {path.stem: read_sci_clip(path, protocol) for path in arguments.clips}
+    clips = {clip.file.stem: clip for clip in sci_scenes(arguments.clips, protocol)}
     for name, clip in (clips or {"made": made()}).items():
         best = [np.inf, np.inf]
         found: list[NDArray[np.float64]] = []
@@ -83,7 +84,7 @@ def main() -> int:
                     result = plain(clip.measurement.astype(float), clip.mask.astype(float))
                 best[which] = min(best[which], perf_counter() - begin)
                 found.append(result)
-        ours, theirs = (score(clip.orig, result) for result in found)
+        ours, theirs = (score(clip.truth_e, result) for result in found)
         print(
             f"  {name:<10} {best[0]:7.3f} s {ours:6.2f} dB   plain {best[1]:7.3f} s "
             f"{theirs:6.2f} dB   x{best[1] / best[0]:6.1f}"

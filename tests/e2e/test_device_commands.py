@@ -21,15 +21,11 @@ from nscc_command import Outcome, invoke
 
 from nscc_runtime.device.firmware import compiler
 
-pytestmark = pytest.mark.xdist_group("firmware")
-ARRAYS = ("frame", "exposure_e", "valid", "saturated", "saturated_by")
-LOADERS = [
-    "python",
-    pytest.param(
-        "firmware",
-        marks=pytest.mark.skipif(compiler() is None, reason="no C++ compiler for the firmware"),
-    ),
+pytestmark = [
+    pytest.mark.xdist_group("firmware"),
+    pytest.mark.skipif(compiler() is None, reason="no C++ compiler for the firmware"),
 ]
+ARRAYS = ("frame", "exposure_e", "valid", "saturated", "saturated_by")
 
 
 @pytest.fixture
@@ -68,9 +64,8 @@ def failed(outcome: Outcome, code: str, status: int = 3) -> str:
     return outcome.err
 
 
-@pytest.mark.parametrize("loader", LOADERS)
-def test_the_frame_is_the_emulators(folder: Path, loader: str) -> None:
-    with serving(folder, "--loader", loader) as device:
+def test_the_frame_is_the_emulators(folder: Path) -> None:
+    with serving(folder) as device:
         for name in ("small.icw", "small.nsl"):
             outcome = invoke(["run", name, "--on", device.port, "-o", "d.npz"], folder)
             assert outcome.status == 0, outcome.err
@@ -89,19 +84,17 @@ def test_the_frame_is_the_emulators(folder: Path, loader: str) -> None:
         assert json.loads((folder / "t.json").read_text())["expose_s"] > 0
 
 
-@pytest.mark.parametrize("loader", LOADERS)
-def test_a_bad_cable_changes_nothing(folder: Path, loader: str) -> None:
+def test_a_bad_cable_changes_nothing(folder: Path) -> None:
     fault = "corrupt=3e-4,drop=1e-4,delay=2ms,disconnect=after:1500,reboot=after:3000,outage=100ms"
-    with serving(folder, "--loader", loader, "--fault", fault) as device:
+    with serving(folder, "--fault", fault) as device:
         outcome = invoke(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
         assert outcome.status == 0, outcome.err
         same_frame(folder, "d.npz")
 
 
-@pytest.mark.parametrize("loader", LOADERS)
-def test_info_upload_capture(folder: Path, loader: str) -> None:
+def test_info_upload_capture(folder: Path) -> None:
     digest = sha256((folder / "small.icw").read_bytes()).hexdigest()
-    with serving(folder, "--loader", loader) as device:
+    with serving(folder) as device:
         outcome = invoke(["device", "info", device.port], folder)
         assert "no program (empty)" in outcome.out
         assert f"{SIZE} x {SIZE} pixels" in outcome.out
@@ -135,7 +128,7 @@ def test_info_upload_capture(folder: Path, loader: str) -> None:
 
 
 def test_the_scene_may_be_named(folder: Path) -> None:
-    with serving(folder, "--loader", "python") as device:
+    with serving(folder) as device:
         line = ["run", "small.icw", "--on", device.port, "-o", "d.npz"]
         outcome = invoke([*line, "--scene", "builtin:hdr", "--keep", "truth"], folder)
         assert (outcome.status, outcome.codes) == (0, ["NS0770"])
@@ -198,7 +191,7 @@ def test_a_port_where_nobody_answers(folder: Path) -> None:
 
 
 def test_another_chip(folder: Path) -> None:
-    with serving(folder, "--loader", "python") as device:
+    with serving(folder) as device:
         line = ["run", "small.nsl", "--target", "scamp7", "--on", device.port]
         failed(invoke(line, folder), "NS0764")
         # A small chip of the same name, with another clock.
@@ -213,7 +206,7 @@ def test_another_chip(folder: Path) -> None:
 
 def test_a_device_that_does_not_come_back(folder: Path) -> None:
     fault = "disconnect=after:1000,outage=60s"
-    with serving(folder, "--loader", "python", "--fault", fault) as device:
+    with serving(folder, "--fault", fault) as device:
         line = ["run", "small.icw", "--on", device.port, "--patience", "0.5", "-o", "d.npz"]
         assert "did not come back" in failed(invoke(line, folder), "NS0766")
     assert not (folder / "d.npz").exists()
@@ -226,7 +219,7 @@ def test_capture_wants_one_place(folder: Path) -> None:
     failed(invoke([*line, "-o", "f.npz", "--pixels", "codes.npz"], folder), "NS0770", 2)
     failed(invoke([*line, "small.icw", "-o", "f", "--target", "scamp5"], folder), "NS0743", 2)
     (folder / "taken").write_text("")
-    with serving(folder, "--loader", "python") as device:
+    with serving(folder) as device:
         line = ["device", "capture", device.port, "small.icw", "--to", "taken/many"]
         failed(invoke(line, folder), "NS0784", 2)
 
@@ -238,14 +231,13 @@ def test_there_is_no_other_command(folder: Path) -> None:
 
 def test_a_scene_that_does_not_suit_the_program(folder: Path) -> None:
     np.savez(folder / "short.npz", light=np.ones((3, SIZE, SIZE), np.float32))
-    with serving(folder, "--loader", "python", scene="short.npz") as device:
+    with serving(folder, scene="short.npz") as device:
         failed(invoke(["run", "small.icw", "--on", device.port], folder), "NS0768")
         assert re.search(r"error\[NS073\d\]", device.stop())
 
 
-@pytest.mark.parametrize("loader", LOADERS)
-def test_ctrl_c_leaves_the_device_usable(folder: Path, loader: str) -> None:
-    with serving(folder, "--loader", loader, "--fault", "delay=200ms") as device:
+def test_ctrl_c_leaves_the_device_usable(folder: Path) -> None:
+    with serving(folder, "--fault", "delay=200ms") as device:
         running = start(["run", "small.icw", "--on", device.port, "-o", "d.npz"], folder)
         time.sleep(1.5)
         running.send_signal(signal.SIGINT)
@@ -258,7 +250,7 @@ def test_ctrl_c_leaves_the_device_usable(folder: Path, loader: str) -> None:
 
 
 def test_ctrl_c_ends_continuous_capture_with_whole_files(folder: Path) -> None:
-    with serving(folder, "--loader", "python") as device:
+    with serving(folder) as device:
         line = ["device", "capture", device.port, "small.icw", "--to", "many", "--every", "0.02"]
         running = start(line, folder)
         until = time.monotonic() + LIMIT_S
@@ -274,10 +266,10 @@ def test_ctrl_c_ends_continuous_capture_with_whole_files(folder: Path) -> None:
 
 
 def test_serving_ends_when_told(folder: Path) -> None:
-    with serving(folder, "--loader", "python", "--once") as device:
+    with serving(folder, "--once") as device:
         assert invoke(["device", "info", device.port], folder).status == 0
         assert device.process.wait(LIMIT_S) == 0
-    with serving(folder, "--loader", "python", "--for", "0.1") as device:
+    with serving(folder, "--for", "0.1") as device:
         assert device.process.wait(LIMIT_S) == 0
 
 
@@ -293,11 +285,8 @@ def test_what_serve_does_not_take(folder: Path) -> None:
 def test_serving_without_a_compiler(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("PATH", "/nowhere")
     line = ["device", "serve", "--target", "chip.toml", "--scene", "builtin:hdr"]
-    failed(invoke([*line, "--loader", "firmware"], folder), "NS0772", 2)
-    outcome = invoke([*line, "--for", "0.05"], folder)
-    assert outcome.status == 0
-    assert re.fullmatch(r"/dev/pts/\d+\n", outcome.out)
-    assert "Python twin" in outcome.err
+    said = failed(invoke(line, folder), "NS0772", 2)
+    assert "install a C++17 compiler" in said
 
 
 def test_examples_on_a_whole_chip(tmp_path: Path, root: Path) -> None:

@@ -7,15 +7,15 @@ from __future__ import annotations
 
 import csv
 import io
-import json
 import os
 import random
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
 from collections.abc import Sequence
-from contextlib import suppress
+from contextlib import closing, suppress
 from pathlib import Path
 
 import pytest
@@ -66,16 +66,22 @@ def finished(folder: Path, out: str, workers: int, *more: str, status: int = 0) 
 
 def workers_of(folder: Path, out: str) -> list[str]:
     """Who computed the points that are done, in their order."""
-    path = folder / out / "times.csv"
-    if not path.is_file():
-        return []
-    with open(path, newline="") as file:
-        return [row["worker"] for row in csv.DictReader(file) if row["worker"]]
+    return [worker for _, worker in rows_of(folder, out) if worker]
 
 
 def keys_of(folder: Path, out: str) -> Sequence[str]:
-    lines = (folder / out / "rows.jsonl").read_text().splitlines()
-    return [json.loads(line)["key"] for line in lines]
+    return [key for key, _ in rows_of(folder, out)]
+
+
+def rows_of(folder: Path, out: str) -> list[tuple[str, str]]:
+    """Keys and workers in the store, as another program reads them."""
+    path = folder / out / "store.sqlite"
+    if not path.is_file():
+        return []
+    with closing(sqlite3.connect(path)) as database, suppress(sqlite3.OperationalError):
+        found = database.execute("SELECT name, worker FROM measurement ORDER BY rowid")
+        return found.fetchall()
+    return []  # its table is yet to be made
 
 
 @pytest.fixture(scope="module")
@@ -115,12 +121,37 @@ def test_killed_at_random_moments_it_goes_on(serial: tuple[Path, bytes]) -> None
         with suppress(ProcessLookupError):  # it was done before
             os.killpg(process.pid, signal.SIGKILL)
         process.communicate()
-        rows = folder / "moments/rows.jsonl"
-        done.append(rows.read_bytes().count(b"\n") if rows.exists() else 0)
+        done.append(len(keys_of(folder, "moments")))
     assert done == sorted(done)
     assert any(0 < count < ROWS for count in done)
     assert finished(folder, "moments", 0) == table
     assert len(set(keys_of(folder, "moments"))) == ROWS == len(keys_of(folder, "moments"))
+
+
+def test_two_sweeps_at_once_lose_nothing(serial: tuple[Path, bytes]) -> None:
+    folder, table = serial
+    both = [started(folder, "both", 0) for _ in range(2)]
+    for process in both:
+        _, said = process.communicate(timeout=600)
+        assert process.returncode == 0, said.decode()
+    assert (folder / "both/table.csv").read_bytes() == table
+    assert len(set(keys_of(folder, "both"))) == ROWS == len(keys_of(folder, "both"))
+    assert len(set(workers_of(folder, "both"))) == 2, "each of them computed some"
+
+
+def test_an_interrupted_sweep_prints_no_traceback(serial: tuple[Path, bytes]) -> None:
+    """A terminal interrupts all processes of a command at once."""
+    folder, table = serial
+    process = started(folder, "interrupted", 2)
+    while len(workers_of(folder, "interrupted")) < 3:
+        assert process.poll() is None, process.communicate()
+        time.sleep(0.02)
+    os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=600)
+    assert process.returncode == 130
+    assert b"Traceback" not in said
+    assert b"KeyboardInterrupt" not in said
+    assert finished(folder, "interrupted", 0) == table
 
 
 def test_a_scheduler_of_ones_own(serial: tuple[Path, bytes]) -> None:

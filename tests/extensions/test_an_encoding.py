@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -51,10 +52,27 @@ def test_an_encoding_from_outside_serves_a_program(tmp_path: Path, level: int) -
     assert nscc_with(tmp_path, "check", "p.nsl", "-O", level).returncode == 0
 
 
-@pytest.mark.parametrize("value", ["WRONG", "EARLY", "FOREIGN", "BROKEN", "sums"])
+@pytest.mark.parametrize("value", ["WRONG", "EARLY", "FOREIGN", "sums"])
 def test_a_wrong_one_is_refused_by_name(tmp_path: Path, value: str) -> None:
     add_package(tmp_path, SOURCE, "nscc.encodings", "odd", value)
     (tmp_path / "p.nsl").write_text(PROGRAM)
     assert nscc_with(tmp_path, "check", "p.nsl").returncode == 0
     done = nscc_with(tmp_path, *BUILD, 2)
     assert (done.returncode, "[NS0905]: the encoding 'odd'" in done.stderr) == (2, True)
+
+
+def test_one_that_raises_is_left_out_and_named(tmp_path: Path) -> None:
+    add_package(tmp_path, SOURCE, "nscc.encodings", "odd", "BROKEN")
+    (tmp_path / "p.nsl").write_text(PROGRAM)
+    done = nscc_with(tmp_path, *BUILD, 2)
+    assert done.returncode == 0
+    assert "[NS0504]: the generator 'odd'" in done.stderr
+    assert "ZeroDivisionError" in done.stderr
+    report = json.loads(done.stdout)
+    assert report["proof"]["holds"]
+    assert report["failed_generators"] == ["odd"]
+    (saved,) = tmp_path.glob("nscc-fault-*.zip")
+    with zipfile.ZipFile(saved) as reproducer:
+        assert "inputs/0-p.nsl" in reproducer.namelist()
+        assert b"ZeroDivisionError" in reproducer.read("traceback.txt")
+        assert reproducer.read("command.txt").decode().split() == ["nscc", *BUILD, "2"]

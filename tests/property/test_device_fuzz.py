@@ -17,6 +17,7 @@ from device_sessions import (
 )
 from hypothesis import given
 from hypothesis import strategies as st
+from loader_twin.loader import Loader
 
 from nscc.operations import OPERATIONS
 from nscc.words.encoding import encode, matching
@@ -30,7 +31,6 @@ from nscc_runtime.device.host import (
     Silent,
     Stalled,
 )
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import (
     DATA,
     Begin,

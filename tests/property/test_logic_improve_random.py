@@ -12,6 +12,7 @@ from nscc.logic.cubes import Budget
 from nscc.logic.improve import balance, improve
 from nscc.logic.improve.enrich import enrich
 from nscc.logic.problem import Machine
+from nscc.lower.allocate import allocate, words
 
 
 @st.composite
@@ -90,17 +91,15 @@ def test_balanced_gates_do_the_same(target, seed, steps, limit):
     before = words_of(solution, problem, target)
     found = balance(solution, problem, machine, Budget(steps), others, limit)
     assert words_of(found, problem, target, seed=1) <= before
-    assert largest(found, problem, others) <= largest(solution, problem, others)
+    assert largest(found, problem, others, target) <= largest(solution, problem, others, target)
 
 
-def largest(solution, problem, others):
-    """Most words at a boundary; the masked register's are not counted."""
-    words = list(others)
+def largest(solution, problem, others, target):
+    """Most words at a boundary."""
+    counts = list(others)
+    allocation = allocate(solution, target)
     parts = [(0, solution.opening), (len(others) - 1, solution.closing)]
     parts += zip((d.boundary for d in problem.demands), solution.answers, strict=True)
     for boundary, segments in parts:
-        for segment in segments:
-            for gate in segment:
-                pair = gate.destination in gate.sources and gate.name != "WHERE"
-                words[boundary] += 1 + pair
-    return max(words)
+        counts[boundary] += sum(len(words(segment, allocation)) for segment in segments)
+    return max(counts)

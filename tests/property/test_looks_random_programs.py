@@ -21,9 +21,8 @@ from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.looking.frames import frames
+from nscc_runtime.looked_frames import frames, looking_frames
 from nscc_runtime.looking.ways import Ways
-from nscc_runtime.reference.looks import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 PROGRAMS, CHUNKS = 2000, 20

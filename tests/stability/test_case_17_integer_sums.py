@@ -81,3 +81,17 @@ def test_case_17_a_plan_of_integers(dtype: type) -> None:
     values = np.full((SLOTS, 1, 3), 255, dtype)
     found = capture(program(TEXT, "edges", 1, 3), values, effects="none")
     np.testing.assert_array_equal(found.exposure_e, SLOTS * 255)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_case_17_sums_of_whole_electrons_are_right_to_1e_15(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    slots = int(rng.integers(2, 200))
+    light = rng.integers(0, int(rng.choice([9, 300, 60_000])), (slots, 3, 5))
+    stop = int(rng.integers(1, slots + 1))
+    text = f"nsl 1\nframe {slots} slots of 100us\nopen when n < {stop}\n"
+    exact = np.array([[sum(light[:stop, y, x].tolist()) for x in range(5)] for y in range(3)])
+    for lowering in LOWERINGS:
+        scene = Light.of_clip(light.astype(np.float32))
+        found = expose(program(text, lowering, 3, 5), scene).exposure_e[0]
+        assert (np.abs(found - exact) <= 1e-15 * light.sum(axis=0)).all()

@@ -22,7 +22,7 @@ from nscc.cache.store import Store
 from nscc.cache.values import from_json, to_json
 from nscc.compiler import compile_source
 from nscc.emit.report import report, report_bytes
-from nscc.logic.generate import solutions
+from nscc.logic.generate import GeneratorFault, solutions
 from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
 from nscc.pipeline import Options
 from nscc.source import Source
@@ -55,9 +55,9 @@ def searches(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Grows by one for each search for gates, by the level it is made at."""
     made: list[int] = []
 
-    def counted(problem, machine, level):
+    def counted(problem, machine, level, faults):
         made.append(level)
-        yield from solutions(problem, machine, level)
+        yield from solutions(problem, machine, level, faults)
 
     monkeypatch.setattr("nscc.lower.gates.solutions", counted)
     return made
@@ -313,9 +313,9 @@ def test_every_solution_can_be_kept(name: str, lowering: str, tmp_path: Path) ->
     """All that the generators find, not only the best: none is refused when it comes back."""
     asked: list[tuple[Problem, Machine]] = []
 
-    def overhear(problem: Problem, machine: Machine, level: int):
+    def overhear(problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault]):
         asked.append((problem, machine))
-        yield from solutions(problem, machine, level)
+        yield from solutions(problem, machine, level, faults)
 
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("nscc.lower.gates.solutions", overhear)

@@ -57,3 +57,13 @@ def test_a_wrong_line(
     result = shell.run_cell(f"%%nsl {line}\n{CELL}")
     assert result.error_in_exec is not None
     assert said in "".join(capsys.readouterr())
+
+
+def test_every_option_of_a_line_is_used(shell: InteractiveShell) -> None:
+    line = "-O 0 --codes open --lowering edges --target scamp7 --max-words-per-slot 99"
+    options = shell.run_cell(f"%%nsl {line}\n{CELL}").result.options
+    assert options.level == 0
+    assert options.codes == "open"
+    assert options.lowering == "edges"
+    assert options.target == "scamp7"
+    assert options.max_words_per_slot == 99

@@ -286,6 +286,7 @@ def test_the_command_says_what_it_chose(tmp_path: Path) -> None:
 def test_a_searched_run_says_what_moved_and_goes_on_where_it_stopped(tmp_path: Path) -> None:
     shutter = {"class": "b", "slots": 8, "tile": [2, 2], "relaxation": "search", "moves": 6}
     values = {**SMALL, "shutter": shutter, "decoder": {"learn": False}}
+    values["train"] = values["train"] | {"validate_every": 1}
     train(settings_of(values), tmp_path / "once")
     train(settings_of(values), tmp_path / "twice", stop_after=1)
     train(settings_of(values), tmp_path / "twice")

@@ -20,6 +20,8 @@ from nscc_training.run_files import run_capture, shipped_runs
 
 pytest.importorskip("torch")
 
+EVALUATIONS = Path(__file__).parents[2] / "training/results/evaluations"
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -56,6 +58,12 @@ def test_a_photo_becomes_a_sheet_and_a_picture(folder: Path, run_nscc: RunNscc) 
     for line in lines:
         assert run_nscc(line.split()[1:], folder).status == 0
     assert (made / "picture.hdr").read_bytes() == before["picture.hdr"]
+    (made / "picture_frame.npz").write_bytes(before["picture_frame.npz"])
+    line = ["reconstruct", "any", "out/picture_frame.npz", "--dark", "out/picture_dark.npz"]
+    outcome = run_nscc([*line, "-o", "any.npz"], folder)
+    assert outcome.status == 0, outcome.err
+    with np.load(folder / "any.npz") as found:
+        assert found["image"].shape[:2] == (192, 256)
     with np.load(made / "picture_frame.npz") as now:
         assert now["frame"].shape == (1, 192, 256)
 
@@ -173,13 +181,13 @@ def test_curves_that_there_are_not_are_refused_where_none_is_drawn(
 
 
 def test_views_of_all_that_is_made(folder: Path, run_nscc: RunNscc) -> None:
-    runs = shipped_runs()
+    runs, evaluation = shipped_runs(), EVALUATIONS / "looks/looks-2/hdr-v1.json"
     (folder / "sensor.toml").write_text(run_nscc(["effects", "--toml"], folder).out)
     run_nscc(["run", "--like", "hdr", "--scene", "builtin:hdr", "-o", "frame.npz"], folder)
     run_nscc(["reconstruct", "hdr", "frame.npz", "-o", "rec.npz"], folder)
     seen = set()
     for path in ("frame.npz", "rec.npz", "sensor.toml", "photo.jpg", "short.gif", "hdr",
-                 str(runs["hdr"] / "result.json"), str(runs["hdr"] / "shutter.nsl")):  # fmt: skip
+                 str(evaluation), str(runs["hdr"] / "shutter.nsl")):  # fmt: skip
         outcome = run_nscc(["view", path, "-o", "view.png"], folder)
         assert outcome.status == 0, outcome.err
         seen.add((folder / "view.png").read_bytes())

@@ -33,7 +33,7 @@ def test_what_is_no_fault_is_refused(text: str) -> None:
 def test_a_near_miss_is_named() -> None:
     with pytest.raises(Rejected) as caught:
         parse_faults("corupt=1e-4")
-    assert caught.value.diagnostics[0].helps == ("did you mean 'corrupt'?",)
+    assert caught.value.diagnostics[0].helps == ("did you mean `corrupt`?",)
 
 
 def test_bytes_are_hit_at_the_rates_given() -> None:

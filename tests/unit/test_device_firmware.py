@@ -19,6 +19,7 @@ from device_sessions import new_host, uploaded_and_captured
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_names, builtin_target, load_target, target_toml
 from nscc.words.encoding import decode
 from nscc_runtime.device import firmware
@@ -26,6 +27,7 @@ from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.packets import MOST_DATA, VERSION, Kind, Packet
+from nscc_runtime.device.stand_in import loaded
 from nscc_runtime.device.target_header import refresh_words, target_header
 from nscc_runtime.device.tasks import Taken
 from nscc_runtime.light import Light
@@ -88,7 +90,8 @@ def test_it_is_built_without_a_warning_for_every_chip(name: str, tmp_path: Path)
     assert loader.path.exists()
     again = firmware.built(builtin_target(name), ("-O0", "-Werror"), tmp_path)
     assert again == loader
-    assert len(list(tmp_path.iterdir())) == 1
+    name = loader.path.name
+    assert sorted(path.name for path in tmp_path.iterdir()) == [name, f"{name}.sha256"]
 
 
 @needs_compiler
@@ -286,3 +289,64 @@ def test_a_port_that_is_stuck_starves_the_watchdog(devkit_loader: Path, tmp_path
     os.close(to_device)
     assert process.wait(60) == 0
     os.close(from_device)
+
+
+def _dark_chip() -> EmulatedChip:
+    light = np.zeros((4, SCAMP5.rows, SCAMP5.cols), np.float32)
+    return EmulatedChip(lambda _: Light.of_clip(light), SCAMP5)
+
+
+@needs_compiler
+@pytest.mark.parametrize("what", ["cut short", "other bytes", "no digest", "not executable"])
+def test_a_damaged_loader_in_the_cache_is_compiled_again(tmp_path: Path, what: str) -> None:
+    loader = firmware.built(SCAMP5, ("-O0",), tmp_path)
+    whole, digest = loader.path.read_bytes(), tmp_path / f"{loader.path.name}.sha256"
+    match what:
+        case "cut short":
+            loader.path.write_bytes(whole[:1000])
+        case "other bytes":
+            loader.path.write_bytes(b"#!/bin/false" + whole[12:])
+        case "no digest":
+            digest.unlink()
+        case _:
+            loader.path.chmod(0o600)
+    again = firmware.built(SCAMP5, ("-O0",), tmp_path)
+    assert again.path == loader.path
+    assert again.path.read_bytes() == whole
+    with firmware.Process(again, _dark_chip()):
+        pass
+
+
+@needs_compiler
+def test_a_cache_that_cannot_be_written_does_not_stop_the_loader(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("NSCC_CACHE_DIR", str(tmp_path))
+    # A folder stands where the loader would be kept.
+    (tmp_path / "firmware" / firmware.built(SCAMP5, ("-O0",)).path.name).unlink()
+    for name in [path.name for path in (tmp_path / "firmware").iterdir()]:
+        (tmp_path / "firmware" / name.removesuffix(".sha256")).mkdir()
+    loader = firmware.built(SCAMP5, ("-O0",))
+    assert loader.path.parent != tmp_path / "firmware"
+    with firmware.Process(loader, _dark_chip()):
+        pass
+
+
+@needs_compiler
+def test_a_loader_that_does_not_start_is_refused(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "loader"
+    path.write_text("#!/bin/false\n")
+    path.chmod(0o755)
+    monkeypatch.setattr(firmware, "built", lambda target: firmware.Built(path, "g++", target))
+    said: list[str] = []
+    with (
+        pytest.raises(Rejected) as raised,
+        loaded("host", SCAMP5, _dark_chip(), said.append),
+    ):
+        pass
+    (diagnostic,) = raised.value.diagnostics
+    assert diagnostic.code == "NS0772"
+    assert "cannot be run on this machine: it does not start" in diagnostic.message
+    assert said == []

@@ -18,16 +18,16 @@ from device_sessions import (
 )
 from device_simulation import Simulation
 from emulator_programs import container_of, target_of
+from loader_twin.loader import Loader
+from loader_twin.parsing import Held
 
 from nscc.operations import op
 from nscc_runtime.device import tasks
 from nscc_runtime.device.faults import Faults
 from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import Channel, Fault, Hello, Info, Progress
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet, Unpacker
-from nscc_runtime.device.parsing import Held
 from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.light import Light
 

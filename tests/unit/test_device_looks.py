@@ -16,23 +16,23 @@ import pytest
 from device_lockstep import Lockstep
 from device_sessions import TARGET, ChipAtOnce, chip_of, examples, new_host, sanitized
 from device_simulation import Simulation
+from loader_twin.loader import Loader
 
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.target.load import target_toml
 from nscc.words.container import Container, Launch
-from nscc_runtime.device import firmware, tasks
+from nscc_runtime.device import tasks
 from nscc_runtime.device.chip import channels_of, frame_of
 from nscc_runtime.device.host import Host, Task
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.serving import Loaded
 from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.reference.looks import looking_frames
+from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 pytestmark = pytest.mark.xdist_group("firmware")
@@ -68,7 +68,7 @@ def kind(request: pytest.FixtureRequest) -> str:
 def started(kind: str, chip: ChipAtOnce, request: pytest.FixtureRequest) -> Loaded:
     """A loader that has just started."""
     if kind == "python":
-        return Loader(TARGET, chip, firmware.PYTHON_NAME)
+        return Loader(TARGET, chip, "nscc-loader 2 (Python)")
     core: Lockstep = request.getfixturevalue("core")
     core.chip = chip
     core.announce()
@@ -124,9 +124,10 @@ def test_a_film_is_that_of_the_emulator(
 
 
 def test_levels_that_in_does_not_have_and_other_counts_are_refused(tmp_path: Path) -> None:
+    from loader_twin.parsing import Held, Limits, Refusal
+
     from nscc_runtime.device.messages import Fault
     from nscc_runtime.device.objects import COUNT, LEVEL, ObjectKind
-    from nscc_runtime.device.parsing import Held, Limits, Refusal
 
     container, _ = looking("float_pixel", tmp_path)
     objects = {each.kind: each.data for each in upload_of(container, bytes(32)).objects}

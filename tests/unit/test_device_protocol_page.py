@@ -6,10 +6,10 @@ import re
 from pathlib import Path
 
 import pytest
+from loader_twin.intake import MOST_OBJECTS
+from loader_twin.loader import MOST_READS
 
 from nscc_runtime.device import messages, objects, packets
-from nscc_runtime.device.intake import MOST_OBJECTS
-from nscc_runtime.device.loader import MOST_READS
 
 
 @pytest.fixture(scope="module")

@@ -12,11 +12,11 @@ from device_lockstep import Lockstep
 from device_sessions import SHAPE, ChipAtOnce, new_host
 from device_simulation import Simulation
 from emulator_programs import target_of
+from loader_twin.loader import Loader
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.target import Target
 from nscc_runtime.device import firmware
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.measured_times import Times, measured
 from nscc_runtime.device.serving import Loaded
 from nscc_runtime.light import Light

@@ -22,7 +22,6 @@ from nscc_runtime.device.messages import Capability, Failure, Fault, Info
 from nscc_runtime.device.packets import Kind
 from nscc_runtime.device.port import Port, PortGone, PortTrouble, list_ports, open_port
 from nscc_runtime.device.trouble import check_fits, explained, port_trouble
-from nscc_runtime.interface import Exposer
 from nscc_runtime.sensor import default_sensor
 
 EXAMPLE = examples()[0]
@@ -197,7 +196,7 @@ class Wire:
         yield from range(reached())
 
 
-def test_a_chip_is_an_exposer_and_shows_its_upload() -> None:
+def test_a_chip_exposes_and_shows_its_upload() -> None:
     seen: list[tuple[str, int | None, int]] = []
 
     def progress(items: Any, label: str, total: int | None) -> Iterator[Any]:
@@ -206,7 +205,7 @@ def test_a_chip_is_an_exposer_and_shows_its_upload() -> None:
         yield from found
 
     wire: Any = Wire()
-    chip: Exposer = Chip(wire, progress=progress)
+    chip = Chip(wire, progress=progress)
     exposure = chip.expose(EXAMPLE.container, None)
     codes = TARGET.rows * TARGET.cols
     columns = exposure.exposure_e.transpose(0, 2, 1)

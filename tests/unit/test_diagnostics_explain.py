@@ -53,7 +53,7 @@ def test_the_command_prints_pages_and_index(tmp_path: Path) -> None:
 def test_explaining_needs_no_arrays() -> None:
     from subprocess import run
 
-    code = "import sys, nscc_cli.explain as e; e.page('NS0107'); print('numpy' in sys.modules)"
+    code = "import sys, nscc_cli.guide as e; e.page('NS0107'); print('numpy' in sys.modules)"
     assert run([sys.executable, "-c", code], capture_output=True, text=True).stdout == "False\n"
 
 

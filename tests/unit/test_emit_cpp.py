@@ -130,6 +130,17 @@ def test_every_lowering(lowering: str, tmp_path: Path) -> None:
 
 
 @needs_compiler
+@pytest.mark.parametrize("slots", [20, slow(40), slow(64)])
+def test_masked_writes(slots: int, tmp_path: Path) -> None:
+    text = f"nsl 1\nframe {slots} slots of 1ms\ncode a : 0..N - 1\ncode b : 1..N\n"
+    text += "require a < b\nopen when a <= n < b\n"
+    text += "pixels a = x % (N / 2)\npixels b = N / 2 + 1 + (3 * y) % (N / 2)\n"
+    options = ("--codes", "open", "--lowering", "accumulate")
+    _, container, _ = checked(tmp_path, text, *options)
+    assert "R12" in container.code_registers
+
+
+@needs_compiler
 @pytest.mark.parametrize("codes", ["fixed", slow("open")])
 def test_long_frames_are_a_table_and_not_thousands_of_lines(codes: str, tmp_path: Path) -> None:
     text = (ROOT / "examples" / "class_b_4096.nsl").read_text()

@@ -28,6 +28,8 @@ TEXTS = {
     "c": "frame 33 slots of 1ms\ncode s : 0..25\nopen when s <= n < s + 8",
     "d": "frame 12 slots of 1ms\ncode a : 0..11\ncode b : 1..12\nrequire a < b\n"
     "open when a <= n < b",
+    "d_masked": "frame 20 slots of 1ms\ncode a : 0..19\ncode b : 1..20\nrequire a < b\n"
+    "open when a <= n < b",
     "buckets": "frame 21 slots of 1ms\ncode split : 1..20\n"
     "bucket early open when n < split\nbucket late open when n >= split",
     "book": f"frame 10 slots of 1ms\nshutters book [{', '.join(BOOK)}]\n"
@@ -48,17 +50,22 @@ def values_of(network, shutters):
     everything, values = set(range(shutters)), {}
     for node in nx.topological_sort(network):
         facts = network.nodes[node]
-        read = [values[source] for source in network.predecessors(node)]
+        roles = {"source": [], "mask": [], "kept": []}
+        for value, _, role in network.in_edges(node, data="role", default="source"):
+            for word in role.split():
+                roles[word].append(values[value])
         if facts["kind"] == "plane":
             values[node] = {i for i in everything if int(facts["bits"], 16) >> i & 1}
             continue
-        some = set().union(*read)
+        some = set().union(*roles["source"])
         match facts.get("function"):
             case "NOR" | "NOT" | "SET":
                 values[node] = everything - some
             case "OR" | "MOV" | "WHERE" | "CLR" | None:
                 values[node] = some
-                assert facts["kind"] == "gate" or len(read) == 1
+                assert facts["kind"] == "gate" or len(roles["source"]) == 1
+        for mask, kept in zip(roles["mask"], roles["kept"], strict=True):
+            values[node] = values[node] & mask | kept - mask
     return values
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -29,19 +28,18 @@ from nscc_runtime.simulate import Request, simulate  # noqa: E402
 from nscc_training import emulated  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.emulated import EmulatedSensor, emulated_codes, emulated_sensor  # noqa: E402
-from nscc_training.evaluation import runs  # noqa: E402
+from nscc_training.emulated import EmulatedSensor, emulated_sensor  # noqa: E402
 from nscc_training.evaluation.result_text import result_text  # noqa: E402
-from nscc_training.evaluation.runs import made_by_chip  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.frame_reading import FrameRead  # noqa: E402
+from nscc_training.loop import decoding  # noqa: E402
 from nscc_training.loop.setup import make_parts  # noqa: E402
 from nscc_training.reconstruct import reconstructed  # noqa: E402
 from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.sensor_model import SensorModel, laid  # noqa: E402
 
-RUNS = Path(__file__).resolve().parents[2] / "training/results/runs"
+RUNS = Path(__file__).resolve().parents[2] / "training/results/shipped"
 TILE = (2, 2)
 SLOTS = 8
 PROGRAM = """nsl 1
@@ -61,6 +59,16 @@ def program() -> Container:
     container = compile_source(Source("p.nsl", PROGRAM), Path(), Options(level=1)).container
     assert container is not None
     return container
+
+
+def emulated_codes(program: Container, light: Light, seeds: tuple[int, int], device=None):
+    """Codes above the ADC's offset (2, rows, cols) of two frames with all effects."""
+    sensor, (seed, device_seed) = default_sensor(program.target), seeds
+    request = Request.of(
+        effects="all", seed=seed, device_seed=device_seed, repeat=2, torch_device=device
+    )
+    frame = simulate(program, light, sensor, request).frame.frame
+    return np.asarray(frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
 
 
 @pytest.fixture(scope="module")
@@ -83,7 +91,7 @@ def test_codes_are_the_emulators(program: Container, table: EmulatedSensor, leve
     light_e = np.full((rows, cols), level * sensor.full_well_e, np.float32)
     light = Light.of_still(light_e, np.full(SLOTS, 1 / SLOTS))
     wanted = np.concatenate([
-        emulated_codes(program, light, sensor, "all", 90 + k, 90 + k, 2) for k in range(3)
+        emulated_codes(program, light, (90 + k, 90 + k)) for k in range(3)
     ])  # fmt: skip
     exposure = torch.from_numpy(light_e).double() * laid(share(program), rows, cols)
     generator = torch.Generator().manual_seed(1)
@@ -105,10 +113,7 @@ def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
     light_e = np.linspace(0, 1.1 * sensor.full_well_e, program.target.rows * program.target.cols)
     still = light_e.astype(np.float32).reshape(program.target.rows, program.target.cols)
     light = Light.of_still(still, np.full(SLOTS, 1 / SLOTS))
-    loops, drawn = (
-        emulated_codes(program, light, sensor, "all", 5, 6, 2, torch_device=device)
-        for device in (None, "cpu")
-    )
+    loops, drawn = (emulated_codes(program, light, (5, 6), device) for device in (None, "cpu"))
     assert (loops == drawn).mean() > 0.999
 
 
@@ -116,7 +121,7 @@ def test_codes_drawn_by_torch_are_the_same(program: Container) -> None:
 def test_a_run_is_emulated_where_it_trains(
     device: str, named: str | None, program: Container, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    run = load_run(RUNS / "hdr_learned_0")
+    run = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0")
     settings = replace(run.parts.settings, sensor=replace(run.parts.settings.sensor, effects="all"))
     run = replace(run, parts=replace(run.parts, settings=settings, device=torch.device(device)))
     asked = []
@@ -129,11 +134,12 @@ def test_a_run_is_emulated_where_it_trains(
         raise SeenError
 
     monkeypatch.setattr(emulated, "simulate", seen)
-    monkeypatch.setattr(runs, "simulate", seen)
+    monkeypatch.setattr(decoding, "simulate", seen)
     with pytest.raises(SeenError):
         run.parts.emulated  # noqa: B018  # made when it is asked for
+    sensor = run.parts.sensor
     with pytest.raises(SeenError):
-        made_by_chip(run, 0, program, "all", SimpleNamespace(light_e=np.ones((8, 8))), 0)
+        decoding.scene_by_chip(run.parts, program, sensor, np.ones((8, 8)), "all", (0, 0))
     assert asked == [named, named]
 
 
@@ -156,7 +162,7 @@ def test_crosstalk_is_the_emulators_and_light_has_a_slope(
 def test_a_run_is_scored_and_doubted_on_a_chip_it_was_not_trained_for(tmp_path: Path) -> None:
     """As protocol and `nscc run` expose it: the chip costs decibels, and the run is told so."""
     clip(tmp_path / "c.mat", 16, 256)
-    run = RUNS / "vid_learned_0"
+    run = RUNS / "clips/class-d/learned-from-2x2/unet2d/noise-alone/seed0"
     plain, _ = evaluate(str(run), tmp_path, "video-v1", 0)
     chip, _ = evaluate(str(run), tmp_path, "video-v1", 0, effects="all")
     assert chip["settings"]["effects"] == "all"
@@ -208,7 +214,7 @@ def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
     card = (begun / "model_card.md").read_text().split("\n\n")[1]
     score = json.loads((begun / "result.json").read_text())["headline"]["psnr_db"]
     assert card.startswith(f"**{score:.2f} dB")
-    assert "no other\neffects of a chip" in card
+    assert "no other effects of a chip" in card
 
 
 @pytest.mark.slow
@@ -239,7 +245,7 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
 
 def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
     """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
-    folder = load_run(RUNS / "under_still")
+    folder = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0")
     size = (folder.parts.target.rows, folder.parts.target.cols)
     generator = np.random.default_rng(5)
     codes = generator.integers(20, 90, (1, *size)).astype(np.uint8)

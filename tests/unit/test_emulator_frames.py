@@ -10,7 +10,7 @@ from emulator_programs import CLEAR, LEVEL, bumps, target_of
 
 from nscc.words.container import Kernel
 from nscc.words.encoding import encode
-from nscc_runtime.emulator import expose
+from nscc_runtime.emulator import capture, expose
 from nscc_runtime.light import Light
 
 SHAPES = ((1, 1), (3, 5), (1, 65), (5, 13), (7, 129))
@@ -107,7 +107,7 @@ def test_the_emulator_integrates_the_light_that_is_kept():
 
 
 @pytest.mark.parametrize("lowering", LOWERINGS)
-def test_blocks_change_no_bit(lowering):
+def test_blocks_change_no_bit(lowering, monkeypatch):
     shape, slots = (9, 61), 12
     random = np.random.default_rng(7)
     start, stop = random_bumps(random, shape, slots, lowering)
@@ -115,7 +115,8 @@ def test_blocks_change_no_bit(lowering):
     light = Light.of_clip(over_exponents(random, (slots, *shape)))
     whole = expose(container, light, device_seed=9)
     for block in (64, 128, 192, 512, 65536):
-        part = expose(container, light, device_seed=9, block=block)
+        monkeypatch.setattr(capture, "BLOCK", block)
+        part = expose(container, light, device_seed=9)
         assert part.exposure_e.tobytes() == whole.exposure_e.tobytes()
 
 

@@ -5,13 +5,17 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from concurrent.futures import ThreadPoolExecutor
+from itertools import count
 from pathlib import Path
+from threading import Barrier
 from typing import BinaryIO
 
 import numpy as np
 import pytest
 from conftest import RunNscc
 
+from nscc import files
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.files import inputs_kept, reads, refuse_same, write_together, write_whole
 
@@ -23,11 +27,54 @@ def test_writes_and_replaces(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_what_a_killed_process_left_is_no_obstacle(tmp_path: Path) -> None:
-    """In a container the next process has the same number."""
-    (tmp_path / f".file.{os.getpid()}.part").write_bytes(b"half")
+def test_what_a_killed_process_left_is_no_obstacle(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a container the next process has the same number, and counts its writes from 0 again."""
+    half: list[str] = []
+
+    def killed(file: BinaryIO) -> None:
+        half.extend(os.listdir(tmp_path))
+        file.write(b"half")
+
+    monkeypatch.setattr(files, "_writes", count())
+    write_whole(tmp_path / "file", killed)
+    (tmp_path / half[0]).write_bytes(b"half")
+    (tmp_path / "file").unlink()
+    monkeypatch.setattr(files, "_writes", count())
     write_whole(tmp_path / "file", b"whole")
     assert (tmp_path / "file").read_bytes() == b"whole"
+    assert os.listdir(tmp_path) == ["file"]
+
+
+def test_products_with_the_longest_names_keep_their_own_bytes(tmp_path: Path) -> None:
+    """All but the last characters of their names are the same."""
+    products = {tmp_path / f"{'n' * 251}.{kind}": kind.encode() for kind in ("icw", "asm", "cpp")}
+    write_together(products)
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == products
+
+
+def test_commands_write_products_under_the_longest_names(tmp_path: Path, run_nscc: RunNscc) -> None:
+    (tmp_path / "a.nsl").write_text("nsl 1\nframe 4 slots of 1ms\nopen when n < 2\n")
+    stem = "n" * 251
+    assert run_nscc(["build", "a.nsl", "-o", f"{stem}.icw", "--emit", "asm"], tmp_path).status == 0
+    assert (tmp_path / f"{stem}.icw").read_bytes().startswith(b"\x89ICW")
+    assert b".kernel" in (tmp_path / f"{stem}.asm").read_bytes()
+
+
+def test_threads_save_one_path_at_the_same_time(tmp_path: Path) -> None:
+    path = tmp_path / "file"
+    contents = [bytes([number]) * 100_000 for number in range(4)]
+    together = Barrier(4)
+
+    def save(data: bytes) -> None:
+        for _ in range(30):
+            together.wait()
+            write_whole(path, data)
+
+    with ThreadPoolExecutor(4) as pool:
+        list(pool.map(save, contents))
+    assert path.read_bytes() in contents
     assert os.listdir(tmp_path) == ["file"]
 
 

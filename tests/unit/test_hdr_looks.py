@@ -10,23 +10,18 @@ import numpy as np
 import pytest
 from nscc_command import invoke
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.sensor import default_sensor
-from nscc_training.evaluation import hdr_looks
-from nscc_training.evaluation.hdr_looks import (
-    DESIGNED,
-    EVERY_EFFECT,
-    LOOKING,
-    PROTOCOL,
-    comparators,
-    evaluate_looks,
-    every_row,
-    means_under,
-    rows_text,
-    saturated,
-)
+from nscc_training.evaluation import looks
+from nscc_training.evaluation.looks import DESIGNED, LOOKING, evaluate_looks
+from nscc_training.measures import number
+from nscc_training.metrics import finite_mean
+from nscc_training.sweep.looks import looks_table
 
-ROOT = Path(__file__).parents[2]
+GOOD, BAD = (
+    (f"comparator_noise_fraction={size}", f"comparator_offset_fraction={size}")
+    for size in (0.01, 0.04)
+)
+COMPARATORS = "full_well,shot,adc_noise,comparator_noise,comparator_offset"
+Changes = tuple[str, ...]
 
 
 @pytest.fixture
@@ -40,11 +35,17 @@ def folder(tmp_path: Path) -> Path:
     return made
 
 
-def test_rows_are_kept_and_not_done_again(
+def mu_db(name: str, folder: Path, effects: str = "", changes: Changes = ()) -> float:
+    """PSNR-mu of a row, under effects and with a sensor of other numbers."""
+    found, _ = evaluate_looks(name, folder, 0, effects, changes)
+    return finite_mean(number(item["mu_psnr_db"]) for item in found["items"])
+
+
+def test_the_table_goes_on_and_shows_every_condition(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """What an interruption leaves is taken up; results of other data are refused."""
-    real, _ = evaluate_looks_once(folder)
+    """What an interruption leaves is taken up; results of other data are others."""
+    real, _ = evaluate_looks("looks-2", folder)
     asked: list[str] = []
 
     def told(name: str, *_: Any) -> tuple[dict[str, Any], dict[str, Any]]:
@@ -53,69 +54,60 @@ def test_rows_are_kept_and_not_done_again(
             raise KeyboardInterrupt
         return {**real, "method": name}, {}
 
-    monkeypatch.setattr(hdr_looks, "evaluate_looks", told)
+    monkeypatch.setattr("nscc_training.evaluation.subjects.evaluate_looks", told)
     kept = tmp_path / "kept"
     with pytest.raises(KeyboardInterrupt):
-        every_row(folder, kept)
-    assert {path.stem for path in kept.iterdir()} == set(LOOKING[:2])
-    found = every_row(folder, kept)
-    assert asked == [*LOOKING[:3], *LOOKING[2:]]
-    assert [each["method"] for each in found] == list(LOOKING)
-    lines = rows_text(found).splitlines()
-    assert len(lines) == 2 + len(LOOKING)
-    mu, linear = means_under(real, PROTOCOL)
-    assert f"| {mu:.1f} / {linear:.1f} |" in lines[-1]
+        looks_table(folder, kept)
+    found, text = looks_table(folder, kept)
+    assert len(asked) == 26  # of 5 rows under 5 conditions one was begun twice
+    assert {each["method"] for each in found} == set(LOOKING)
+    lines = text.splitlines()
+    assert [line.split(" | ")[0] for line in lines[2:]] == [f"| {name}" for name in LOOKING]
+    also = real["also_saturated"][0]
+    mu = finite_mean(number(item["mu_psnr_db"]) for item in real["items"])
+    assert f"| {mu:.2f} / {real['mean']:.2f} |" in lines[-1]
+    assert f"| {also['mean_mu_psnr_db']:.2f} / {also['mean_psnr_db']:.2f} |" in lines[-1]
     (folder / "p.hdr").rename(folder / "q.hdr")
-    with pytest.raises(Rejected) as refused:
-        every_row(folder, kept)
-    assert refused.value.diagnostics[0].code == "NS0808"
-
-
-def evaluate_looks_once(folder: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """A real result, of few looks: seconds."""
-    return evaluate_looks("looks-2", folder)
+    looks_table(folder, kept)
+    assert len(asked) == 51
 
 
 @pytest.mark.slow
 def test_designs_are_no_worse_than_rows(folder: Path) -> None:
     for exposures in DESIGNED.values():
-        row, _ = evaluate_looks(f"looks-{exposures}", folder)
-        made, _ = evaluate_looks(f"designed-{exposures}", folder)
-        for condition in (
-            PROTOCOL, EVERY_EFFECT, saturated(0.1), saturated(0.5), comparators(0.04)
-        ):  # fmt: skip
-            assert means_under(made, condition)[0] > means_under(row, condition)[0] - 0.1
+        row, made = f"looks-{exposures}", f"designed-{exposures}"
+        for effects, changes in (("", ()), ("all", ()), (COMPARATORS, BAD)):
+            scores = [mu_db(name, folder, effects, changes) for name in (made, row)]
+            assert scores[0] > scores[1] - 0.1
+        shares = [evaluate_looks(name, folder)[0]["also_saturated"] for name in (made, row)]
+        for mine, other in zip(*shares, strict=True):
+            assert mine["mean_mu_psnr_db"] > other["mean_mu_psnr_db"] - 0.1
         # Levels were chosen for comparators of 2 %: worse ones cost them no more than fixed ones.
-        assert _lost(made, comparators(0.04)) < _lost(row, comparators(0.04))
+        lost = [mu_db(n, folder) - mu_db(n, folder, COMPARATORS, BAD) for n in (made, row)]
+        assert lost[0] < lost[1]
 
 
 @pytest.mark.slow
 def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Told of comparators of 4 %, a design takes lower levels: under these it is better than one
     that was made for 2 %, and does not fall apart; under 2 % it is worse."""
-    made = {name: evaluate_looks(name, folder)[0] for name in DESIGNED}
-    known = {"comparator_noise_fraction": 0.04, "comparator_offset_fraction": 0.04}
-    monkeypatch.setattr(hdr_looks, "default_sensor", lambda t: default_sensor(t).changed(**known))
-    for name, unaware in made.items():
-        aware, _ = evaluate_looks(name, folder)
-        before, bad = means_under(unaware, PROTOCOL)[0], comparators(0.04)
-        assert means_under(aware, bad)[0] > max(means_under(unaware, bad)[0], before - 5)
-        assert means_under(aware, comparators(0.01))[0] < means_under(unaware, comparators(0.01))[0]
+    unaware = {
+        name: [mu_db(name, folder), mu_db(name, folder, COMPARATORS, BAD),
+               mu_db(name, folder, COMPARATORS, GOOD)]
+        for name in DESIGNED
+    }  # fmt: skip
+    chip_of = looks.Chip.of
+    monkeypatch.setattr(
+        looks.Chip, "of", lambda target, sensor: chip_of(
+            target,
+            sensor.changed(comparator_noise_fraction=0.04, comparator_offset_fraction=0.04),
+        ),
+    )  # fmt: skip
+    for name, (before, bad, good) in unaware.items():
+        assert mu_db(name, folder, COMPARATORS, BAD) > max(bad, before - 5)
+        assert mu_db(name, folder, COMPARATORS, GOOD) < good
 
 
-def _lost(found: dict[str, Any], condition: str) -> float:
-    """The decibels of PSNR-mu that a condition costs."""
-    return means_under(found, PROTOCOL)[0] - means_under(found, condition)[0]
-
-
-def test_the_command_prints_what_is_kept(tmp_path: Path) -> None:
-    """The page of results has the table that the results beside it give."""
-    results = [
-        hdr_looks.read_result(ROOT / f"training/results/evaluations/{name}.json")
-        for name in LOOKING
-    ]
-    page = (ROOT / "training/results/README.md").read_text(encoding="utf-8")
-    assert rows_text(results) in page
-    assert invoke(["evaluate", "looks", "--data", ".", "--results", "r"], tmp_path).codes == [
-        "NS0811"
-    ]
+def test_the_command_needs_panoramas(tmp_path: Path) -> None:
+    asked = ["evaluate", "looks", "--data", ".", "--results", "r"]
+    assert invoke(asked, tmp_path).codes == ["NS0811"]

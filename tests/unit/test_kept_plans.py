@@ -11,18 +11,27 @@ from promise import still
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime import capture, captures
-from nscc_runtime.effects import Selection
+from nscc_runtime.effects import Selection, registered
 from nscc_runtime.execution.program import analysed
 from nscc_runtime.kept_plans import KeptPlans, Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planning.plan import Plan
+from nscc_runtime.planning.plan_parts import Decision
 from nscc_runtime.sensor import default_sensor
 
 PROGRAM = case("b edges", 8, rows=64, cols=64)
 WIDE = still(8, 64, 72, 3000.0).astype(np.float32)
 LIGHT = Light.of_clip(np.ascontiguousarray(WIDE[:, :, :64]))
 OPEN = analysed(PROGRAM, default_sensor(PROGRAM.target)).open_part
-MEASURED = replace(Plan.of_nothing(), tolerance_e=5.0, predicted_e=1.0)
+NOTHING = Plan(
+    None, None, None, "none", (), 0.0, (),
+    tuple(
+        Decision(effect.name, effect.kind, "dropped", True, "", None, None, None, 0.0)
+        for effect in registered()
+    ),
+)  # fmt: skip
+"""The plan that simulates no effect."""
+MEASURED = replace(NOTHING, tolerance_e=5.0, predicted_e=1.0)
 
 
 def statistics(light: Light, part: np.ndarray = OPEN) -> Statistics:
@@ -82,7 +91,7 @@ def test_what_saturates_may_not_grow_where_a_plan_leaves_saturation_out() -> Non
     one, more = statistics(LIGHT), statistics(Light.of_clip(light * np.float32(1.01)))
     assert one.resembles(more)
     assert not one.resembles(more, saturating=False)
-    assert not one.covers(more, Plan.of_nothing())
+    assert not one.covers(more, NOTHING)
 
 
 def test_dark_scenes_and_narrow_ones_have_statistics() -> None:
@@ -160,7 +169,7 @@ def test_a_plan_that_could_not_be_made_serves_nobody() -> None:
 
 
 def test_where_no_two_scenes_are_alike_no_plan_is_made_for_many() -> None:
-    plans, unmeasured = KeptPlans(), Plan.of_nothing()
+    plans, unmeasured = KeptPlans(), NOTHING
     lights = [Light.of_clip(LIGHT.dense() * np.float32(2.0**k)) for k in range(4)]
     expected = [planned(plans, k, unmeasured, light)[1] for k, light in enumerate(lights)]
     assert expected == [1000, 1, 1, 1]

@@ -14,8 +14,10 @@ from nscc_command import invoke
 
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.logic.generate import solutions
 from nscc.logic.problem import Machine, Problem
 from nscc.lower import gates
+from nscc.lower.lowered import lay_out
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
 from nscc.target.load import builtin_target
@@ -27,6 +29,30 @@ TEXTS = {
     "e": "frame 9 slots of 1ms code bits : bit[9] open when bits[n]",
     "modulo": "frame 24 slots of 1ms code p : 0..5 open when (n + p) % 6 < 2",
 }
+
+
+@pytest.mark.parametrize("level", [0, 1])
+@pytest.mark.parametrize("lowering", ["accumulate", "edges"])
+@pytest.mark.parametrize("name", TEXTS)
+def test_the_fewest_words_of_those_found_win(
+    name: str, lowering: str, level: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    found = []
+
+    def watched(*asked: Any) -> Any:
+        for solution in solutions(*asked):
+            found.append(solution)
+            yield solution
+
+    monkeypatch.setattr(gates, "solutions", watched)
+    options = Options(level=level, codes="open", lowering=lowering, cache=False)
+    best = compile_source(Source("p.nsl", f"nsl 1 {TEXTS[name]}"), Path(), options).lowered
+    assert best is not None
+    laid = [
+        lay_out(best.program, replace(best.decoding, solution=solution), best.time, None)
+        for solution in found
+    ]
+    assert best.price == min(each.price for each in laid)
 
 
 @pytest.mark.parametrize("lowering", ["accumulate", "edges"])

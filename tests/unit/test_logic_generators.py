@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -12,6 +13,7 @@ from marks import slow
 
 from nscc.logic.bound import level_bound
 from nscc.logic.cubes import Budget, cover
+from nscc.logic.encodings import covered_fields
 from nscc.logic.gates import Gates
 from nscc.logic.generate import GENERATORS, solutions
 from nscc.logic.problem import GaveUp, Machine
@@ -87,7 +89,12 @@ class Pixels:
                 else:
                     assert len(gate.sources) == (gate.name in ("NOT", "MOV"))
                 inverted = gate.name in ("NOR", "NOT", "SET")
-                self.held[gate.destination] = some ^ (self.all if inverted else 0)
+                value = some ^ (self.all if inverted else 0)
+                if gate.mask is not None:
+                    assert self.machine.masked
+                    mask, old = self.held[gate.mask], self.held[gate.destination]
+                    value = (value & mask) | (old & ~mask)
+                self.held[gate.destination] = value
 
 
 def check(asked, machine, solution, seed):
@@ -266,8 +273,39 @@ def test_gates_keep_the_fan_in(limit, count, inside):
 @pytest.mark.parametrize(
     ("name", "shutters", "slots", "bound"),
     [("b", 8, 8, 7), ("b", 9, 8, 8), ("b", 64, 64, 113), ("b", 256, 256, 497),
-     ("c", 64, 64, 115), ("c", 57, 64, 108), ("d", 36, 8, 8), ("d", 2080, 64, 115),
-     ("d", 2081, 64, 115), ("d", 5, 64, None), ("e", 64, 6, None)],
+     ("c", 64, 64, 115), ("c", 57, 64, 108), ("d", 36, 8, 8), ("d", 136, 16, 22),
+     ("d", 528, 32, 57), ("d", 2080, 64, 124), ("d", 2081, 64, 124), ("d", 5, 64, None),
+     ("e", 64, 6, None)],
 )  # fmt: skip
 def test_bounds(name, shutters, slots, bound):
     assert level_bound(name, shutters, slots, 13) == bound
+
+
+@pytest.mark.parametrize("slots", range(2, 9))
+@pytest.mark.parametrize("registers", range(2, 7))
+def test_the_bound_of_bumps_counts_the_registers_that_can_be_loaded_at_first(slots, registers):
+    """By trial: sets of slots outside of which so few bumps lie that the other registers tell them
+    apart."""
+    bumps = [(a, b) for a in range(slots) for b in range(a, slots)]
+    if len(bumps) > 1 << registers:
+        return
+    loadable = max(
+        size
+        for size in range(min(registers, slots) + 1)
+        for loaded in combinations(range(slots), size)
+        if sum(not any(a <= n <= b for n in loaded) for a, b in bumps) <= 1 << registers - size
+    )
+    assert level_bound("d", len(bumps), slots, registers) == slots + slots - loadable
+
+
+def test_fields_are_encoded_where_there_are_two_and_room_for_their_bits():
+    asked, machine = problem("bumps", "edges"), MACHINES["scamp5"]
+    assert len(asked.values) == 2
+    planes = covered_fields(asked, machine, Budget(100_000)).planes
+    assert {name.split(",")[0] for _, name in planes} == {"first", "count"}
+    with pytest.raises(GaveUp, match="one field"):
+        covered_fields(replace(asked, values={"first": asked.values["first"]}), machine, Budget(9))
+    exact = replace(machine, registers=len(planes) + 1)
+    assert covered_fields(asked, exact, Budget(100_000)).planes == planes
+    with pytest.raises(GaveUp, match="no register to compute with"):
+        covered_fields(asked, replace(exact, registers=len(planes)), Budget(100_000))

@@ -16,8 +16,8 @@ from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
+from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
-from nscc_runtime.reference.looks import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 SIDE, WELL_E, LOOK, SLOTS = 96, 30000.0, 4, 16

@@ -19,7 +19,7 @@ from nscc.words.container import Container
 from nscc_runtime import captures
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
-from nscc_runtime.looking.frames import ways_of
+from nscc_runtime.looked_frames import ways_of
 from nscc_runtime.planning.differences import Difference
 from nscc_runtime.planning.look_trial import LookTrial
 from nscc_runtime.planning.make import measured_again

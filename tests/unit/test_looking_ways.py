@@ -19,11 +19,11 @@ from nscc.words.legality import decoded
 from nscc_runtime.effects import CannotHave, registry, selected
 from nscc_runtime.effects.read import READ
 from nscc_runtime.light import Light
-from nscc_runtime.looking.frames import frames
+from nscc_runtime.looked_frames import frames, looking_frames
 from nscc_runtime.looking.paths import Pathless, Paths
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.looks import LookingReference, looking_frames
+from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.sensor import default_sensor
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

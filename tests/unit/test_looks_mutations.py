@@ -25,7 +25,7 @@ from nscc.words.encoding import encode
 from nscc.words.legality import decoded
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.reference.looks import looking_frames
+from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 SIDE = 16

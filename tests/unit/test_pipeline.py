@@ -13,10 +13,14 @@ from nscc import pipeline
 from nscc.checks import Inconsistent
 from nscc.emit.listing import text_after
 from nscc.lower.plan import LOWERINGS
+from nscc.operations import Effect, Op
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure
 from nscc.source import Source
+from nscc.syntax.parse import parse, read_source
+from nscc.syntax.printing import print_tree
 
+ROOT = Path(__file__).parents[2]
 NAMES = [each.name for each in PASSES]
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 1..7 open when n < stop pixels stop = 1 + x % 7\n"
 
@@ -121,3 +125,84 @@ def test_a_value_that_is_wrong_is_a_fault_of_the_compiler(
         compiled()
     (tmp_path / "p.nsl").write_text(TEXT)
     assert invoke(["build", "p.nsl", "-O", "0"], tmp_path).status == 70
+
+
+def dropped_comparisons(tried):
+    """The first solution without its comparisons."""
+    first = tried[0]
+    items = {
+        boundary: tuple(
+            item
+            for item in each
+            if not isinstance(item, Op) or item.operation.effect is not Effect.FLAG_ANALOG
+        )
+        for boundary, each in first.looking.items.items()
+    }
+    return [replace(first, looking=replace(first.looking, items=items))]
+
+
+def other_closings(plan):
+    """Buckets that close in other pixels."""
+    first = plan.moments[0]
+    falls = tuple(fall ^ 1 for fall in first.falls)
+    return replace(plan, moments=(replace(first, falls=falls), *plan.moments[1:]))
+
+
+def shorter_slots(sending):
+    """Slots that end before the next plane is loaded."""
+    program = sending.program
+    frame = replace(program.frame, slot_us=(1.0,) * len(program.frame.slot_us))
+    return replace(sending, program=replace(program, frame=frame))
+
+
+@pytest.mark.parametrize(
+    ("passes", "name", "spoil"),
+    [
+        ("LOOKING_PASSES", "plan", other_closings),
+        ("LOOKING_PASSES", "plan", lambda plan: replace(plan, moments=plan.moments[:-1])),
+        ("LOOKING_PASSES", "gates", dropped_comparisons),
+        (
+            "STREAM_PASSES",
+            "plan",
+            lambda way: replace(way, route=replace(way.route, bits=~way.route.bits)),
+        ),
+        ("STREAM_PASSES", "schedule", shorter_slots),
+    ],
+)
+def test_passes_of_other_chips_and_of_looks_are_verified(
+    passes: str, name: str, spoil, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stream = passes == "STREAM_PASSES"
+    path = ROOT / ("tests/cases/pass/dual_tap.nsl" if stream else "examples/auto_exposure.nsl")
+    given = Options(level=0, cache=False)
+
+    def spoilt(each):
+        def run(value, job):
+            made, found = each.run(value, job)
+            return spoil(made), found
+
+        return replace(each, run=run) if each.name == name else each
+
+    run_passes(read_source(path), path.parent, given)
+    monkeypatch.setattr(pipeline, passes, tuple(map(spoilt, getattr(pipeline, passes))))
+    with pytest.raises(Inconsistent):
+        run_passes(read_source(path), path.parent, given)
+
+
+def test_the_tree_is_printed_node_by_node() -> None:
+    source = Source("p.nsl", "nsl 1\nframe 8 slots of 1ms\nopen when n < 2\n")
+    assert print_tree(parse(source)[0], source).splitlines() == [
+        "Version 1:1", "  Int 1:5 value=1", "EqualSlots 2:1", "  Int 2:7 value=8",
+        "  Time 2:18 us=1000", "Open 3:1", "  Compare 3:11 ops=('<',)", "    Name 3:11 text=n",
+        "    Int 3:15 value=2",
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(("count", "shown", "cut"), [(20, 20, []), (25, 20, [".. and 5 more"])])
+def test_long_lists_of_the_tree_are_cut(count: int, shown: int, cut: list[str]) -> None:
+    numbers = ", ".join(map(str, range(count)))
+    source = Source("p.nsl", f"nsl 1\nframe 8 slots of 1ms\npixels a = tile [[{numbers}]]\n")
+    lines = [line.strip() for line in print_tree(parse(source)[0], source).splitlines()]
+    row = lines[lines.index("TileRow 3:18") + 1 :]
+    assert len([line for line in row if line.startswith("Int")]) == shown
+    assert [line for line in lines if ".. and" in line] == cut

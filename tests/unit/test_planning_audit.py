@@ -46,7 +46,7 @@ def test_it_measures_what_an_independent_comparison_measures(
     assert found.bias_e == pytest.approx(error.mean())
     stds = [np.sqrt(values.var(axis=0, ddof=1).mean()) for values in (mine, full)]
     assert found.std_ratio == pytest.approx(stds[0] / stds[1])
-    assert (found.samples, found.frames, found.sampled_rows) == (4 * ROWS * COLS, 4, ROWS)
+    assert (found.samples, found.frames) == (4 * ROWS * COLS, 4)
     assert not found.holds
     assert 0 < found.mc_error_e < 0.1 * found.measured_rms_e
 
@@ -119,8 +119,8 @@ def test_bands_of_rows_see_the_brightest_pixel_and_their_neighbours(
     whole = audited((container, light, sensor), plan)
     monkeypatch.setattr(module, "_MOST_CELLS", 8 * COLS * 16)
     bands = audited((container, light, sensor), plan)
-    assert whole.sampled_rows == ROWS
-    assert 16 <= bands.sampled_rows <= 24
+    assert whole.samples == whole.frames * ROWS * COLS
+    assert 16 <= bands.samples / (bands.frames * COLS) <= 24
     assert not bands.holds
     # The lamp's band stands for more rows than it has; it is not overlooked.
     assert bands.measured_rms_e >= 0.9 * whole.measured_rms_e

@@ -14,6 +14,7 @@ from reference_programs import sensor_of
 
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
+from nscc_runtime.emulator import capture as emulator
 from nscc_runtime.emulator import expose
 from nscc_runtime.execution import frames as executed_frames
 from nscc_runtime.execution.summed import SummedScene
@@ -51,11 +52,12 @@ def test_threads_change_no_bit_of_the_reference() -> None:
         np.testing.assert_array_equal(again.saturated_by, once.saturated_by)
 
 
-def test_threads_change_no_bit_of_the_emulator() -> None:
+def test_threads_change_no_bit_of_the_emulator(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(emulator, "BLOCK", 64)
     program = case("c edges", 8, rows=ROWS, cols=COLS)
     light = moving_light((8, ROWS, COLS), 400.0)
-    once = expose(program, light, device_seed=3, block=64, threads=1)
-    again = expose(program, light, device_seed=3, block=64, threads=3)
+    once = expose(program, light, device_seed=3, threads=1)
+    again = expose(program, light, device_seed=3, threads=3)
     assert again.exposure_e.tobytes() == once.exposure_e.tobytes()
 
 

@@ -12,6 +12,7 @@ import pytest
 from device_sessions import ChipAtOnce, new_host
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
+from loader_twin.loader import Loader
 
 from nscc.compiler import compile_source
 from nscc.operations import Op
@@ -25,7 +26,6 @@ from nscc.words.legality import decoded
 from nscc.words.readout import converter_of, preparation_of, spreading
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.chip import frame_of
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.wanted import Wanted

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import csv
 import io
-import json
+import os
+import sqlite3
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,10 +21,12 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.report import report
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
+from nscc_training.scene_files import files_in
 from nscc_training.sweep import compiling
 from nscc_training.sweep.grid import read_grid
-from nscc_training.sweep.keys import key_of
-from nscc_training.sweep.store import ROWS, Store
+from nscc_training.sweep.kinds import key_of
+from nscc_training.sweep.point import Row
+from nscc_training.sweep.store import POINTS, rows_in, store_in
 
 STOPS = """
 [stops]
@@ -46,8 +54,9 @@ def swept(folder: Path, *more: str, status: int = 0) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO((folder / "out/table.csv").read_text())))
 
 
-def kept(folder: Path) -> list[dict[str, Any]]:
-    return [json.loads(line) for line in (folder / "out" / ROWS).read_text().splitlines()]
+def kept(folder: Path) -> dict[str, Row]:
+    with store_in(folder / "out") as store:
+        return rows_in(store)
 
 
 def test_every_combination_has_the_figures_of_its_report(tmp_path: Path) -> None:
@@ -112,7 +121,7 @@ def test_panels_that_show_the_same_have_the_same_scales() -> None:
 
 
 def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Ended in the middle, with a line cut short: nothing that is known is computed again."""
+    """Ended in the middle: nothing that is known is computed again."""
     written(tmp_path, GRID)
     whole = swept(tmp_path)
     calls: list[Any] = []
@@ -121,14 +130,12 @@ def test_it_goes_on(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
         "nscc_training.sweep.work.KINDS",
         {"compile": replaced(lambda values, place: calls.append(values) or compute(values, place))},
     )
-    rows = tmp_path / "out" / ROWS
-    lines = rows.read_text().splitlines(keepends=True)
-    rows.write_text("".join(lines[:2]) + "no row\n" + lines[2][:-5])
+    rows = kept(tmp_path)
+    with store_in(tmp_path / "out") as store:
+        store.forget(POINTS, *list(rows)[2:])
     assert swept(tmp_path) == whole
     assert len(calls) == 2
-    assert [json.loads(line) for line in rows.read_text().splitlines() if line != "no row"] == [
-        json.loads(line) for line in lines
-    ]
+    assert kept(tmp_path) == rows
     assert swept(tmp_path) == whole
     assert len(calls) == 2
 
@@ -184,7 +191,7 @@ def test_a_key_is_that_of_what_decides(tmp_path: Path, monkeypatch: pytest.Monke
     other_chip = key()
     written(tmp_path, "nsl 1 frame 3 slots of 1ms open when true", "a.nsl")
     other_text = key()
-    monkeypatch.setattr("nscc_training.sweep.keys.versions", lambda *_: ("another",))
+    monkeypatch.setattr("nscc_training.sweep.kinds.versions", lambda *_: ("another",))
     assert len({first, other_chip, other_text, key()}) == 4
 
 
@@ -319,6 +326,103 @@ def test_points_have_the_names_that_are_asked_for(tmp_path: Path) -> None:
         read_grid(written(tmp_path, GRID + 'name = "x{slot}"'))
 
 
+RUNS = """
+kind = "train"
+
+[first]
+name = "class-{shutter.class}/first/seed{train.seed}"
+shutter.slots = 4
+shutter.tile = [2, 2]
+shutter.class = "b"
+data.patch = 16
+data.val_items = 2
+train.seed = [0, 1]
+train.steps = 2
+train.batch = 2
+train.validate_every = 2
+
+[second]
+like = "first"
+name = "class-{shutter.class}/second"
+train.seed = 0
+decoder.init = "run:class-b/first/seed1"
+"""
+
+
+def test_a_part_takes_the_keys_of_another(tmp_path: Path) -> None:
+    points = read_grid(written(tmp_path, RUNS)).points
+    assert [point.name for point in points] == [
+        "class-b/first/seed0", "class-b/first/seed1", "class-b/second",
+    ]  # fmt: skip
+    assert points[2].values["train.batch"] == 2
+    assert [run.name for run in points[2].after] == ["class-b/first/seed1"]
+    assert key_of(points[2], 1) != key_of(replace(points[2], after=(points[0],)), 1)
+
+
+def test_a_run_begins_with_another_of_the_grid(tmp_path: Path) -> None:
+    pytest.importorskip("torch")
+    written(tmp_path, RUNS)
+    rows = swept(tmp_path)
+    assert [row["code"] for row in rows] == ["", "", ""]
+    second = tmp_path / "out/runs/class-b/second"
+    settings = (second / "config.resolved.toml").read_text()
+    begun = (tmp_path / "out/runs/class-b/first/seed1").resolve()
+    assert f'init = "{begun}"' in settings
+    assert not list((tmp_path / "out/runs").glob("first*"))
+
+
+def test_one_part_is_computed_and_the_table_has_all_that_is_known(tmp_path: Path) -> None:
+    two = GRID.partition("[stops]\n")[2].replace("[4, 8]", "[5, 6]")
+    written(tmp_path, GRID + "[two]\n" + two)
+    whole = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run", "--part", "two"], tmp_path)
+    assert whole.out == "4 points: 0 known, 4 to compute\n"
+    assert [row["part"] for row in swept(tmp_path, "--part", "two")] == ["two"] * 4
+    assert [row["part"] for row in swept(tmp_path, "--part", "stops")] == ["stops"] * 4 + [
+        "two"
+    ] * 4
+    wrong = invoke(["sweep", "grid.toml", "--out", "out", "--part", "too"], tmp_path)
+    assert (wrong.status, wrong.codes) == (2, ["NS0832"])
+    assert "did you mean `two`" in wrong.err
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ('decoder.init = "run:class-b/first/seed7"', "no run called 'class-b/first/seed7'"),
+        ('decoder.init = "run:class-b/second"', "run 'class-b/second' depends on itself"),
+        ('name = "class-b/first/seed1"', "2 runs called 'class-b/first/seed1'"),
+        ('name = "../second"', "second.name must be a name"),
+        ('name = "/second"', "second.name must be a name"),
+        ('like = "third"', "there is no part 'third' above"),
+        ('like = "second"', "there is no part 'second' above"),
+    ],
+)
+def test_wrong_links(tmp_path: Path, changed: str, said: str) -> None:
+    key = changed.split(" = ")[0]
+    first, second = RUNS.split("[second]")
+    lines = [line for line in second.splitlines() if not line.startswith(key)]
+    written(tmp_path, f"{first}[second]\n{changed}\n" + "\n".join(lines))
+    done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0832"])
+    assert said in done.err
+    assert not (tmp_path / "out").exists()
+
+
+def test_data_are_several_folders_or_some_of_a_folder(tmp_path: Path) -> None:
+    for name in ("a/0.png", "a/1.png", "a/2.jpg", "a/3.png", "b/4.png", "c/x/5.png", "c/y/6.png"):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+
+    def names(text: str) -> list[str]:
+        return [path.stem for path in files_in(tmp_path / text, (".png", ".jpg"))]
+
+    assert names("a") == ["0", "1", "2", "3"]
+    assert names(f"a+{tmp_path}/b") == ["0", "1", "2", "3", "4"]
+    assert names(f"a#1,3/4+{tmp_path}/c/*") == ["1", "3", "5", "6"]
+    assert names("a#0/2") == ["0", "2"]
+    assert names("none+nor this") == []
+
+
 def test_the_page_shows_the_example(root: Path) -> None:
     example = (root / "examples/sweep.toml").read_text().partition("\n")[2]
     assert f"```toml\n{example}```" in (root / "docs/sweep.md").read_text()
@@ -331,17 +435,51 @@ def test_too_many_points(tmp_path: Path) -> None:
         read_grid(written(tmp_path, text))
 
 
-def test_one_sweep_at_a_time(tmp_path: Path) -> None:
+def test_two_sweeps_share_the_work(tmp_path: Path) -> None:
+    """A point that another process has claimed is waited for, and taken over if that one ends."""
     written(tmp_path, GRID)
-    with Store(tmp_path / "out"):
-        done = invoke(["sweep", "grid.toml", "--out", "out", "--workers", "0"], tmp_path)
-    assert (done.status, done.codes) == (2, ["NS0834"])
+    whole = swept(tmp_path)
+    known = list(kept(tmp_path).values())
+    with store_in(tmp_path / "out") as store:
+        store.forget(POINTS, *(row.key for row in known))
+    claims = (
+        "import sys, time; from pathlib import Path\n"
+        "from nscc_training.sweep.store import POINTS, store_in\nstore = store_in(Path('out'))\n"
+        "print([store.claim(POINTS, k) for k in sys.argv[1:]], flush=True)\n"
+        "time.sleep(60)"
+    )
+    other = subprocess.Popen(
+        [sys.executable, "-c", claims, *(row.key for row in known[:2])], cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}, stdout=subprocess.PIPE,
+    )  # fmt: skip
+    assert other.stdout is not None
+    assert other.stdout.readline() == b"[True, True]\n"
+    with ThreadPoolExecutor(1) as pool:
+        table = pool.submit(swept, tmp_path)
+        while len(kept_apart(tmp_path)) < 2:
+            time.sleep(0.02)
+        time.sleep(0.5)
+        assert kept_apart(tmp_path) == {row.key for row in known[2:]}, "those of the other process"
+        other.kill()
+        assert table.result(timeout=60) == whole
+    other.communicate()
+
+
+def kept_apart(folder: Path) -> set[str]:
+    """The keys in the store as another program reads them: a process has its claims once."""
+    with sqlite3.connect(folder / "out/store.sqlite") as database:
+        found = {name for (name,) in database.execute("SELECT name FROM measurement")}
+    database.close()
+    return found
 
 
 @pytest.mark.parametrize("kind", ["compile", "limits", "emulate", "train", "evaluate", "design"])
 def test_a_complete_part_can_be_read(tmp_path: Path, kind: str) -> None:
     text = invoke(["sweep", "--schema", kind], tmp_path).out
     assert f"[{kind}]" in text
+    if kind == "train":  # a run of the defaults
+        assert len(read_grid(written(tmp_path, text)).points) == 1
+        return
     with pytest.raises(Rejected) as wrong:  # it names nothing to compute yet
         read_grid(written(tmp_path, text))
     assert {each.code for each in wrong.value.diagnostics} == {"NS0832"}
@@ -359,3 +497,15 @@ def test_dry_run_and_parquet(tmp_path: Path) -> None:
     assert table["words_total"][-1] is None
     again = invoke(["sweep", "grid.toml", "--out", "out", "--dry-run"], tmp_path)
     assert again.out == "5 points: 5 known, 0 to compute\n"
+
+
+def test_means_are_of_the_items_that_have_a_score() -> None:
+    from nscc_training.sweep.evaluating import means_of
+
+    items = [
+        {"file": "a", "crop": None, "frame": 0, "psnr_db": 30.0, "dark_psnr_db": None},
+        {"file": "b", "crop": None, "frame": 0, "psnr_db": 20.0, "dark_psnr_db": 12.0},
+        {"file": "b", "crop": None, "frame": 1, "psnr_db": "inf", "dark_psnr_db": 14.0},
+    ]
+    assert means_of(items) == {"psnr_db": 25.0, "dark_psnr_db": 13.0}
+    assert means_of([{"file": "a", "crop": None, "frame": 0, "dark_psnr_db": None}]) == {}

@@ -158,7 +158,7 @@ def test_all_that_is_wrong_is_reported_at_its_place(tmp_path: Path) -> None:
         row, _ = diagnostic.source.row_column(diagnostic.label.span.start)
         places.append((diagnostic.code, row))
     assert places == [("NS0235", 3), ("NS0236", 6)]
-    assert found[1].helps == ("did you mean A?",)
+    assert found[1].helps == ("did you mean `A`?",)
 
 
 @pytest.mark.parametrize(

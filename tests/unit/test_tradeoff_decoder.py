@@ -21,13 +21,13 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
 from nscc_training.decoders.declared import DECODERS  # noqa: E402
-from nscc_training.evaluation.methods import METHODS  # noqa: E402
+from nscc_training.evaluation.methods import CLIPS  # noqa: E402
+from nscc_training.loop.decoding import decoded_frame  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
-from nscc_training.reconstruct import decoded_frame  # noqa: E402
+from nscc_training.protocol_scenes.files import protocol_of, some_scenes  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
-from nscc_training.tradeoff import decoder, ways  # noqa: E402
+from nscc_training.tradeoff import decoder  # noqa: E402
 from nscc_training.tradeoff.decoder import Settings, cases, measure  # noqa: E402
-from nscc_training.tradeoff.scenes import protocol_of, scenes  # noqa: E402
 
 TINY = Settings(None, 2, 32, 2, 1e6, 0)
 
@@ -51,18 +51,18 @@ def clip_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
     """The dictionary and filters take a minute to learn: their methods have tests of their own."""
-    kept = ways.baselines
+    kept = decoder.ways_of
 
-    def few(kind: Any) -> list[ways.Way]:
+    def few(kind: Any) -> list[decoder.Way]:
         return [way for way in kept(kind) if way.method not in ("dictionary", "sparse-coding")]
 
-    monkeypatch.setattr(decoder, "baselines", few)
+    monkeypatch.setattr(decoder, "ways_of", few)
 
 
 def test_every_method_of_clips_that_sees_the_capture_is_there() -> None:
-    methods = [way.method for way in ways.baselines("clips")]
-    assert set(methods) == {name for name, each in METHODS.items() if each.sees == "capture"}
-    assert [way.setting for way in ways.baselines("clips") if way.method == "gap-tv"] == [
+    methods = [way.method for way in decoder.ways_of("clips")]
+    assert set(methods) == {name for name, each in CLIPS.items() if each.sees == "capture"}
+    assert [way.setting for way in decoder.ways_of("clips") if way.method == "gap-tv"] == [
         "5", "10", "20", "40", "80"
     ]  # fmt: skip
 
@@ -73,14 +73,15 @@ def test_points_are_scores_of_the_captures(quick: None) -> None:
     points, repeats = measure([case], TINY)
     assert repeats == 2
     values = []
-    for taken in case.taken:
+    for taken in case.captures:
         light = taken.scene.light_e
-        opened = taken.mask.sum(axis=0)
-        exposure = taken.frame * (30000 / 255)
+        mask = taken.masks[0]
+        opened = mask.sum(axis=0)
+        exposure = taken.codes[0] * (30000 / 255)
         # Noise and saturation apart, a frame holds the light of the open slots.
-        whole = (light * taken.mask).sum(axis=0)
+        whole = (light * mask).sum(axis=0)
         assert np.corrcoef(np.minimum(whole, 30000).ravel(), exposure.ravel())[0, 1] > 0.99
-        made = taken.mask * (exposure / np.maximum(opened, 1))
+        made = mask * (exposure / np.maximum(opened, 1))
         pair = [np.clip(x / taken.scene.scale_e, 0, 1) for x in (light, made)]
         frames = zip(*pair, strict=True)
         values.append(np.mean([-10 * np.log10(np.mean((a - b) ** 2)) for a, b in frames]))
@@ -112,7 +113,7 @@ def test_a_part_of_a_frame_is_decoded_by_its_own_shutters(clip_run: Path) -> Non
     folder, rng = load_run(clip_run), np.random.default_rng(3)
     codes = rng.integers(10, 200, (24, 20)).astype(np.uint8)
     full = np.zeros(codes.shape, bool)
-    made = [decoded_frame(folder, codes, full, corner=at) for at in ((0, 0), (8, 4), (1, 0))]
+    made = [decoded_frame(folder.parts, codes, full, corner=at) for at in ((0, 0), (8, 4), (1, 0))]
     assert made[0].shape == (4, 24, 20)
     np.testing.assert_array_equal(made[0], made[1])
     assert not np.allclose(made[0], made[2])
@@ -132,7 +133,7 @@ def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path)
     assert {("unet3d small", "f32"), ("unet3d small", "bf16")} <= methods
     assert {("fcnet small", f"x{k} {d}") for k in (1, 2, 4) for d in ("f32", "bf16")} <= methods
     tile = runs[0].parts.encoder.hard().numpy()
-    assert np.array_equal(todo[0].taken[0].mask[:, :4, :4], tile)
+    assert np.array_equal(todo[0].captures[0].masks[0, :, :4, :4], tile)
     points, _ = measure(todo, replace(TINY, count=1, repeats=1))
     assert all(np.isfinite(p.error) for p in points)
 
@@ -141,10 +142,10 @@ def test_a_network_is_the_runs_own(clip_run: Path) -> None:
     folder = load_run(clip_run)
     case = cases([folder], replace(TINY, count=1))[0]
     exact, rough = (way for way in case.ways if way.method == "unet3d small")
-    taken = case.taken[0]
+    taken = case.captures[0]
     with torch.no_grad():
-        frame = torch.from_numpy(taken.frame)[None] / 255
-        wanted = folder.parts.decoder(frame, torch.from_numpy(taken.mask))[0].numpy()
+        frame = torch.from_numpy(taken.codes) / 255
+        wanted = folder.parts.decoder(frame, torch.from_numpy(taken.masks[0]))[0].numpy()
     assert np.allclose(exact.run(taken), wanted * (30000 / 4), rtol=1e-4, atol=0.1)
     error = np.abs(rough.run(taken) - exact.run(taken)).max()
     assert 0 < error < 0.1 * np.abs(exact.run(taken)).max() + 10
@@ -166,9 +167,9 @@ def test_blocks_apart_are_the_blocks_by_themselves() -> None:
 
 def test_made_scenes_are_exposed_as_the_protocol_says() -> None:
     protocol = protocol_of("stills", 64, 1)
-    [still] = scenes("stills", protocol, None, 1)
+    [still] = some_scenes(protocol, None, 1)
     assert np.mean(still.light_e >= 30000) == pytest.approx(0.3, abs=0.005)
-    [clip] = scenes("clips", protocol_of("clips", 32, 8), None, 1)
+    [clip] = some_scenes(protocol_of("clips", 32, 8), None, 1)
     assert clip.light_e.shape == (8, 32, 32)
     assert np.percentile(clip.light_e.sum(axis=0), 99) == pytest.approx(30000)
 
@@ -215,7 +216,7 @@ def test_data_that_a_run_has_seen_is_refused(clip_run: Path, tmp_path: Path) -> 
     savemat(tmp_path / "d/c.mat", {"orig": np.moveaxis(frames, 0, 2) * 255})
     folder = load_run(clip_run)
     asked = replace(TINY, data=tmp_path / "d", count=1)
-    assert cases([folder], asked)[0].taken[0].scene.file.name == "c.mat"
+    assert cases([folder], asked)[0].captures[0].scene.file.name == "c.mat"
     digest = sha256((tmp_path / "d/c.mat").read_bytes()).hexdigest()
     with pytest.raises(Rejected, match="NS0820"):
         cases([replace(folder, seen=frozenset({digest}))], asked)

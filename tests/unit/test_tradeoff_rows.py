@@ -1,14 +1,20 @@
-"""Rows of tradeoffs: on the disk as they are measured, known again, of one measurement alone."""
+"""Measurements in an experiment store: whole or not there, of one experiment, by many processes."""
 
 from __future__ import annotations
 
-import json
+import os
+import signal
+import sqlite3
+import subprocess
+import sys
+import time
 from pathlib import Path
 
 import pytest
 from nscc_command import invoke
 
 from nscc.diagnostics.diagnostic import Rejected
+from nscc.experiment_store import ExperimentStore
 from nscc.source import Source
 from nscc.tradeoff import synthesis
 from nscc.tradeoff.rows import Rows
@@ -17,38 +23,34 @@ from nscc.tradeoff.synthesis import Case, every_way
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
 
 
-def test_a_row_is_on_the_disk_when_it_is_measured(tmp_path: Path) -> None:
-    file = tmp_path / "x.rows.jsonl"
+def values(file: Path, of: str = "digest") -> dict[str, object]:
+    with ExperimentStore(file) as store:
+        return store.values(of)
+
+
+def test_a_measurement_is_on_the_disk_when_it_is_measured(tmp_path: Path) -> None:
+    file = tmp_path / "x.sqlite"
     with Rows(file, "digest") as rows:
         assert rows.once("a", lambda: {"ms": (1.5, 2)}) == {"ms": [1.5, 2]}
-        assert file.read_text().splitlines() == ["digest", '["a", {"ms": [1.5, 2]}]']
+        with sqlite3.connect(file) as other:
+            assert other.execute("SELECT experiment, name, value FROM measurement").fetchall() == [
+                ("digest", "a", '{"ms": [1.5, 2]}')
+            ]
+        other.close()
         assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
     with Rows(file, "digest") as rows:
         assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
         rows.done()
-    assert not file.exists()
+    assert not any(tmp_path.iterdir())
 
 
-@pytest.mark.parametrize("cut", range(1, 12))
-def test_a_row_that_was_cut_short_is_measured_again(tmp_path: Path, cut: int) -> None:
-    file = tmp_path / "rows"
-    with Rows(file, "digest") as rows:
-        rows.once("a", lambda: 1)
-        rows.once("b", lambda: 2.25)
-    whole = file.read_bytes()
-    file.write_bytes(whole[:-cut])
-    with Rows(file, "digest") as rows:
-        assert [rows.once("a", lambda: 3), rows.once("b", lambda: 2.25)] == [1, 2.25]
-    assert file.read_bytes() == whole
-
-
-def test_rows_of_another_measurement_are_dropped(tmp_path: Path) -> None:
+def test_measurements_of_another_experiment_do_not_count(tmp_path: Path) -> None:
     file = tmp_path / "rows"
     with Rows(file, "one") as rows:
         rows.once("a", lambda: 1)
     with Rows(file, "other") as rows:
         assert rows.once("a", lambda: 2) == 2
-    assert file.read_text() == 'other\n["a", 2]\n'
+    assert (values(file, "one"), values(file, "other")) == ({"a": 1}, {"a": 2})
 
 
 def test_without_a_file_everything_is_measured() -> None:
@@ -56,13 +58,77 @@ def test_without_a_file_everything_is_measured() -> None:
     assert [rows.once("a", lambda: 1), rows.once("a", lambda: 2)] == [1, 2]
 
 
-def test_one_process_at_a_time(tmp_path: Path) -> None:
-    with Rows(tmp_path / "rows", "x"), pytest.raises(Rejected) as caught:
-        Rows(tmp_path / "rows", "x")
-    assert caught.value.diagnostics[0].code == "NS0825"
+@pytest.mark.parametrize("bad", [float("nan"), float("inf"), None])
+def test_bad_numbers_are_not_kept(tmp_path: Path, bad: object) -> None:
+    with ExperimentStore(tmp_path / "s") as store, pytest.raises(ValueError):  # noqa: PT011
+        store.put("e", "a", bad)
+    assert values(tmp_path / "s", "e") == {}
+
+
+def test_what_is_no_store(tmp_path: Path) -> None:
+    (tmp_path / "s").write_text("a text of more than a hundred bytes, " * 5)
+    with pytest.raises(Rejected) as caught:
+        ExperimentStore(tmp_path / "s")
+    assert caught.value.diagnostics[0].code == "NS0834"
     with pytest.raises(Rejected) as caught:
         Rows(tmp_path / "no" / "rows", "x")
     assert caught.value.diagnostics[0].code == "NS0784"
+
+
+WRITER = """
+import sys, time
+from pathlib import Path
+from nscc.experiment_store import ExperimentStore
+
+with ExperimentStore(Path(sys.argv[1])) as store:
+    for number in range(int(sys.argv[2])):
+        def measure(number=number):
+            with open(sys.argv[3], "a") as log:
+                log.write(f"{number}\\n")
+            time.sleep(0.002)
+            return {"number": number, "text": "x" * 3000}
+        store.once("e", str(number), measure)
+"""
+
+
+def writer(folder: Path, count: int) -> subprocess.Popen[bytes]:
+    arguments = [sys.executable, "-c", WRITER, str(folder / "s"), str(count), str(folder / "log")]
+    path = os.pathsep.join(sys.path)
+    return subprocess.Popen(arguments, env={**os.environ, "PYTHONPATH": path})
+
+
+def logged(folder: Path) -> int:
+    """How many measurements have begun."""
+    log = folder / "log"
+    return log.read_bytes().count(b"\n") if log.exists() else 0
+
+
+def test_two_processes_share_a_store_and_nothing_is_lost(tmp_path: Path) -> None:
+    """Every measurement is made once, and both processes know all of them."""
+    writers = [writer(tmp_path, 150) for _ in range(2)]
+    assert [process.wait(timeout=120) for process in writers] == [0, 0]
+    known = values(tmp_path / "s", "e")
+    assert known == {str(n): {"number": n, "text": "x" * 3000} for n in range(150)}
+    made = (tmp_path / "log").read_text().split()
+    assert sorted(map(int, made)) == list(range(150))
+
+
+def test_killed_at_any_moment_every_measurement_is_whole(tmp_path: Path) -> None:
+    before = 0
+    for kill in range(20):
+        process = writer(tmp_path, 400)
+        begin = logged(tmp_path)
+        # The second measurement begins when the first is kept.
+        while process.poll() is None and logged(tmp_path) < begin + 2:
+            time.sleep(0.001)
+        time.sleep(0.0017 * kill)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        known = values(tmp_path / "s", "e")
+        assert [each["number"] for each in known.values()] == list(range(len(known)))  # type: ignore[index]
+        assert len(known) >= before
+        before = len(known)
+    assert before >= 20
 
 
 def test_a_measurement_that_was_ended_goes_on(
@@ -85,8 +151,7 @@ def test_a_measurement_that_was_ended_goes_on(
 
     with Rows(tmp_path / "rows", "x") as rows, pytest.raises(KeyboardInterrupt):
         synthesis.measure(ways, 3, "all", until, rows)
-    lines = (tmp_path / "rows").read_text().splitlines()
-    before = [json.loads(line)[1]["ms"] for line in lines[1:]]
+    before = [value["ms"] for value in values(tmp_path / "rows", "x").values()]  # type: ignore[index]
     assert len(before) == 3
     compiled.clear()
     with Rows(tmp_path / "rows", "x") as rows:
@@ -96,21 +161,21 @@ def test_a_measurement_that_was_ended_goes_on(
     assert [latch.times_ms[0], edges.times_ms[0], latch.times_ms[1]] == before
 
 
-def test_who_interrupts_is_told_where_rows_are_kept(tmp_path: Path) -> None:
+def test_who_interrupts_is_told_where_measurements_are_kept(tmp_path: Path) -> None:
     file = tmp_path / "rows"
     told = r"kept in '.*rows', and the same command goes on"
     rows = Rows(file, "x")
     rows.once("a", lambda: 1)
     with pytest.raises(KeyboardInterrupt, match=told), rows:
         raise KeyboardInterrupt
-    assert json.loads(file.read_text().splitlines()[1]) == ["a", 1]
+    assert values(file, "x") == {"a": 1}
     for nothing in (Rows(), Rows(tmp_path / "none", "x")):
         with pytest.raises(KeyboardInterrupt) as found, nothing:
             raise KeyboardInterrupt
         assert found.value.args == ()
 
 
-def test_a_command_leaves_its_products_and_no_rows(tmp_path: Path) -> None:
+def test_a_command_leaves_its_products_and_no_store(tmp_path: Path) -> None:
     (tmp_path / "p.nsl").write_text(TEXT)
     command = ["tradeoff", "synthesis", "p.nsl", "--levels", "0", "--repeats", "1", "-o", "out"]
     done = invoke(command, tmp_path)

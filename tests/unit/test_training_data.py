@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 from nscc_command import invoke
 
 torch = pytest.importorskip("torch")
@@ -18,23 +20,29 @@ from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.data import Batch, Batches, Scene, Scenes, load_scenes  # noqa: E402
-from nscc_training.data.camera import turned, view  # noqa: E402
+from nscc_training.data import Batch, ExposureSet, Scene, Scenes, cut_batch, load_scenes  # noqa: E402
+from nscc_training.data.exposures import quantiles  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
+from nscc_training.turning_camera import turned, view  # noqa: E402
 
 WELL = 30000.0
 
 
-def batches(
-    lights: dict[str, Any], batch: int = 6, seed: int = 3, slots: int = 4, **settings: Any
-) -> Batches:
-    """Of scenes that are for training and validation alike."""
-    scenes = tuple(Scene(n, n, np.asarray(x, np.float32)) for n, x in lights.items())
-    data = DataSettings(**{"patch": 16, "val_items": 5, **settings})
-    return Batches(
-        Scenes(scenes, scenes), data, slots=slots, full_well_e=WELL, batch=batch, seed=seed
-    )
+class Cuts:
+    """Batches of scenes by step, cut on the CPU."""
+
+    def __init__(
+        self, lights: dict[str, Any], batch: int = 6, seed: int = 3, slots: int = 4, **settings: Any
+    ) -> None:
+        scenes = tuple(Scene(n, n, np.asarray(x, np.float32)) for n, x in lights.items())
+        self.settings = DataSettings(**{"patch": 16, **settings})
+        self.drawn = ExposureSet(
+            Scenes(scenes, scenes), self.settings, slots=slots, batch=batch, seed=seed
+        )
+
+    def train(self, step: int) -> Batch:
+        return cut_batch(self.drawn[step], self.settings, WELL, torch.device("cpu"))
 
 
 def places(batch: Batch) -> list[tuple[str, int, int]]:
@@ -56,7 +64,7 @@ def test_clips_of_a_protocol_with_a_light_are_as_bright_as_that() -> None:
     light = random_light(8, 24, 24)
     for factor in (1.0, 1e3):
         of = {"s": factor * light}
-        (cut,) = batches(of, batch=1, slots=8, patch=24, protocol="deblur-v1").val()[:1]
+        cut = Cuts(of, batch=1, slots=8, patch=24, protocol="deblur-v1").train(0)
         assert np.median(cut.light[0].sum(dim=0).numpy()) == pytest.approx(3636, rel=1e-3)
 
 
@@ -64,7 +72,7 @@ def test_clips_of_a_protocol_with_a_light_are_as_bright_as_that() -> None:
 def test_patches_of_one_exposure_share_level_and_peak(size: tuple[int, int]) -> None:
     """30 % of all that is exposed saturates, and 1 is its 99.9th percentile, in every patch."""
     light = random_light(*size)
-    cut = batches({"s": light}, batch=7, together=3, augment=False).train(0)
+    cut = Cuts({"s": light}, batch=7, together=3, augment=False).train(0)
     groups = defaultdict(list)
     for index, (exposure, row, col) in enumerate(places(cut)):
         groups[index // 3].append(index)
@@ -86,7 +94,7 @@ def test_patches_of_one_exposure_share_level_and_peak(size: tuple[int, int]) -> 
 def test_a_dark_patch_stays_dark_beside_a_bright_one() -> None:
     light = np.ones((120, 120))
     light[:, 60:] = 1e4
-    cut = batches({"s": light}, batch=40, together=40, augment=False).train(0)
+    cut = Cuts({"s": light}, batch=40, together=40, augment=False).train(0)
     brightest = cut.light.amax(dim=(1, 2))
     assert (brightest < WELL / 1000).any()
     assert (brightest >= WELL * 0.99).any()
@@ -95,10 +103,11 @@ def test_a_dark_patch_stays_dark_beside_a_bright_one() -> None:
 def test_clips_of_one_exposure_share_it_too() -> None:
     """The 99th percentile of what an open pixel gathers fills a well; 1 is white."""
     light = np.random.default_rng(2).random((9, 30, 33))
-    cut = batches({"s": light}, batch=4, together=2, augment=False).train(1)
+    cut = Cuts({"s": light}, batch=4, together=2, augment=False).train(1)
     for index, (exposure, row, col) in enumerate(places(cut)):
-        first = int(exposure.split(" from ")[1].split(" at ")[0])
-        window = light[first : first + 4]
+        first, _, corner = exposure.partition(" from ")[2].partition(" at ")
+        top, left = map(int, corner.split(","))
+        window = light[int(first) : int(first) + 4, top : top + 30, left : left + 30]
         level = np.percentile(window.sum(axis=0), 99)
         wanted = window[:, row : row + 16, col : col + 16] * (WELL / level)
         np.testing.assert_allclose(cut.light[index], wanted, rtol=1e-5)
@@ -114,7 +123,7 @@ def test_augmentation_bends_level_and_peak_with_the_light(together: int) -> None
     light = random_light(16, 16)
     values = set()
     for step in range(6):
-        cut = batches({"s": light}, batch=3, together=together).train(step)
+        cut = Cuts({"s": light}, batch=3, together=together).train(step)
         for patch, peak in zip(cut.truth, cut.peak, strict=True):
             assert np.mean(patch.numpy() > 1) == pytest.approx(0.3, abs=0.01)
             assert 0 < np.mean(patch.numpy() > peak.item()) < 0.01
@@ -129,30 +138,13 @@ def test_the_poles_of_a_panorama_are_left_out(shape: tuple[int, int], poles: boo
     eighth = shape[0] // 8
     light[eighth:-eighth] += np.random.default_rng(1).random((shape[0] - 2 * eighth, shape[1]))
     light[:eighth] = light[-eighth:] = 5.0  # brighter than anything between
-    cut = batches({"s": light}, batch=60, augment=False, patch=64).train(0)
+    cut = Cuts({"s": light}, batch=60, augment=False, patch=64).train(0)
     at_a_pole = (cut.light == cut.light.amax(dim=(1, 2), keepdim=True)).sum(dim=(1, 2)) > 1
     assert bool(at_a_pole.any()) != poles
 
 
-def test_validation_is_the_same_each_time() -> None:
-    lights = {"a": random_light(40, 50), "b": random_light(300, 50, seed=2)}
-    source = batches(lights, together=2)
-    first = source.val()
-    source.train(0)
-    again, other = source.val(), batches(lights, together=2, batch=1).val()
-    assert len(first) == 5
-    for one, two, three in zip(first, again, other, strict=True):
-        assert len(one.names) == 2
-        assert one.names == two.names == three.names
-        for field in ("light", "truth", "peak"):
-            assert torch.equal(getattr(one, field), getattr(two, field))
-            assert torch.equal(getattr(one, field), getattr(three, field))
-    assert {places(b)[0][0].partition(" ")[0] for b in first} == {"a", "b"}
-    assert batches(lights, seed=4, together=2).val()[0].names != first[0].names
-
-
 def test_steps_differ_and_come_again() -> None:
-    source = batches({"a": random_light(40, 50)}, together=2)
+    source = Cuts({"a": random_light(40, 50)}, together=2)
     one, two, again = source.train(5), source.train(6), source.train(5)
     assert torch.equal(one.light, again.light)
     assert one.names != two.names
@@ -160,11 +152,39 @@ def test_steps_differ_and_come_again() -> None:
 
 def test_what_is_dark_altogether_stays_finite() -> None:
     for shape in ((30, 30), (6, 30, 30)):
-        source = batches({"a": np.zeros(shape)}, together=2)
-        for cut in (source.train(0), *source.val()):
-            assert (cut.light == 0).all()
-            assert (cut.peak > 0).all()
-            assert torch.isfinite(cut.peak).all()
+        source = Cuts({"a": np.zeros(shape)}, together=2)
+        cut = source.train(0)
+        assert (cut.light <= 1e-12).all()
+        assert (cut.peak > 0).all()
+        assert torch.isfinite(cut.peak).all()
+
+
+@pytest.mark.parametrize("still", [True, False])
+def test_patches_are_those_that_numpy_turns_and_mirrors(still: bool) -> None:
+    light = np.random.default_rng(1).random((20, 20) if still else (5, 20, 20)) + 0.1
+    source = Cuts({"s": light}, batch=12, together=1, slots=5, patch=9)
+    seen = set()
+    for step in range(6):
+        drawn, cut = source.drawn[step], source.train(step)
+        for k, (turns, mirrored, back) in enumerate(
+            zip(drawn.turns, drawn.mirrored, drawn.backwards, strict=True)
+        ):
+            whole = np.rot90(drawn.light[k].numpy(), int(turns), axes=(-2, -1))
+            whole = whole[..., ::-1] if mirrored else whole
+            whole = whole[::-1] if back else whole
+            row, col = drawn.corner[k].tolist()
+            wanted = whole[..., row : row + 9, col : col + 9] ** float(drawn.contrast[k])
+            made = cut.light[k].numpy()
+            np.testing.assert_allclose(made / made.max(), wanted / wanted.max(), rtol=1e-5)
+            seen.add((int(turns), bool(mirrored), bool(back)))
+    assert len(seen) == (8 if still else 16)
+
+
+@given(st.integers(1, 300), st.floats(0, 1), st.integers(0, 2**32 - 1))
+def test_quantiles_are_those_of_numpy(count: int, part: float, seed: int) -> None:
+    values = np.random.default_rng(seed).normal(size=(3, count))
+    found = quantiles(torch.from_numpy(values), part)
+    np.testing.assert_allclose(found, np.quantile(values, part, axis=1), rtol=1e-9, atol=1e-12)
 
 
 def panorama(path: Path, seed: int) -> None:

@@ -10,7 +10,6 @@ torch = pytest.importorskip("torch")
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.any_code.decode import decoded_still  # noqa: E402
-from nscc_training.any_code.measured import Measured  # noqa: E402
 from nscc_training.any_code.network import bf16_where_multiplied  # noqa: E402
 from nscc_training.decoders.blocks import BlockNet, put, taken  # noqa: E402
 from nscc_training.decoders.declared import DECODERS, Task  # noqa: E402
@@ -20,6 +19,7 @@ from nscc_training.decoders.make import (  # noqa: E402
     parameter_count,
 )
 from nscc_training.decoders.unet import UNet  # noqa: E402
+from nscc_training.measured import Measured  # noqa: E402
 
 STILL = Task("still", 256, (8, 8))
 CLIP = Task("clip", 16, (8, 8))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import re
 import shutil
+from dataclasses import replace
 from hashlib import sha256
 from itertools import combinations
 from pathlib import Path
@@ -23,9 +24,11 @@ from small_runs import SMALL, clip, one_crop, trained  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.evaluation.hdr import Crop, Unusable, exposed_crop  # noqa: E402
-from nscc_training.evaluation.video import encoded  # noqa: E402
+from nscc_training.evaluation.baselines import BASELINES  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
+from nscc_training.protocol_scenes.hdr import Crop, exposed_crop  # noqa: E402
+from nscc_training.protocol_scenes.scene import Unusable  # noqa: E402
+from nscc_training.protocol_scenes.video import encoded  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 
@@ -482,3 +485,24 @@ def test_products_of_files_that_differ_in_their_ending(tmp_path: Path) -> None:
     for name, key in (("one_mat", "a"), ("one_MAT", "b")):
         frames = np.moveaxis(clips[key].astype(float), 2, 0)
         np.testing.assert_allclose(truths[name] / truths[name].max(), frames / 255, atol=1e-6)
+
+
+@pytest.mark.parametrize("bad", [float("nan"), float("inf")])
+def test_a_reconstruction_that_is_not_finite_has_no_score(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, bad: float
+) -> None:
+    clip(tmp_path / "c.mat", 16, 256)
+
+    def decode(captured: Any) -> Any:
+        found = np.zeros(captured.scene.light_e.shape)
+        found[3, 2, 1] = bad
+        return found
+
+    row = BASELINES["video-v1"]["gap-tv"]
+    wrong = replace(row, method=replace(row.method, decode=decode))
+    monkeypatch.setitem(BASELINES["video-v1"], "gap-tv", wrong)
+    asked = ["evaluate", "gap-tv", "--data", ".", "--protocol", "video-v1", "-o", "r.json"]
+    done = invoke(asked, tmp_path)
+    assert (done.status, done.codes) == (2, ["NS0804"])
+    assert "1 of 1048576 values" in done.err
+    assert not (tmp_path / "r.json").exists()

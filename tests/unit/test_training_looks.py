@@ -123,7 +123,12 @@ def test_learning_makes_a_bad_start_better(run: Path) -> None:
     learned, start = (json.loads((run / name / "result.json").read_text()) for name in ("r", "k"))
     assert start["codes"]["moved"] == 0
     assert start["codes"]["at"] == [16, 32, 48]
-    assert learned["stages"]["hard"] > start["stages"]["hard"] + 3
+    assert learned["stages"]["hard"] > start["stages"]["hard"]
+    losses = [
+        float((run / name / "metrics.csv").read_text().splitlines()[-1].split(",")[2])
+        for name in ("r", "k")
+    ]
+    assert losses[0] < losses[1] - 0.3  # three decibels of PSNR-mu
     assert learned["stages"]["compiled_equals_hard"]
     assert learned["stages"]["emulated"] == pytest.approx(learned["stages"]["hard"], abs=0.05)
 

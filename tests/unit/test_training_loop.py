@@ -56,14 +56,19 @@ def test_robustness_is_of_the_sensors_and_exposures_that_it_names(
 ) -> None:
     """Each row by what its sensor makes of a flat field of 9000 electrons and of a bright one."""
     seen: list[tuple[Any, float]] = []
-    scored = artifacts.scored
+    by_model, validated = artifacts.by_model, artifacts.validated
 
-    def watched(parts: Any, batches: Any, shutters: Any, model: Any, seed: int, exposure: float = 1,
-                ) -> Any:  # fmt: skip
-        seen.append((model, exposure))
-        return scored(parts, batches, shutters, model, seed, exposure)
+    def watched(parts: Any, shown: Any, decode: Any = None, exposure: float = 1.0) -> Any:
+        if isinstance(decode, tuple):
+            seen.append((decode[0], exposure))
+        return validated(parts, shown, decode[1] if isinstance(decode, tuple) else decode, exposure)
 
-    monkeypatch.setattr(artifacts, "scored", watched)
+    def by(parts: Any, tile: Any = None, model: Any = None) -> Any:
+        decode = by_model(parts, tile, model)
+        return decode if model is None or tile is not None else (model, decode)
+
+    monkeypatch.setattr(artifacts, "validated", watched)
+    monkeypatch.setattr(artifacts, "by_model", by)
     run(changed(STILL, "train", steps=1), tmp_path / "r")
     rows = json.loads((tmp_path / "r" / "result.json").read_text())["robustness"]
     gain = 30000 / 255

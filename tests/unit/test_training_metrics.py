@@ -101,7 +101,52 @@ def test_temporal_error_sees_flicker_only() -> None:
     assert metrics.temporal_error(truth, flicker, 2.0) == pytest.approx(0.1)
 
 
-@pytest.mark.parametrize("bad", [0.0, -1.0, math.nan])
+MEASURES: dict[str, Any] = {
+    "mse": metrics.mean_square_error,
+    "psnr": lambda a, b: metrics.psnr(a, b, 1.0),
+    "mu_psnr": lambda a, b: metrics.mu_psnr(a, b, 1.0),
+    "pu21_psnr": lambda a, b: metrics.pu21_psnr(a, b, 1.0, 1000.0),
+    "ssim": lambda a, b: metrics.ssim(a, b, 1.0),
+    "temporal_error": lambda a, b: metrics.temporal_error(a, b, 1.0),
+}
+
+
+@pytest.mark.parametrize("name", MEASURES)
+@pytest.mark.parametrize("bad", [math.nan, math.inf, -math.inf])
+@pytest.mark.parametrize("side", ["truth", "reconstruction"])
+def test_a_bad_number_is_an_error_and_never_a_score(name: str, bad: float, side: str) -> None:
+    pair = [np.full((3, 12, 12), 0.5), np.full((3, 12, 12), 0.5)]
+    pair[side == "reconstruction"][1, 4, 5] = bad
+    with pytest.raises(ValueError, match=f"1 of 432 values of the {side} are not finite"):
+        MEASURES[name](*pair)
+
+
+@pytest.mark.parametrize("name", sorted({*MEASURES} - {"ssim", "temporal_error"}))
+def test_nothing_has_no_score(name: str) -> None:
+    with pytest.raises(ValueError, match="at least one value"):
+        MEASURES[name](np.zeros((0, 12)), np.zeros((0, 12)))
+
+
+@pytest.mark.parametrize("bad", [[], [math.nan], [30.0, math.nan], [-math.inf, 30.0]])
+def test_no_mean_of_bad_scores(bad: list[float]) -> None:
+    with pytest.raises(ValueError, match="a mean is taken of numbers of dB"):
+        metrics.finite_mean(bad)
+
+
+@pytest.mark.parametrize("bad", [[], [math.nan], [0.01, math.nan], [math.inf, 0.1], [-1.0]])
+def test_no_frame_scores_of_bad_errors(bad: list[float]) -> None:
+    with pytest.raises(ValueError, match="a mean"):
+        metrics.frame_scores(bad, 1.0)
+
+
+def test_no_summary_of_a_bad_score() -> None:
+    with pytest.raises(ValueError, match="NaN"):
+        summary([1.0, math.nan], ["a", "b"])
+    with pytest.raises(ValueError, match="NaN"):
+        paired({"x": 1.0}, {"x": math.nan}, {"x": "a"})
+
+
+@pytest.mark.parametrize("bad", [0.0, -1.0, math.nan, math.inf])
 def test_a_data_range_is_needed(bad: float) -> None:
     truth, result = _pair((12, 12))
     for measure in (metrics.psnr, metrics.ssim):

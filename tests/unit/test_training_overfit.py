@@ -8,7 +8,7 @@ from marks import slow
 torch = pytest.importorskip("torch")
 
 from nscc_training.curves import mu_law  # noqa: E402
-from nscc_training.data import Batch, Batches, load_scenes  # noqa: E402
+from nscc_training.data import Batch, ExposureSet, cut_batch, load_scenes  # noqa: E402
 from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
@@ -24,8 +24,8 @@ def one_batch(still: bool, spec: ShutterSpec) -> Batch:
     if still:
         data = DataSettings(patch=16, scenes=2, augment=False)
         scenes = load_scenes(data, True, spec.slots, seed=1)
-        batches = Batches(scenes, data, slots=spec.slots, full_well_e=30000.0, batch=1, seed=1)
-        return batches.train(0)
+        drawn = ExposureSet(scenes, data, slots=spec.slots, batch=1, seed=1)[0]
+        return cut_batch(drawn, data, 30000.0, torch.device("cpu"))
     t, y, x = torch.meshgrid(torch.arange(8.0), *[torch.arange(16.0)] * 2, indexing="ij")
     truth = 0.2 + torch.exp(-((x - 3 - t) ** 2 + (y - 10 + t / 2) ** 2) / 18)
     light = truth[None] * (30000.0 / spec.slots)

@@ -87,7 +87,7 @@ def test_a_run_interrupted_after_it_was_brought_goes_on(
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patch:
-        patch.setattr("nscc_training.loop.train._update", interrupted)
+        patch.setattr("nscc_training.loop.train.update", interrupted)
         with pytest.raises(KeyboardInterrupt):
             run(STILL, tmp_path / "r", resume=str(tmp_path / "begun"))
     for name in ("metrics.csv", "checkpoint.safetensors"):
@@ -103,7 +103,7 @@ def test_a_damaged_log_is_said_to_be_one(text: bytes, tmp_path: Path) -> None:
     assert [d.code for d in caught.value.diagnostics] == ["NS0816"]
 
 
-@pytest.mark.parametrize("about", ["[]", "3", "{}", '{"step": 1}', None, "optimiser", "best"])
+@pytest.mark.parametrize("about", ["[]", "3", "{}", '{"step": 1}', None, "optimizer", "best"])
 def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: Path) -> None:
     from safetensors import safe_open
     from safetensors.torch import save_file
@@ -113,7 +113,7 @@ def test_checkpoints_of_something_else_are_refused(about: str | None, tmp_path: 
     with safe_open(str(path), framework="pt") as file:
         kept = file.metadata()
     tensors = load_file(path)
-    if about in ("optimiser", "best"):
+    if about in ("optimizer", "best"):
         tensors.pop(next(name for name in tensors if name.startswith(about)))
     else:
         kept = None if about is None else {"nscc": about}
@@ -200,6 +200,23 @@ def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
         assert one == two, name
     codes = [np.load(tmp_path / k / "codes.npz")["stop"] for k in ("a", "c")]
     assert not np.array_equal(*codes)
+
+
+def test_a_finished_run_goes_on_with_more_steps_and_not_with_fewer(tmp_path: Path) -> None:
+    from nscc_training.run_folder import load_run
+
+    run(STILL, tmp_path / "r")
+    steps = STILL["train"]["steps"]
+    log = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
+    run(changed(STILL, "train", steps=steps + 2), tmp_path / "r")
+    longer = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
+    assert longer[: len(log)] == log
+    assert int(longer[-1].split(",")[0]) == steps + 2
+    assert load_run(tmp_path / "r").parts.settings.train.steps == steps + 2
+    with pytest.raises(Rejected, match="NS0816"):
+        run(STILL, tmp_path / "r")
+    with pytest.raises(Rejected, match="NS0816"):
+        run(changed(STILL, "train", steps=steps + 4, rate=0.5), tmp_path / "r")
 
 
 def test_never_begins_anew_and_another_configuration_is_refused(tmp_path: Path) -> None:

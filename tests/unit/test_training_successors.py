@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import cv2
 import numpy as np
 import pytest
-import torch
 from nscc_command import invoke
 from numpy.typing import NDArray
 
-from nscc_training.any_code.measured import Measured
 from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.scattered import scattered
-from nscc_training.evaluation import several_frames
-from nscc_training.evaluation.deblur import Moment, moments, panoramas
-from nscc_training.evaluation.results import Unusable
+from nscc_training.evaluation.baselines import BASELINES, _decoded, evaluate_baseline
+from nscc_training.evaluation.captured import Captured
+from nscc_training.protocol_scenes.deblur import Moment, moments
+from nscc_training.protocol_scenes.files import files_of
+from nscc_training.protocol_scenes.video import Window
 from nscc_training.protocols import load_protocol
+from nscc_training.sensor_model import SensorModel
 
 
 def touching(tile: NDArray[np.int64]) -> float:
@@ -55,10 +57,11 @@ def test_a_moment_is_what_is_scored(tmp_path: Path) -> None:
     light = cv2.resize(np.exp(np.random.default_rng(1).uniform(-3, 3, (64, 128))), (1024, 512))
     cv2.imwrite(str(tmp_path / "a.hdr"), np.repeat(light[..., None], 3, 2).astype("f4"))
     protocol = load_protocol("deblur-v1")
-    first, second = moments(panoramas(tmp_path), protocol)
-    assert not isinstance(first, Unusable)
+    files = files_of(protocol, tmp_path)
+    first, second = moments(files, protocol)
+    assert isinstance(first, Moment)
     assert isinstance(second, Moment)
-    again = next(iter(moments(panoramas(tmp_path), protocol)))
+    again = next(iter(moments(files, protocol)))
     assert isinstance(again, Moment)
     assert np.array_equal(first.light_e, again.light_e)
     assert not np.array_equal(first.light_e, second.light_e)
@@ -75,24 +78,24 @@ def test_a_moment_is_what_is_scored(tmp_path: Path) -> None:
     assert moved["psnr_db"] < 40
 
 
+def tiles(protocol_name: str, name: str, seed: int = 0) -> NDArray[np.float64]:
+    make = BASELINES[protocol_name][name].tiles
+    assert make is not None
+    return make(load_protocol(protocol_name), seed).astype(float)
+
+
 @pytest.mark.parametrize("seed", [0, 1])
 def test_two_buckets_share_out_all_light(seed: int) -> None:
-    protocol = load_protocol("two-bucket-v1")
-    both, groups = several_frames.two_bucket_masks("two-bucket", protocol, seed)
+    both = tiles("two-bucket-v1", "two-bucket", seed)
     assert both.shape == (2, 16, 8, 8)
-    assert groups == [[0, 1]]
     assert np.array_equal(both.sum(axis=0), np.ones((16, 8, 8)))
-    alone, _ = several_frames.two_bucket_masks("pixel-wise", protocol, seed)
-    assert np.array_equal(alone[0], both[0])
-    flutter, _ = several_frames.two_bucket_masks("flutter", protocol, seed)
-    assert flutter.shape == (1, 16, 1, 1)
+    assert np.array_equal(tiles("two-bucket-v1", "pixel-wise", seed)[0], both[0])
+    assert tiles("two-bucket-v1", "flutter", seed).shape == (1, 16, 1, 1)
 
 
 def test_staggered_shutters_go_on_into_the_next_frame() -> None:
-    protocol = load_protocol("staggered-v1")
     film, length, slots = 4, 4, 8
-    masks, groups = several_frames.staggered_masks("staggered", protocol, 0)
-    assert groups == [[0, 1, 2, 3]]
+    masks = tiles("staggered-v1", "staggered")
     opened = masks.sum(axis=0)  # a slot belongs to one frame
     assert masks.shape == (film, film * slots, 4, 4)
     assert {*np.unique(opened).tolist()} == {0.0, 1.0}
@@ -102,23 +105,24 @@ def test_staggered_shutters_go_on_into_the_next_frame() -> None:
         assert set(np.diff(edges).tolist()) == {length}
     # At every moment half of the pixels are open; phases that stay within frames leave gaps.
     assert np.array_equal(opened.mean(axis=(1, 2)), np.full(film * slots, 0.5))
-    aligned, _ = several_frames.staggered_masks("aligned", protocol, 0)
+    aligned = tiles("staggered-v1", "aligned")
     assert np.array_equal(aligned.sum(axis=(0, 1)), np.full((4, 4), film * length))
     assert aligned.sum(axis=0).mean(axis=(1, 2)).std() > 0.1
 
 
-def test_frames_are_decoded_together_or_alone() -> None:
+@pytest.mark.parametrize("name", ["staggered", "staggered-alone"])
+def test_frames_are_decoded_together_or_alone(name: str) -> None:
     """Of still light, what frames together say is the light; a frame's slots are its own."""
     light = np.full((8, 16, 16), 1000.0)
-    masks = np.zeros((2, 8, 1, 1), np.float32)
-    masks[0, :4] = masks[1, 4:] = 1
-    measured = [
-        Measured.exact(torch.full((1, 16, 16), 4000.0), torch.ones(1, 8, 16, 16) * mask)
-        for mask in torch.from_numpy(masks)
-    ]
-    for groups in ([[0, 1]], [[0], [1]]):
-        made = several_frames._decoded(measured, masks, groups, light.shape)
-        assert np.allclose(made, light, rtol=0.02)
+    protocol = load_protocol("staggered-v1")
+    scene = Window(Path("c"), None, 0, light, protocol, 1000.0, False)
+    tile = np.zeros((2, 8, 1, 1), np.float32)
+    tile[0, :4] = tile[1, 4:] = 1
+    model = SensorModel(30000.0, 1.0)
+    codes = np.full((2, 16, 16), 4000.0, np.float32)
+    frames = Captured(scene, codes, tile, codes > 1e9, replace(model, adc_bits=16))
+    made = _decoded(BASELINES["staggered-v1"][name], frames)
+    assert np.allclose(made, light, rtol=0.02)
 
 
 def test_rows_are_named_by_their_protocols(tmp_path: Path) -> None:
@@ -144,7 +148,7 @@ def test_two_buckets_tell_more_than_one(tmp_path: Path) -> None:
 
     clip(tmp_path / "c.mat", 16, 256)
     scores = [
-        several_frames.evaluate_several("two-bucket-v1", name, tmp_path)[0]["mean"]
+        evaluate_baseline(load_protocol("two-bucket-v1"), name, tmp_path)[0]["mean"]
         for name in ("flutter", "pixel-wise", "two-bucket")
     ]
     assert scores == sorted(scores)

@@ -17,6 +17,7 @@ torch = pytest.importorskip("torch")
 
 from safetensors.torch import load_file  # noqa: E402
 from trial_problems import (  # noqa: E402
+    CPU,
     Alone,
     Share,
     batch_of,
@@ -29,8 +30,9 @@ from trial_problems import (  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
+from nscc_training.draws import generator_of  # noqa: E402
 from nscc_training.loop.setup import Parts  # noqa: E402
-from nscc_training.loop.steps import decoded, generator_of, window  # noqa: E402
+from nscc_training.loop.steps import decoded, window  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.loop.trials import pull, trial_of  # noqa: E402
 from nscc_training.sensor_model import laid  # noqa: E402
@@ -245,7 +247,7 @@ def test_codes_learn_in_the_window_of_the_patch_alone(tile: tuple[int, int]) -> 
         trial = trial_of(parts.encoder, SIDE, SIDE, (1, seed), (2, seed))
         batch = batch_of(parts, 0.5, 0.99)
         made = decoded(parts, batch.light, trial.shutters[0], parts.model, None)
-        pull(parts, batch, trial, made, generator_of(3)).backward()
+        pull(parts, batch, trial, made, generator_of(CPU, 3)).backward()
         found = window_of(parts.encoder.stop.grad.numpy())
         sides = [part.stop - part.start for part in found]
         assert sides == [min(SIDE, side) for side in tile]

@@ -20,6 +20,7 @@ torch = pytest.importorskip("torch")
 
 from safetensors.torch import load_file  # noqa: E402
 from trial_problems import (  # noqa: E402
+    CPU,
     Alone,
     Share,
     batch_of,
@@ -29,9 +30,10 @@ from trial_problems import (  # noqa: E402
 )
 
 from nscc_training.config import settings_of  # noqa: E402
+from nscc_training.draws import generator_of  # noqa: E402
 from nscc_training.encoders.trial import decided  # noqa: E402
 from nscc_training.loop.setup import Parts  # noqa: E402
-from nscc_training.loop.steps import decoded, generator_of  # noqa: E402
+from nscc_training.loop.steps import decoded  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.loop.trials import pull, trial_of  # noqa: E402
 
@@ -199,11 +201,11 @@ def test_trials_scatter_less_than_the_draws_would() -> None:
     squares = np.zeros(2)
     for seed in range(20):
         trial = trial_of(parts.encoder, 20, 20, (1, seed), (2,))
-        made = decoded(parts, batch.light, trial.shutters[0], parts.model, generator_of(3))
-        draws = 0.25 * torch.randn(trial.fields.shape, generator=generator_of(1, seed))
+        made = decoded(parts, batch.light, trial.shutters[0], parts.model, generator_of(CPU, 3))
+        draws = 0.25 * torch.randn(trial.fields.shape, generator=generator_of(CPU, 1, seed))
         for index, moved in enumerate((trial.moved, draws)):
             parts.encoder.zero_grad()
-            pull(parts, batch, replace(trial, moved=moved), made, generator_of(3)).backward()
+            pull(parts, batch, replace(trial, moved=moved), made, generator_of(CPU, 3)).backward()
             squares[index] += parts.encoder.logits.grad.square().sum().item()
     assert squares[0] < 0.4 * squares[1]
 
@@ -240,8 +242,8 @@ def test_a_choice_goes_to_the_shape_that_suits() -> None:
         parts.encoder.noise = 0.5 * (1 - step / 200)
         optimiser.zero_grad()
         trial = trial_of(parts.encoder, 20, 20, (1, step), (2,))
-        made = decoded(parts, batch.light, trial.shutters[0], parts.model, generator_of(3))
-        pull(parts, batch, trial, made, generator_of(3)).backward()
+        made = decoded(parts, batch.light, trial.shutters[0], parts.model, generator_of(CPU, 3))
+        pull(parts, batch, trial, made, generator_of(CPU, 3)).backward()
         optimiser.step()
     assert np.array_equal(2 * parts.encoder.codes()["id"] + 1, np.tile(wish[:2], (2, 1)))
 
@@ -264,7 +266,7 @@ def test_digits_learn_in_the_window_of_the_patch_alone(kind: str) -> None:
         trial = trial_of(parts.encoder, 20, 20, (1, seed), (2, seed))
         batch = batch_of(parts, 0.5, 0.99)
         made = decoded(parts, batch.light, trial.shutters[0], parts.model, None)
-        pull(parts, batch, trial, made, generator_of(3)).backward()
+        pull(parts, batch, trial, made, generator_of(CPU, 3)).backward()
         grads = parts.encoder.logits.grad if kind == "e" else parts.encoder.choice.grad
         rows, cols = np.nonzero(grads.abs().sum(dim=0 if kind == "e" else -1).numpy())
         assert (np.ptp(rows), np.ptp(cols)) == (19, 19)

@@ -9,10 +9,11 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.baselines.sci import gap_tv  # noqa: E402
+from nscc_training.baselines.tensor_tv import gap_tv_of  # noqa: E402
 from nscc_training.decoders.declared import Task  # noqa: E402
 from nscc_training.decoders.guess import clip_guess  # noqa: E402
 from nscc_training.decoders.make import make_decoder  # noqa: E402
+from nscc_training.measured import Measured  # noqa: E402
 from nscc_training.sensor_model import lifted  # noqa: E402
 
 NAMES = ("unrolled", "refined")
@@ -55,8 +56,8 @@ def test_they_begin_with_a_clip_that_gives_the_frame(
     frame, shutters = coded(slots, *size)
     mask = whole(shutters, *size)
     if name == "refined":
-        parts = [gap_tv(y, mask.numpy(), 20) for y in (slots * frame).numpy()]
-        start = torch.from_numpy(np.stack(parts))
+        measured = Measured.exact(slots * frame, mask.unsqueeze(0))
+        start = gap_tv_of(measured, 20)[0]
     else:
         start = clip_guess(lifted(slots * frame, mask)[0], mask)
     found = decoder(frame, shutters)

@@ -281,3 +281,12 @@ def test_small_forms_read_back() -> None:
     assert found is not None
     assert np.array_equal(found, noise)
     assert read_slots("x" + "f" * 26, 100) is None
+
+
+@pytest.mark.parametrize(("wrong", "shown"), [(49, 49), (50, 50), (51, 50), (80, 50)])
+def test_at_most_fifty_faults_of_a_text_are_shown(wrong: int, shown: int) -> None:
+    text = "nonsense R1\n" * wrong
+    with pytest.raises(Rejected) as raised:
+        assemble_words(Source("a.asm", text), Path())
+    unknown = [each for each in raised.value.diagnostics if each.code == "NS0710"]
+    assert len(unknown) == shown

@@ -9,7 +9,8 @@ from click.testing import CliRunner
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.target.load import builtin_target, load_target
-from nscc_cli import asm, diff, disasm, targets
+from nscc_cli import targets
+from nscc_cli.containers import asm, diff, disasm
 
 PROGRAM = ".wait 1ms x4\n.kernel k\nrespix A\n.slot 0..4 k\n.readout A frame\n"
 
@@ -17,23 +18,23 @@ PROGRAM = ".wait 1ms x4\n.kernel k\nrespix A\n.slot 0..4 k\n.readout A frame\n"
 def test_assemble_list_and_compare(tmp_path: Path) -> None:
     runner, text = CliRunner(), tmp_path / "x.asm"
     text.write_text(PROGRAM, encoding="utf-8")
-    assert runner.invoke(asm.command, [str(text)]).exit_code == 0
+    assert runner.invoke(asm, [str(text)]).exit_code == 0
     first = tmp_path / "x.icw"
-    listing = runner.invoke(disasm.command, [str(first)])
+    listing = runner.invoke(disasm, [str(first)])
     assert listing.exit_code == 0
     assert ".slot 0..4 k" in listing.stdout
     second = tmp_path / "y.icw"
-    again = runner.invoke(asm.command, ["-", "-o", str(second)], input=listing.stdout)
+    again = runner.invoke(asm, ["-", "-o", str(second)], input=listing.stdout)
     assert again.exit_code == 0
     assert first.read_bytes() == second.read_bytes()
-    assert runner.invoke(diff.command, [str(first), str(second)]).stdout == "identical\n"
+    assert runner.invoke(diff, [str(first), str(second)]).stdout == "identical\n"
     text.write_text(PROGRAM.replace("x4", "x5"), encoding="utf-8")
-    assert runner.invoke(asm.command, [str(text), "-o", str(second)]).exit_code == 0
-    assert "slots: 4 -> 5" in runner.invoke(diff.command, [str(first), str(second)]).stdout
+    assert runner.invoke(asm, [str(text), "-o", str(second)]).exit_code == 0
+    assert "slots: 4 -> 5" in runner.invoke(diff, [str(first), str(second)]).stdout
 
 
 def test_words_come_as_the_examples_write_them() -> None:
-    found = CliRunner().invoke(asm.command, ["-", "--words"], input="AND R6, R2, R3\nall")
+    found = CliRunner().invoke(asm, ["-", "--words"], input="AND R6, R2, R3\nall")
     assert found.stdout.split("\n")[3:] == [
         "0x80020 0x10000 0x20800 0x3b602 0x40000",
         "0x00800 0x11000 0x20000 0x32000 0x40000",
@@ -45,12 +46,12 @@ def test_a_refused_text_leaves_no_file(tmp_path: Path) -> None:
     text = tmp_path / "x.asm"
     text.write_text(PROGRAM + "nope R1\n", encoding="utf-8")
     with pytest.raises(Rejected, match="NS0710"):
-        CliRunner().invoke(asm.command, [str(text)], catch_exceptions=False)
+        CliRunner().invoke(asm, [str(text)], catch_exceptions=False)
     text.write_bytes(b"\xff\xff")
     with pytest.raises(Rejected, match="NS0717"):
-        CliRunner().invoke(asm.command, [str(text)], catch_exceptions=False)
+        CliRunner().invoke(asm, [str(text)], catch_exceptions=False)
     assert [path.name for path in tmp_path.iterdir()] == ["x.asm"]
-    assert CliRunner().invoke(asm.command, ["-"], input=PROGRAM).exit_code == 2
+    assert CliRunner().invoke(asm, ["-"], input=PROGRAM).exit_code == 2
 
 
 def test_targets_are_listed_and_printed(tmp_path: Path) -> None:

@@ -10,11 +10,16 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
+from nscc.npy import InvalidArrays, check_size, npy_array, npz_arrays
+from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
 """The arrays that a file of several is taken to mean, the first that it has."""
+
+_MOST_BYTES = 1 << 28
+"""Of one array: to compare two takes some times as much."""
 
 ARRAYS = (".mat", ".npy", ".npz")
 
@@ -73,14 +78,13 @@ def _read(path: Path, key: str | None) -> NDArray[Any]:
 
 def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
     if suffix == ".npy":
-        return np.asarray(np.load(path, allow_pickle=False))
+        return npy_array(path, _MOST_BYTES)
     if suffix == ".npz":
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            return np.asarray(file[_chosen(path, list(file.files), key)])
-    from scipy.io import loadmat, whosmat
-
-    name = _chosen(path, [str(entry[0]) for entry in whosmat(path)], key)
-    found = np.asarray(loadmat(path, variable_names=[name])[name])
+        _, names = npz_arrays(path, lambda _: False)
+        name = _chosen(path, names, key)
+        return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
+    name = _chosen(path, mat_names(path), key)
+    found = mat_array(path, name, _MOST_BYTES)
     return np.moveaxis(found, 2, 0) if name in ("orig", "video") and found.ndim == 3 else found
 
 
@@ -90,22 +94,35 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
         wanted = names
     if wanted and wanted[0] in names:
         return wanted[0]
-    near = closest(key, names) if key else None
+    unnamed = f"name the array with an option; without one, {', '.join(KEYS)} are looked for"
     raise rejected(
         "NS0801",
         f"'{path}' has no array '{key}'"
         if key
         else f"which array of '{path}' is meant is not clear",
         notes=(f"it holds {listed(sorted(names))}",),
-        helps=(f"did you mean '{near}'?",)
-        if near
-        else (f"name the array with an option; without one, {', '.join(KEYS)} are looked for",),
+        helps=meant(key or "", names, unnamed),
     )
+
+
+def _pages(path: Path) -> list[NDArray[Any]]:
+    """The pictures of a file, the second and all after it within the bound of arrays."""
+    from nscc_runtime.scenes.picture_files import open_pages
+
+    pages: list[NDArray[Any]] = []
+    for page in open_pages(path).read():
+        pages.append(page)
+        try:
+            check_size((len(pages) - 1) * page.nbytes, _MOST_BYTES)
+        except InvalidArrays as error:
+            message = f"'{path}' holds too many pictures"
+            raise unreadable("NS0801", message, error, "save fewer of them in a file") from error
+    return pages
 
 
 def _read_image(path: Path, suffix: str) -> NDArray[Any]:
     from nscc_runtime.scenes.colour import linear, luminance
-    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES, read_picture
+    from nscc_runtime.scenes.picture_files import LINEAR, PICTURES
 
     if suffix not in PICTURES:
         raise rejected(
@@ -114,8 +131,9 @@ def _read_image(path: Path, suffix: str) -> NDArray[Any]:
             notes=(f"arrays end in {', '.join(ARRAYS)}, pictures in {', '.join(PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    stored = read_picture(path)
-    if stored.ndim == 2:
+    pages = _pages(path)
+    stored = np.stack(pages) if len(pages) > 1 else pages[0]
+    if pages[0].ndim == 2:
         return stored
     if suffix in LINEAR:
         return luminance(linear(stored, "linear"))

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import npz_arrays
+from nscc_runtime.scenes.mat_files import mat_arrays
 from nscc_training.problems import unreadable
 
 Codes = Mapping[str, NDArray[np.int64]]
@@ -41,20 +43,29 @@ def save_codes(path: Path, codes: Codes) -> None:
         raise ValueError(f"codes are kept in .npz or .mat files, not '{path.suffix}'")
 
 
-def load_codes(path: Path) -> dict[str, NDArray[np.int64]]:
+def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
     """The integer arrays of a `.npz` or `.mat` file, by name.
 
     Raises Rejected (NS0805) for a file that cannot be read or holds something else; floats that are
     whole numbers count as integers, because MATLAB saves them so.
     """
+    path = Path(path)
+    if path.suffix.lower() not in (".npz", ".mat"):
+        raise rejected(
+            "NS0805",
+            f"'{path}' does not end like codes",
+            notes=("codes are .npz or .mat files with an integer array (rows, cols) a field",),
+            helps=(
+                "an array of open slots becomes a program: `nscc import-mask MASK.npy -o P.nsl`",
+            )
+            if path.suffix.lower() == ".npy"
+            else ("give the file the ending of its format",),
+        )
     try:
         if path.suffix == ".mat":
-            from scipy.io import loadmat
-
-            found = {k: v for k, v in loadmat(path).items() if not k.startswith("__")}
+            found = mat_arrays(path)
         else:
-            with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-                found = {name: file[name] for name in file.files}
+            found, _ = npz_arrays(path)
         return {name: _integers(path, name, values) for name, values in found.items()}
     except Rejected:
         raise
@@ -76,7 +87,10 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
             "NS0805",
             f"'{name}' in '{path}' is no code: {values.dtype}, {values.shape}",
             notes=("a field's codes are whole numbers, (rows, cols) of the tile or of the array",),
-            helps=("save integers, and nothing else in the file",),
+            helps=(
+                "save integers, and nothing else in the file",
+                "a mask of open slots becomes a program: `nscc import-mask MASK.npz -o P.nsl`",
+            ),
         )
     return values.astype(np.int64)
 

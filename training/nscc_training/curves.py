@@ -1,5 +1,4 @@
-"""Curves from linear light to numbers that errors may be counted in: mu-law, log, gamma, sRGB,
-PU21.
+"""Curves from linear light to numbers that errors may be counted in: mu-law, log, sRGB, PU21.
 
 Each takes a numpy array or a torch tensor and returns the same kind and precision; inside it
 calculates in float64, because a float32 logarithm of 1e8 alone is 1e-6 off. Below their domain all
@@ -17,9 +16,6 @@ Array = TypeVar("Array", bound=Any)
 
 MU = 5000.0
 """The mu of the HDR literature's mu-law."""
-
-GAMMA_TOE = 1e-4
-"""Below this a gamma curve is a straight line through 0."""
 
 PU21_LOW, PU21_HIGH = 0.005, 10000.0
 """The luminances in cd/m2 that PU21 was fitted to."""
@@ -49,18 +45,18 @@ def log_curve_inverse(y: Array, floor: float) -> Array:
     return _as(y, floor * xp.where(wide >= 0, xp.expm1(xp.clip(wide, 0.0, None)), wide))
 
 
-def gamma(x: Array, exponent: float = 0.5) -> Array:
-    """x ** exponent, a straight line below `GAMMA_TOE`."""
-    xp, wide = _library(x), _wide(x)
-    power = xp.clip(wide, GAMMA_TOE, None) ** exponent
-    return _as(x, xp.where(wide > GAMMA_TOE, power, wide * GAMMA_TOE ** (exponent - 1.0)))
-
-
 def srgb(x: Array) -> Array:
     """The curve of IEC 61966-2-1 from linear light; a straight line below 0.0031308."""
     xp, wide = _library(x), _wide(x)
     power = 1.055 * xp.clip(wide, 0.0031308, None) ** (1 / 2.4) - 0.055
     return _as(x, xp.where(wide > 0.0031308, power, 12.92 * wide))
+
+
+def srgb_inverse(y: Array) -> Array:
+    """The linear light that `srgb` takes to y."""
+    xp, wide = _library(y), _wide(y)
+    power = ((xp.clip(wide, 0.04045, None) + 0.055) / 1.055) ** 2.4
+    return _as(y, xp.where(wide > 0.04045, power, wide / 12.92))
 
 
 def pu21(luminance: Array) -> Array:

@@ -2,13 +2,30 @@
 
 from __future__ import annotations
 
+import numpy as np
 import torch
 from torch import Tensor
 
 
-def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None = None) -> Tensor:
-    """Standard normal numbers of the shape, type and device of `like`.
+def generator_of(device: torch.device, *numbers: int) -> torch.Generator:
+    """Return a generator of a device whose stream depends on all the numbers."""
+    state = np.random.SeedSequence(list(numbers)).generate_state(1, np.uint64)[0]
+    return torch.Generator(device).manual_seed(int(state) >> 1)
 
-    They are drawn on the CPU, so that every device has the same, in `dtype` or the type of `like`.
+
+def normal(like: Tensor, generator: torch.Generator, dtype: torch.dtype | None = None) -> Tensor:
+    """Return standard normal numbers of the shape, type and device of `like`.
+
+    They are drawn on the generator's device, in `dtype` or the type of `like`.
     """
-    return torch.randn(like.shape, generator=generator, dtype=dtype or like.dtype).to(like)
+    drawn = torch.randn(
+        like.shape, generator=generator, dtype=dtype or like.dtype, device=generator.device
+    )
+    return drawn.to(like)
+
+
+def uniform(like: Tensor, generator: torch.Generator, shape: tuple[int, ...] | None = None
+            ) -> Tensor:  # fmt: skip
+    """Return numbers evenly from 0 to 1, of the shape (or another one) and device of `like`."""
+    size = like.shape if shape is None else shape
+    return torch.rand(size, generator=generator, device=generator.device).to(like.device)

@@ -23,7 +23,7 @@ from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.draws import normal
+from nscc_training.draws import normal, uniform
 from nscc_training.gradients import rounded, saturated
 from nscc_training.sensor_model import SensorModel, laid
 
@@ -87,7 +87,7 @@ class EmulatedSensor:
         if generator is not None:
             sigma = self._between(self.spread, after, known_part)
             codes = codes + model.noise_factor * sigma * normal(codes, generator, torch.float32)
-            marked = full > torch.rand(full.shape, generator=generator).to(full)
+            marked = full > uniform(full, generator)
         codes = rounded(codes) + model.adc_offset_lsb
         codes = saturated(codes, 0.0, float(model.top_code), model.slope)
         return codes.float() - model.adc_offset_lsb, marked
@@ -134,21 +134,6 @@ def emulated_sensor(
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     levels, codes, spreads, marked = map(torch.from_numpy, (light_e, code, spread, full))
     return EmulatedSensor(levels, codes, spreads, marked, crosstalk)
-
-
-def emulated_codes(
-    container: Container, light: Light, sensor: Sensor, effects: Selection | str,
-    seed: int = 0, device_seed: int = 0, repeat: int | None = None,
-    torch_device: str | None = None,
-) -> NDArray[np.float32]:  # fmt: skip
-    """Codes above the ADC's offset (rows, cols), with `repeat` an axis in front, as `nscc run
-    --effects` gives them; of a program with one bucket. `torch_device` as of
-    `nscc_runtime.capture`."""
-    request = Request.of(
-        effects=effects, seed=seed, device_seed=device_seed, repeat=repeat,
-        torch_device=torch_device,
-    )  # fmt: skip
-    return _codes_of(simulate(container, light, sensor, request).frame, sensor)
 
 
 def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:

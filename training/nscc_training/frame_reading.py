@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -14,13 +13,15 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc_runtime.frame_file import SCHEMA
+from nscc.npy import InvalidArrays
+from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.looked_light import OPEN
 from nscc_runtime.pieces import COLOURS
 from nscc_training.problems import why_no_arrays
 
 Array = NDArray[Any]
 _SLOTS = "decode_slot_us"
+_READ = ("saturated", OPEN, _SLOTS, "shutter", "shutter_shape")
 
 
 @dataclass(frozen=True, eq=False)
@@ -48,10 +49,8 @@ def read_frame(path: Path) -> FrameRead:
     for another."""
     file = frame_arrays(path)
     found, saturated, kept = file.frame, file.saturated, file.shutter
-    if saturated.shape != found.shape or saturated.dtype != np.bool_:
-        raise no_frame(path, f"`saturated` is {saturated.dtype} {saturated.shape}, no bool of it")
     in_colours = "colours" in file.meta and found.shape[:1] == (len(COLOURS),)
-    if found.ndim != 3 + in_colours or found.shape[-3] not in (1, 2) or 0 in found.shape:
+    if found.ndim != 3 + in_colours or found.shape[-3] not in (1, 2):
         raise no_frame(path, f"its frame is {found.shape}, not one exposure in a bucket or two")
     if kept is not None and kept.shape[:-1] != found.shape[-3:]:
         raise no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
@@ -74,45 +73,28 @@ def frame_arrays(path: Path) -> FrameRead:
     another file."""
     reads(path)
     try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            found, meta = file["frame"], json.loads(str(file["meta"]))
-            named = "saturated" in file.files  # without, the codes that say so are
-            saturated = file["saturated"] if named else np.zeros(found.shape, np.bool_)
-            opened = file[OPEN] if OPEN in file.files else None
-            slot_us = file[_SLOTS] if _SLOTS in file.files else None
-            kept = None
-            if "shutter" in file.files:
-                count = int(file["shutter_shape"][3])
-                kept = np.unpackbits(file["shutter"], axis=-1, count=count, bitorder="little")
-    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise no_frame(path, why_no_arrays(path, error)) from error
-    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA or found.dtype != np.uint8:
-        raise no_frame(path, f"its schema is not {SCHEMA}")
-    if opened is not None and (opened.shape != found.shape or opened.dtype.kind not in "iu"):
-        raise no_frame(path, f"`{OPEN}` is {opened.dtype} {opened.shape}, no integers of it")
+        arrays, meta = read_frame_arrays(path, _READ.__contains__)
+    except (InvalidArrays, OSError) as error:
+        raise no_frame(path, why_no_arrays(error)) from error
+    codes, slot_us = arrays["frame"], arrays.get(_SLOTS)
     if slot_us is not None and not are_lengths(slot_us):
         raise no_frame(path, f"`{_SLOTS}` are no lengths of slots")
-    if not is_plan(meta.get("plan")):
-        raise no_frame(path, "the `plan` of its meta does not say which effects it has")
-    return FrameRead(found, saturated, meta, kept, opened, slot_us)
+    # Without `saturated`, the codes that say so are.
+    saturated = arrays.get("saturated", np.zeros(codes.shape, np.bool_))
+    kept = None
+    if "shutter" in arrays:
+        try:
+            count = int(arrays["shutter_shape"][3])
+            kept = np.unpackbits(arrays["shutter"], axis=-1, count=count, bitorder="little")
+        except (LookupError, TypeError, ValueError, OverflowError) as error:
+            raise no_frame(path, "its shutters are damaged") from error
+    return FrameRead(codes, saturated, meta, kept, arrays.get(OPEN), slot_us)
 
 
 def are_lengths(slot_us: Array) -> bool:
     """Whether slots may be that long: finite numbers (N,) above 0."""
-    numbers = slot_us.ndim == 1 and slot_us.dtype.kind in "fiu"
+    numbers = slot_us.ndim == 1 and slot_us.size > 0 and slot_us.dtype.kind in "fiu"
     return numbers and bool((np.isfinite(slot_us) & (slot_us > 0)).all())
-
-
-def is_plan(plan: object) -> bool:
-    """Whether a frame's meta may have such a `plan`: none, or one whose effects have a name and a
-    decision."""
-    if plan is None:
-        return True
-    rows = plan.get("effects", []) if isinstance(plan, dict) else None
-    return isinstance(rows, list) and all(
-        isinstance(row, dict) and all(isinstance(row.get(k), str) for k in ("name", "decision"))
-        for row in rows
-    )
 
 
 def number_of(meta: Mapping[str, Any], name: str) -> float:

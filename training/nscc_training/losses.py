@@ -40,8 +40,17 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """The loss of both after a curve."""
-    return lambda prediction, truth: loss(curve(prediction), curve(truth))
+    """The loss of both after a curve; that of one truth in a row is computed once."""
+    known: list[Tensor] = []
+
+    def both(prediction: Tensor, truth: Tensor) -> Tensor:
+        if truth.requires_grad:
+            return loss(curve(prediction), curve(truth))
+        if not known or known[0] is not truth:
+            known[:] = truth, curve(truth)
+        return loss(curve(prediction), known[1])
+
+    return both
 
 
 LOSSES: dict[str, Loss] = {

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import file_sha256
 from nscc_training import metrics
 from nscc_training.array_files import read_picture_or_clip
 from nscc_training.metrics import WINDOW, mean_square_error
@@ -88,7 +88,7 @@ def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -
 
 def stamp(path: Path) -> dict[str, str]:
     """What results say of a file: its name and digest."""
-    return {"file": path.name, "sha256": sha256(path.read_bytes()).hexdigest()}
+    return {"file": path.name, "sha256": file_sha256(path)}
 
 
 def decibels(value: float) -> float | str:

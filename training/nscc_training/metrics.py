@@ -22,15 +22,21 @@ Array = NDArray[Any]
 
 
 def mean_square_error(truth: Array, result: Array) -> float:
-    """Mean of squared differences, in float64 whatever the arrays are."""
+    """Return the mean of the squared differences, computed in float64.
+
+    Like every metric here, it raises WrongArgument for arrays of different shapes, for arrays
+    without values, and for values that are not finite: a bad number never becomes a score.
+    """
     truth, result = _pair(truth, result)
     difference = truth.astype(np.float64) - result.astype(np.float64)
     return float(np.mean(np.square(difference)))
 
 
 def psnr_of_mse(mse: float, data_range: float) -> float:
-    """10 log10(data_range^2 / mse) in dB; +inf where nothing differs."""
+    """Return 10 log10(data_range^2 / mse) in dB; +inf if the error is 0."""
     _check_range(data_range)
+    if not 0 <= mse < math.inf:
+        raise wrong_argument(f"a mean square error is a finite number from 0 on, not {mse}")
     return math.inf if mse == 0 else 20 * math.log10(data_range) - 10 * math.log10(mse)
 
 
@@ -63,10 +69,16 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
     return psnr(encoded[0], encoded[1], float(pu21(np.float64(nits))))
 
 
-def finite_mean(values: Iterable[float], otherwise: float = math.inf) -> float:
-    """The mean of those values that are finite; `otherwise` where none is."""
-    finite = [value for value in values if math.isfinite(value)]
-    return float(np.mean(finite)) if finite else otherwise
+def finite_mean(scores_db: Iterable[float]) -> float:
+    """Return the mean of the finite scores; +inf, the score of identical pictures, does not count.
+
+    The mean is +inf if all scores are. Raises WrongArgument for no scores, NaN or -inf.
+    """
+    scores = list(scores_db)
+    if not scores or any(math.isnan(score) or score == -math.inf for score in scores):
+        raise wrong_argument(f"a mean is taken of numbers of dB, not of {scores[:5]}")
+    finite = [score for score in scores if math.isfinite(score)]
+    return float(np.mean(finite)) if finite else math.inf
 
 
 @dataclass(frozen=True)
@@ -86,11 +98,10 @@ class FrameScores:
 def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
     """The scores of frames with these mean square errors."""
     errors = [float(mse) for mse in mses]
-    if not errors:
-        raise ValueError("no frames")
-    finite = [psnr_of_mse(mse, data_range) for mse in errors if mse > 0]
+    scores = [psnr_of_mse(mse, data_range) for mse in errors]
+    finite = [score for score in scores if math.isfinite(score)]
     return FrameScores(
-        mean=finite_mean(finite),
+        mean=finite_mean(scores),
         sd=float(np.std(finite, ddof=1)) if len(finite) > 1 else 0.0,
         infinite=len(errors) - len(finite),
         of_mean_mse=psnr_of_mse(math.fsum(errors) / len(errors), data_range),
@@ -160,18 +171,24 @@ def temporal_error(truth: Array, result: Array, data_range: float) -> float:
 
 
 def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
-    """Both as arrays of one shape; WrongArgument where they are not."""
+    """Return both as arrays; WrongArgument unless they are finite numbers of one shape."""
     first, second = np.asarray(truth), np.asarray(result)
     if first.shape != second.shape or {first.dtype.kind, second.dtype.kind} - {*"buif"}:
         raise wrong_argument(
             "a metric compares numbers of one shape: the truth is "
             f"{shown(truth)}, the reconstruction {shown(result)}"
         )
+    if first.size == 0:
+        raise wrong_argument(f"a metric needs at least one value, and the arrays are {first.shape}")
+    for name, values in (("truth", first), ("reconstruction", second)):
+        bad = int(np.count_nonzero(~np.isfinite(values)))
+        if bad:
+            raise wrong_argument(f"{bad} of {values.size} values of the {name} are not finite")
     return first, second
 
 
 def _check_range(data_range: float) -> None:
-    if not (isinstance(data_range, int | float | np.number) and data_range > 0):
+    if not (isinstance(data_range, int | float | np.number) and 0 < data_range < math.inf):
         raise wrong_argument(
             f"the data range is the peak that errors count against, a number above 0, not "
             f"{shown(data_range)}",

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
-from zipfile import is_zipfile
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import InvalidArrays
 
 
 def listed(names: Sequence[str], most: int = 12) -> str:
@@ -21,17 +20,12 @@ def said(error: object, most: int = 200) -> str:
     return " ".join(str(error).split())[:most]
 
 
-def why_no_arrays(path: Path, error: Exception) -> str:
-    """Why a file that was to be an .npz of named arrays could not be read as one, in plain words:
-    numpy's own, of what is no .npz at all, speak of pickles."""
-    if isinstance(error, OSError) and error.strerror:
+def why_no_arrays(error: InvalidArrays | OSError) -> str:
+    """Why a file that was to be an .npz of named arrays could not be read as one."""
+    if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
-        return "there is no such file" if missing else error.strerror.lower()
-    if isinstance(error, KeyError):
-        return f"it has no array `{str(error.args[0]).split()[0]}`"
-    if not is_zipfile(path):
-        return "it is no .npz file"
-    return f"{type(error).__name__}: {said(error)}"
+        return "there is no such file" if missing else (error.strerror or str(error)).lower()
+    return said(error)
 
 
 def is_out_of_memory(error: Exception) -> bool:

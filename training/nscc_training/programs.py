@@ -22,9 +22,10 @@ from nscc.target.target import Target
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import Schedule
 from nscc_training.design.text import frame_text, looking_text
+from nscc_training.shutter_spec import ShutterSpec
 
 if TYPE_CHECKING:
-    from nscc_training.encoders import Encoder, ShutterSpec
+    from nscc_training.encoders import Encoder
 
 CODES_FILE = "codes.npz"
 TARGET_FILE = "target.toml"

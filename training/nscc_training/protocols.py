@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import tomllib
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import unknown_name
 
-NAMES = ("hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1")
+NAMES = (
+    "hdr-v1", "video-v1", "sci8", "deblur-v1", "two-bucket-v1", "staggered-v1", "codes-v1",
+)  # fmt: skip
 
 
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
@@ -29,6 +30,15 @@ class Protocol:
 
     def __getitem__(self, key: str) -> Any:
         return self.values[key]
+
+    @property
+    def still(self) -> bool:
+        """Whether scenes are stills, and not clips."""
+        return self.name == "hdr-v1"
+
+    def changed(self, **values: Any) -> Protocol:
+        """Return a variant: its digest is the file's, and its numbers are not the protocol's."""
+        return replace(self, values={**self.values, **values})
 
     @property
     def mid_grey_e(self) -> float | None:
@@ -48,12 +58,8 @@ class Protocol:
 def load_protocol(name: str) -> Protocol:
     """The protocol of that name; Rejected (NS0806) for another one."""
     if name not in NAMES:
-        near = closest(name, NAMES)
-        raise rejected(
-            "NS0806",
-            f"there is no protocol '{name[:60]}'",
-            notes=(f"the protocols are {', '.join(NAMES)}",),
-            helps=(f"did you mean {near}?",) if near else ("name one of them",),
+        raise unknown_name(
+            "NS0806", "there is no protocol '{}'", name, NAMES, "the protocols are {}"
         )
     installed = Path(__file__).with_name("protocol_files")
     folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "protocols"

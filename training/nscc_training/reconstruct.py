@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache, partial
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
 from nscc.compiler import compile_source
@@ -25,16 +23,13 @@ from nscc_runtime.sensor import sensor_sha256
 from nscc_training.dark import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.frame_reading import FrameRead, no_frame, read_frame
+from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
 from nscc_training.run_folder import RunFolder, load_run
-from nscc_training.sensor_model import filled, laid, shared_out
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
 """Effects that training has without `[sensor] effects`."""
 _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
-_BLOCK, _MARGIN = 256, 32
-"""Pixels a side that are decoded at a time of frames larger than an array, and around them those
-that are seen too: more than decoders reach."""
 _OVEREXPOSED = 0.5
 """Above this part of saturated pixels most of a picture is guessed."""
 
@@ -124,86 +119,17 @@ def reconstructed(
         shares = list((read.opened / folder.parts.slots).astype(np.float32))
     made = [
         decoded_frame(
-            folder, codes if offset is None else undarkened(codes, offset), saturated, share
+            folder.parts, codes if offset is None else undarkened(codes, offset), saturated, share
         )
         for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
     return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
 
 
-def decoded_frame(
-    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
-    saturated: NDArray[np.bool_], share: NDArray[np.float32] | None = None,
-    corner: tuple[int, int] = (0, 0),
-) -> NDArray[np.float32]:  # fmt: skip
-    """Electrons over the frame (rows, cols), or a slot (T, rows, cols), from a frame's codes, of
-    two buckets (2, rows, cols).
-
-    `share` (rows, cols) is the part of the frame that each pixel was open, where pixels looked.
-    `corner` is the place on the array of the first pixel of a part of a frame. Frames larger than
-    the array are decoded block by block.
-    """
-    rows, cols = frame.shape[-2:]
-    found: NDArray[np.float32] | None = None
-    array = (folder.parts.target.rows, folder.parts.target.cols)
-    shutters = lru_cache(maxsize=4)(partial(_shutters, folder))
-    for top in range(0, rows, _BLOCK):
-        for left in range(0, cols, _BLOCK):
-            down, across = (
-                slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
-                for at, most in ((top, rows), (left, cols))
-            )
-            codes, full = frame[..., down, across], saturated[..., down, across]
-            first = (down.start + corner[0]) % array[0], (across.start + corner[1]) % array[1]
-            if share is None:
-                opened = shutters(codes.shape[-2:], first)
-            else:
-                opened = torch.from_numpy(share[None, down, across].copy())
-            made = _decoded(folder, codes, full, opened)
-            inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
-            if found is None:
-                found = np.empty((*made.shape[:-2], rows, cols), np.float32)
-            found[..., top : top + _BLOCK, left : left + _BLOCK] = inside
-    assert found is not None  # a frame has pixels
-    return found
-
-
-@torch.no_grad()
-def _decoded(
-    folder: RunFolder, frame: NDArray[np.uint8] | NDArray[np.float32],
-    saturated: NDArray[np.bool_], shutters: torch.Tensor,
-) -> NDArray[np.float32]:  # fmt: skip
-    """The same of a block of pixels with these shutters."""
-    parts = folder.parts
-    shutters = shutters.to(parts.device)
-    codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
-    relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
-    # The knee of registers, and light that eats the reset level, make full pixels read less.
-    full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
-    if parts.encoder.spec.kind != LOOKS:
-        relative = filled(relative, full, shared_out(shutters, parts.buckets))
-    found = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
-    slots = 1 if parts.still else parts.slots
-    return np.asarray(found * (parts.model.full_e / slots), np.float32)
-
-
-def _shutters(
-    folder: RunFolder, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
-) -> torch.Tensor:
-    """The run's shutters (N, rows, cols) at a block of pixels of arrays side by side."""
-    target = folder.parts.target
-    array = laid(folder.parts.encoder.hard(), target.rows, target.cols)
-    rows, cols = (
-        (torch.arange(side) + at) % most
-        for side, at, most in zip(shape, corner, (target.rows, target.cols), strict=True)
-    )
-    return array[:, rows][:, :, cols]
-
-
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame was exposed with other shutters."""
     if read.shutter is not None:
-        hard = _shutters(folder, read.frame.shape[-2:]).numpy().astype(bool)
+        hard = shutters_at(folder.parts, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
     elif not _is_program(folder, read.meta.get("program_sha256")):

@@ -28,7 +28,8 @@ from nscc_training.dark import Dark, mean_dark, read_dark
 from nscc_training.encoders import Encoder
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.frame_reading import FrameRead, by_colour, read_frame
-from nscc_training.reconstruct import decoded_frame, reconstructed
+from nscc_training.loop.decoding import decoded_frame
+from nscc_training.reconstruct import reconstructed
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder
 
@@ -136,7 +137,7 @@ class Run:
         else:
             codes = self._codes(frame)
             full = last_codes(codes, self.folder.parts.target) != 0
-            return decoded_frame(self.folder, codes, full)
+            return decoded_frame(self.folder.parts, codes, full)
         found, target = None if dark is None else self._dark(dark), self.folder.parts.target
         offset = None if found is None else found.offset
         size = (target.rows, target.cols)

@@ -20,9 +20,12 @@ from nscc_training.protocols import load_protocol
 
 PROGRAM, CONFIG = "shutter.nsl", "config.resolved.toml"
 WEIGHTS = "decoder.safetensors"
-_SHIPPED = {"hdr": "under_still", "clip": "under_clip"}
-"""Runs that come with nscc: what users call them, and their folder in training/results/runs."""
-_SEARCHED = "searched_2"
+_SHIPPED = {
+    "hdr": "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0",
+    "clip": "clips/class-d/learned-from-2x2/unet2d/every-effect/seed0",
+}
+"""Runs that come with nscc: what users call them, and their folder in training/results/shipped."""
+_SEARCHED = "clips/class-e/searched-from-random/any/noise-alone/seed2"
 """Of the searches for clips the one whose gain validation found largest."""
 _DARK = ("builtin:dark", "builtin:flat")
 _SLOT_ERROR_US = 10.0**-SLOT_DECIMALS
@@ -71,7 +74,7 @@ def shipped_runs() -> Mapping[str, Path]:
     installed = Path(__file__).with_name("shipped_runs")
     if installed.is_dir():
         return {name: installed / name for name in _SHIPPED}
-    runs = Path(__file__).resolve().parents[1] / "results" / "runs"
+    runs = Path(__file__).resolve().parents[1] / "results" / "shipped"
     return {name: runs / folder for name, folder in _SHIPPED.items()}
 
 

@@ -4,21 +4,23 @@ from __future__ import annotations
 
 import json
 from dataclasses import dataclass, replace
-from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
 import torch
 
 from nscc.diagnostics.rejection import rejected
-from nscc.files import reads
+from nscc.files import file_sha256, read_whole, reads
+from nscc.npy import check_size
+from nscc.target.load import load_target
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
+from nscc_training.encoders import Encoder
 from nscc_training.import_paths import is_import_path
-from nscc_training.loop.setup import Parts, make_parts
+from nscc_training.loop.setup import Parts, make_parts, started_encoder
 from nscc_training.problems import is_out_of_memory, said
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
-from nscc_training.run_files import run_path
+from nscc_training.run_files import CONFIG, run_path
 from nscc_training.settings import Settings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
@@ -78,12 +80,13 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     try:
         if (path / CODES_FILE).is_file():
             parts.encoder.load_codes(load_codes(path / CODES_FILE))
+        check_size((path / "decoder.safetensors").stat().st_size)
         parts.decoder.load_state_dict(load_file(str(path / "decoder.safetensors")))
-        split = json.loads((path / "split.json").read_text(encoding="utf-8"))
+        split = json.loads(read_whole(path / "split.json"))
         seen = frozenset(str(s["sha256"]) for part in split.values() for s in part)
-        result = dict(json.loads((path / "result.json").read_text(encoding="utf-8")))
+        result = dict(json.loads(read_whole(path / "result.json")))
         _check_whole(path, result)
-        program = (path / "shutter.nsl").read_text(encoding="utf-8")
+        program = read_whole(path / "shutter.nsl").decode()
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
         if is_out_of_memory(error):
             raise
@@ -94,6 +97,17 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
         raise _no_run(path, f"decoder.safetensors: {error}") from error
     parts.decoder.eval()
     return RunFolder(path, parts, program, seen, result)
+
+
+def run_codes(path: Path) -> Encoder:
+    """Return the shutters of a run without its weights; Rejected as `started_encoder`."""
+    settings = load_config(path / CONFIG)
+    chosen = replace(settings.shutter, init=str(path / CODES_FILE))
+    file = path / TARGET_FILE
+    if chosen.target.endswith(".toml") and file.is_file():
+        chosen = replace(chosen, target=str(file))
+    chip = Chip(chosen.target, chosen.slot_us, chosen.require or None)
+    return started_encoder(chosen, chip, load_target(chosen.target, Path()), 0)
 
 
 def _refuse_code(path: Path, settings: Settings) -> None:
@@ -130,7 +144,7 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
     }
     for name, digest in named.items():
         file = path / name
-        found = sha256(file.read_bytes()).hexdigest() if file.is_file() else None
+        found = file_sha256(file) if file.is_file() else None
         if found != digest:
             what = "is missing" if found is None else "is of another run"
             raise ValueError(f"{name} {what}: result.json has another digest of it")

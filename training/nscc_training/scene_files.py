@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from collections.abc import Collection, Iterable
+from glob import glob
 from pathlib import Path
 from typing import Any
 
@@ -12,32 +14,65 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
-from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_mat
+from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, clip_white, read_mat
 from nscc_runtime.scenes.clips import read_clip
-from nscc_runtime.scenes.colour import Transfer, linear, luminance
+from nscc_runtime.scenes.colour import Transfer, grey
 
+_PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
 CLIPS = (*clips.CLIPS, ".mat")
 """How names of clips end: films, and the arrays of the benchmark."""
 
 
 def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
-    """The files whose names end so, by name; none where there is no such folder."""
-    if not folder.is_dir():
-        return []
-    return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
+    """Return the files whose names end so, by name; none where there is no such folder.
+
+    `folder` may be several with + between them, have * for any name, and end in #K,L/N: of every N
+    files by name those of these places, from 0.
+    """
+    if folder.is_dir():
+        return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
+    found = []
+    for part in str(folder).split("+"):
+        picked = _PICKED.fullmatch(part)
+        names = [part] if picked is None else [picked[1]]
+        files = [
+            path for place in folders_of(names[0]) if place.is_dir()
+            for path in files_in(place, endings)
+        ]  # fmt: skip
+        places = None if picked is None else {int(place) for place in picked[2].split(",")}
+        found += [
+            path for k, path in enumerate(files)
+            if picked is None or places is None or k % int(picked[3]) in places
+        ]  # fmt: skip
+    return found
+
+
+def folders_of(text: str) -> list[Path]:
+    """Return the folders that such a text names."""
+    if Path(text).is_dir():
+        return [Path(text)]
+    names = (_PICKED.sub(r"\1", part) for part in text.split("+"))
+    return [
+        Path(folder) for name in names if name
+        for folder in (sorted(glob(name)) if "*" in name else [name])
+    ]  # fmt: skip
 
 
 def protocol_files(
-    folder: Path, endings: Collection[str], protocol: str, what: str, wanted: str
+    folder: Path, endings: Collection[str], what: str, wanted: str, protocol: str
 ) -> list[Path]:
-    """The same; Rejected (NS0811) where there are none of `what` a protocol is about."""
+    """Return the same; Rejected (NS0811) if there are none that a protocol is about."""
     found = files_in(folder, endings)
     if not found:
         raise rejected(
             "NS0811",
             f"'{folder}' holds no data for protocol {protocol}",
             notes=(
-                *(() if folder.is_dir() else ("there is no such folder",)),
+                *(
+                    ()
+                    if any(map(Path.is_dir, folders_of(str(folder))))
+                    else ("there is no such folder",)
+                ),
                 f"{what} {', '.join(endings)}",
             ),
             helps=(f"name a folder of {wanted}",),
@@ -47,16 +82,18 @@ def protocol_files(
 
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
     """The light of a stored picture or frame, (rows, cols), of colours their luminance."""
-    light = linear(stored, transfer)
-    return luminance(light) if light.ndim == 3 else light
+    return grey(stored, transfer, None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """The frames of a clip as they are stored, one after the other."""
+    """The frames of a clip as they are stored, one after the other; floats have 1 for white."""
     if path.suffix.lower() != ".mat":
         return read_clip(path)
     key, found = read_mat(path, lambda _shape: None)
-    return np.moveaxis(found, 2, 0) if key == MAT_CLIP_KEY else found
+    if key != MAT_CLIP_KEY:
+        return found
+    white = clip_white(found)
+    return np.moveaxis(found if white is None else found / white, 2, 0)
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:

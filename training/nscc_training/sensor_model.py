@@ -7,6 +7,7 @@ around has.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import inf
 from typing import Any, NamedTuple
 
 import torch
@@ -46,6 +47,13 @@ class SensorModel:
     slope: float = 0.1
     comparator_noise: float = 0.0
     comparator_offset: float = 0.0
+
+    def __post_init__(self) -> None:
+        """ValueError for numbers that no sensor has."""
+        for name in ("full_well_e", "electrons_per_lsb"):
+            value = getattr(self, name)
+            if not 0 < value < inf:
+                raise ValueError(f"{name} is {value:g}, and must be finite and above 0")
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
@@ -124,9 +132,10 @@ class _Masked(Function):
         to_light = grad.unsqueeze(1) * shutters if ctx.needs_input_grad[0] else None
         if not ctx.needs_input_grad[1]:
             return to_light, None
-        to_shutters = torch.zeros_like(shutters, dtype=light.dtype)
-        for lit, slope in zip(light, grad, strict=True):
-            to_shutters.addcmul_(lit, slope)
+        to_shutters = torch.empty_like(shutters, dtype=light.dtype)
+        for first in range(0, light.shape[1], _BLOCK):
+            part = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
+            to_shutters[first : first + _BLOCK] = part.sum(dim=0)
         return to_light, to_shutters.to(shutters.dtype)
 
 
@@ -155,9 +164,10 @@ def differentiable_capture(
     `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
     electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
     A tile of shutters is repeated over the array from its top left corner. With a `generator` the
-    sensor's noise is drawn from it, and the encoder's; without, there is none. Light that is not
-    finite gives a frame that is not. ValueError for arrays of other shapes.
+    sensor's noise is drawn from it, and the encoder's; without, there is none. ValueError for
+    arrays of other shapes, and for light that is complex, negative or not finite.
     """
+    check_light(light)
     with torch.autocast(light.device.type, enabled=False):
         if isinstance(codes, Encoder):
             shutters = shared_out(codes(generator), codes.spec.buckets)
@@ -166,6 +176,24 @@ def differentiable_capture(
         _check_shapes(light, shutters, slot_share)
         exposure = exposed(light.float(), shutters.to(light.device), slot_share)
         return Captured(exposure, read_out(exposure, sensor, generator))
+
+
+def check_light(light: Tensor) -> None:
+    """ValueError for values that cannot be light: complex, negative or not finite."""
+    if light.is_complex():
+        raise ValueError("light is complex; give its real values, electrons of each slot")
+    values = light.detach()
+    low, high = (float(v) for v in torch.aminmax(values)) if values.numel() else (0.0, 0.0)
+    if low >= 0 and high < inf:
+        return
+    finite = torch.isfinite(values)
+    count, negative = int((~finite).sum()), int((values < 0).sum())
+    raise ValueError(
+        f"{count} of {values.numel()} values of the light are not finite, {negative} are negative; "
+        f"{values.dtype} holds numbers up to {torch.finfo(values.dtype).max:g}"
+        if values.is_floating_point()
+        else f"{negative} of {values.numel()} values of the light are negative"
+    )
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:

@@ -107,6 +107,15 @@ class DecoderSettings:
         Flag(), "false keeps it as it begins; with `any`, codes are judged by what favours none",
         True,
     )  # fmt: skip
+    lessons: str = key(
+        Text(("", "denoise", "codes", "stills")),
+        "what `any` learns from pictures in [data] train: noisy clips, clips behind codes of every "
+        "class, stills behind stops; empty: captures through the run's own shutters", "",
+    )  # fmt: skip
+    films: float = key(Number(0, 1), "the part of lessons `codes` in linear light, as films", 0.0)
+    exact: float = key(Number(0, 1), "the part of the other lessons `codes` without noise", 0.5)
+    stages: int = key(Integer(1, 64), "stages of a lesson", 8)
+    through: int = key(Integer(1, 64), "stages that a gradient passes: an update after each", 4)
 
     @property
     def sized(self) -> str:
@@ -133,7 +142,9 @@ class DataSettings:
     """[data]: scenes. Training and validation never share one."""
 
     train: str = key(Text(), "a folder, procedural, or one's own as module:name", "procedural")
-    val: str = key(Text(), "the same; empty: every fifth file of `train`", "procedural")
+    val: str = key(
+        Text(), "the same; empty: every fifth file of `train`, or other procedural scenes", ""
+    )
     protocol: str = key(Text(NAMES), "stills (hdr-v1) or clips", "hdr-v1")
     transfer: str = key(
         Text(("", "linear", "srgb")), "curve of clips: linear or srgb; empty: as the protocol says",
@@ -182,7 +193,16 @@ class TrainSettings:
     dtype: str = key(
         Text(("f32", "bf16")), "of the decoder; the sensor's physics stays what it is", "f32"
     )
-    rate: float = key(Number(0, 10), "learning rate of the decoder (Adam)", 1e-3)
+    rate: float = key(Number(0, 10), "learning rate of the decoder", 1e-3)
+    optimizer: str = key(
+        Text(("adam", "muon")), "of the decoder; muon: for its inner convolutions, Adam elsewhere",
+        "adam",
+    )  # fmt: skip
+    average: float = key(
+        Number(0, 1), "decay of the decoder's moving average, which is what is kept; 0: none", 0.0
+    )
+    compile: bool = key(Flag(), "compile the decoder by torch.compile", False)
+    workers: int = key(Integer(0, 256), "processes that draw batches; 0: the run's own", 0)
     code_rate: float = key(
         Number(0, 10), "learning rate of the codes, as a part of their range", 1e-3
     )

@@ -46,8 +46,10 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
 
     `groups` names the scene of each value: the interval is a bootstrap over scenes, because
     crops of one scene are no independent draws, and there is none for a single scene. None where
-    there is no finite value.
+    there is no finite value. ValueError for NaN, which is not a score.
     """
+    if any(np.isnan(value) for value in values):
+        raise ValueError("NaN is not a score")
     finite = [(v, g) for v, g in zip(values, groups, strict=True) if np.isfinite(v)]
     moments = Moments()
     moments.add([v for v, _ in finite])
@@ -82,6 +84,8 @@ def paired(
     bootstrap over scenes.
     """
     common = sorted(set(first) & set(second))
+    if any(np.isnan(score) for score in (*first.values(), *second.values())):
+        raise ValueError("NaN is not a score")
     gains = [
         second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
         for k in common

@@ -8,6 +8,7 @@ from __future__ import annotations
 import csv
 import json
 from collections.abc import Callable
+from itertools import islice
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,15 +17,16 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.files import reads
+from nscc.files import read_whole, reads
+from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.formats import Content
 from nscc_runtime.formats.sheet import content_sheet
-from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes.clips import CLIPS, read_clip
-from nscc_runtime.scenes.picture_files import PICTURES, default_transfer, read_picture
+from nscc_runtime.scenes.picture_files import PICTURES, open_pages, transfer_of
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import light_in
 from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
@@ -32,8 +34,11 @@ from nscc_training.view_charts import result_sheet, run_sheet, sensor_sheet
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-ENDINGS = (".json", ".npz", ".toml", *PICTURES, *CLIPS)
 _MOST_FRAMES = 64
+_MOST_DRAWN_PIXELS = 1 << 22
+_MOST_FRAME_PIXELS = 1 << 20
+"""Of a frame of a clip, of which all are held at once."""
+_MOST_DRAWN_BYTES = 1 << 28
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
@@ -66,15 +71,18 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     if suffix == ".npz":
         return _of_arrays(path, tone)
     if suffix in PICTURES:
-        stored = read_picture(path)
-        linear = default_transfer(path) == "linear" or stored.dtype.kind == "f"
-        light = light_in(stored, "linear" if linear else "srgb")
+        pages = open_pages(path)
+        most = _MOST_DRAWN_PIXELS if pages.count == 1 else _MOST_FRAME_PIXELS
+        stored = [_reduced(page, most) for page in islice(pages.read(), _MOST_FRAMES)]
+        linear = transfer_of(path) == "linear" or stored[0].dtype.kind == "f"
+        clip = np.stack([light_in(page, "linear" if linear else "srgb") for page in stored])
+        light = clip if pages.count > 1 else clip[0]
         usual, unit = ("log", "e") if linear else ("srgb", "")
-        content = Content({}, light, tone=tone, usual=usual, unit=unit)
+        content = Content({}, light, moving=pages.count > 1, tone=tone, usual=usual, unit=unit)
         return png_of(content_sheet, content, path.name)
     if suffix in CLIPS:
-        frames = (frame for frame, _ in zip(read_clip(path), range(_MOST_FRAMES), strict=False))
-        clip = np.stack([light_in(frame, "srgb") for frame in frames])
+        frames = islice(read_clip(path), _MOST_FRAMES)
+        clip = np.stack([light_in(_reduced(frame, _MOST_FRAME_PIXELS), "srgb") for frame in frames])
         content = Content({}, clip, moving=True, tone=tone, usual="srgb", unit="")
         return png_of(content_sheet, content, path.name)
     raise _nothing_to_view(path, f"nothing that is viewed ends in '{suffix}'")
@@ -82,22 +90,21 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
     try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            held = file.files
-            arrays: dict[str, NDArray[Any]] = {
-                name: file[name] for name in held if name not in ("light", "shutter")
-            }
-        meta = json.loads(str(arrays["meta"])) if "meta" in arrays else {}
-    except Exception as error:  # numpy and zipfile raise a dozen types for damaged files
-        raise _nothing_to_view(path, f"{type(error).__name__}: {error}") from error
-    if isinstance(meta, dict) and meta.get("schema") == SCHEMA and "frame" in arrays:
-        for name in _FRAME_KEYS:
-            _check_array(path, arrays, name, (3, 4, 5), arrays["frame"].shape)
-        return png_of(frame_view, arrays, meta, path.name, tone)
+        _, held = npz_arrays(path, lambda _: False)
+        most_bytes = MOST_BYTES if "frame" in held else _MOST_DRAWN_BYTES
+        wanted = (*_FRAME_KEYS, "meta", "image", "video")
+        arrays, _ = npz_arrays(path, wanted.__contains__, most_bytes)
+        meta = frame_meta(arrays)
+        if meta is not None and "frame" in arrays:
+            checked_meta(arrays)
+            return png_of(frame_view, arrays, meta, path.name, tone)
+    except (InvalidArrays, OSError) as error:
+        raise _nothing_to_view(path, str(error)) from error
     for name in ("image", "video"):
         if name in arrays:
             _check_array(path, arrays, name, (2, 3) if name == "image" else (3, 4))
-            light, moving = arrays[name], name == "video"
+            moving = name == "video"
+            light = arrays[name] if moving else _reduced(arrays[name])
             colour = light.ndim == (4 if moving else 3)
             content = Content({}, light, moving, colour, tone=tone,
                               usual="srgb" if moving else "log")  # fmt: skip
@@ -106,16 +113,26 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
     raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {names}")
 
 
+def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
+    """A picture of at most `most` pixels, by means over areas: no sheet shows more of it."""
+    import cv2
+
+    rows, cols = picture.shape[:2]
+    share = (most / (rows * cols)) ** 0.5
+    if share >= 1:
+        return picture
+    kept = picture if picture.dtype in (np.uint8, np.uint16) else picture.astype(np.float32)
+    shape = max(1, int(cols * share)), max(1, int(rows * share))
+    return np.asarray(cv2.resize(kept, shape, interpolation=cv2.INTER_AREA))
+
+
 def _check_array(
-    path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...],
-    shape: tuple[int, ...] | None = None,
+    path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...]
 ) -> None:  # fmt: skip
-    """NS0801 where an array that is to be drawn is none of numbers, or of another shape."""
-    values = arrays.get(name)
-    if values is None:
-        return
+    """NS0801 where an array that is to be drawn holds no numbers, or has other axes."""
+    values = arrays[name]
     numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
-    if not numbers or values.shape != (shape or values.shape):
+    if not numbers:
         shown = " x ".join(map(str, values.shape)) or "a single value"
         raise _nothing_to_view(path, f"its array '{name}' is {shown} of {values.dtype}")
 
@@ -155,10 +172,9 @@ def frame_view(
 
 
 def _json(path: Path) -> dict[str, Any]:
-    reads(path)
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+        found = json.loads(read_whole(path))
+    except (OSError, ValueError, RecursionError) as error:
         raise _nothing_to_view(path, str(error)) from error
     if not isinstance(found, dict):
         raise _nothing_to_view(path, "it is no result of nscc")

@@ -89,7 +89,7 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
         if item.destination in (run.frame.flag, run.frame.masked):
             continue
         for start, place, segment in _earlier(run, k, loads, most):
-            for target in (item.destination, *run.free(start, item.destination)):
+            for target in (item.destination, *run.free(start, {item.destination})):
                 moved = replace(item, destination=target, place=place, segment=segment)
                 done = rewrite(run, start, (moved,), (k,), least=0)
                 if done is not None and _take(run, loads, done, boundary, most):

@@ -34,7 +34,8 @@ class Op:
     """destination := OR(sources), or NOR if `inverted`; sources in rising order, without doubles.
 
     `place` is the answer to which the operation belongs, OPENING or CLOSING, and `segment` its
-    segment there. `reads` is the set of sources as a bit mask.
+    segment there. `reads` is the set of registers, as a bit mask, whose content decides the result:
+    the sources and, of a masked operation, its mask and its destination.
     """
 
     inverted: bool
@@ -45,9 +46,9 @@ class Op:
     reads: int
 
     @property
-    def function(self) -> tuple[bool, int, int]:
+    def function(self) -> tuple[bool, int, tuple[int, ...]]:
         """What the operation does, wherever it stands."""
-        return self.inverted, self.destination, self.reads
+        return self.inverted, self.destination, self.sources
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,20 +66,12 @@ class Check:
 Item = Op | Check
 
 
-def op(inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int) -> Op:
-    """An operation; sources in any order."""
-    reads = 0
-    for source in sources:
-        reads |= 1 << source
-    return Op(inverted, destination, set_bits(reads), place, segment, reads)
-
-
 @dataclass(frozen=True)
 class Frame:
     """What does not change while a solution is improved: problem, registers, limits, first state.
 
-    `masked` is the plane that lives in the masked register, if one does: a write to it costs a word
-    more and destroys t0 (`mask`). `ends` is None for a whole frame, at whose end the planes must be
+    Operations that write `masked`, the register in the masked place if there is one, are masked:
+    they write where `mask` is 1. `ends` is None for a whole frame, at whose end the planes must be
     as they were; for a part of one, the registers (a bit mask) that are read after it.
     """
 
@@ -91,17 +84,13 @@ class Frame:
     everything: int
     start: tuple[Content, ...]
     masked: int | None
+    mask: int | None
     ends: int | None = None
 
     @property
     def flag(self) -> int:
         """The number of FLAG."""
         return self.planes + self.states + self.scratch
-
-    @property
-    def mask(self) -> int | None:
-        """The number of t0; None if there is no scratch."""
-        return self.planes + self.states if self.scratch else None
 
     @property
     def unscathed(self) -> int:
@@ -112,24 +101,38 @@ class Frame:
         """ICWs that an item takes."""
         if isinstance(item, Check):
             return 0
-        target = item.destination
-        in_place = target != self.flag and item.reads >> target & 1
-        return 1 + in_place + (target == self.masked)
+        return 1 + (item.destination != self.flag and item.destination in item.sources)
 
     def total(self, items: Sequence[Item]) -> int:
-        """ICWs of a frame, with those that refresh planes nobody writes."""
+        """ICWs of a frame, with those that refresh planes nobody writes, or in some pixels only."""
         left_alone = self.writes(items).count(0) if self.ends is None else 0
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
+    def op(
+        self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
+    ) -> Op:
+        """An operation; sources in any order."""
+        sources = tuple(sorted(set(sources)))
+        reads = sum(1 << source for source in sources)
+        if destination == self.masked and self.mask is not None:
+            reads |= 1 << destination | 1 << self.mask
+        return Op(inverted, destination, sources, place, segment, reads)
+
     def value(self, item: Op, state: Sequence[Content]) -> Content:
-        """What an operation writes in a state; None where a source is unknown."""
+        """What the destination holds after an operation in a state; None if that is unknown."""
         some = 0
         for source in item.sources:
             content = state[source]
             if content is None:
                 return None
             some |= content
-        return some ^ self.everything if item.inverted else some
+        result = some ^ self.everything if item.inverted else some
+        if item.destination != self.masked or self.mask is None:
+            return result
+        mask, kept = state[self.mask], state[item.destination]
+        if mask == self.everything:
+            return result
+        return None if mask is None or kept is None else result & mask | kept & ~mask
 
     def legal(self, item: Op) -> bool:
         """Whether the machine has a word, or a pair, for an operation."""
@@ -140,11 +143,11 @@ class Frame:
             if item.inverted or not count or (reads_flag and not self.machine.where_reads_flag):
                 return False
             return limit is None or count <= limit
-        if item.destination == self.masked and (self.mask is None or item.reads >> self.mask & 1):
+        if item.destination == self.masked and self.mask is None:
             return False
         limit = self.machine.or_sources
         # A register copied onto itself would be a refresh, which is none of the gates' business.
-        alone = count == 1 and item.reads >> item.destination & 1
+        alone = item.sources == (item.destination,)
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
     def apply(self, item: Item, state: list[Content]) -> None:
@@ -154,22 +157,14 @@ class Frame:
                 state[register] = None
             return
         state[item.destination] = self.value(item, state)
-        if item.destination == self.masked and self.mask is not None:
-            state[self.mask] = None
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """How often items write each plane."""
+        """How often items write each plane in every pixel."""
         times = [0] * self.planes
         for item in items:
             if isinstance(item, Op) and item.destination < self.planes:
-                times[item.destination] += 1
+                times[item.destination] += item.destination != self.masked
         return times
-
-    def quiet(self, writes: Sequence[int]) -> bool:
-        """Whether the masked register goes to the plane for which it is meant, if planes are
-        written so often."""
-        masked = self.masked
-        return masked is None or writes[masked] == 0 or quietest(writes) == masked
 
     def names(self) -> list[str]:
         """The names of all registers."""
@@ -178,14 +173,17 @@ class Frame:
 
 
 def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:
-    """A solution as items, with as much scratch as the machine leaves room for."""
+    """A solution as items, with as much scratch as the machine leaves room for.
+
+    Where its gates are not masked and yet write the masked register, SET of the mask precedes them.
+    """
     planes, states = len(solution.planes), solution.states
-    scratch, masked = _scratch(solution, machine)
+    scratch, masked, mask = _room(solution, machine)
     everything = problem.everything
     flag: Content = everything if solution.state_in_flag else None
     frame = Frame(
         solution, problem, machine, planes, states, scratch, everything,
-        (*solution.planes, *[None] * (states + scratch), flag), masked,
+        (*solution.planes, *[None] * (states + scratch), flag), masked, mask,
     )  # fmt: skip
     number = {name: i for i, name in enumerate(frame.names())}
     items: list[Item] = []
@@ -194,8 +192,11 @@ def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Fra
         for index, segment in enumerate(segments):
             for gate in segment:
                 inverted = gate.name in ("NOR", "NOT", "SET")
-                sources = (number[name] for name in gate.sources)
-                items.append(op(inverted, number[gate.destination], sources, place, index))
+                sources = [number[name] for name in gate.sources]
+                target = number[gate.destination]
+                if target == masked and gate.mask is None and mask is not None:
+                    items.append(frame.op(True, mask, (), place, index))
+                items.append(frame.op(inverted, target, sources, place, index))
 
     add(solution.opening, OPENING)
     items.append(Check(None, _forgotten(frame, 0), OPENING))
@@ -206,19 +207,26 @@ def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Fra
     return frame, items
 
 
-def _scratch(solution: Solution, machine: Machine) -> tuple[int, int | None]:
-    """How many scratch registers there may be, and the plane in the masked register if any."""
+def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | None]:
+    """How many scratch registers there may be; the registers in the masked place and in its mask,
+    by number, if any."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     room = machine.registers - planes - states
+    mask = planes + states if scratch else None
+    pair = solution.masked_pair()
+    if pair is not None:
+        first = {"p": 0, "s": planes, "t": planes + states}
+        masked, mask = (first[name[0]] + int(name[1:]) for name in pair)
+        return room, masked, mask
     if not machine.masked or not planes:
-        return max(scratch, room - (machine.masked and not planes)), None
+        return max(scratch, room - (machine.masked and not planes)), None, None
     writes = solution.writes()
     quiet = quietest(writes)
     # Where all registers are taken, or a plane is never written, the masked register holds a plane
-    # and every other one is free; else it stays empty, as every write to it destroys its mask.
+    # and every other one is free; else it stays empty.
     if scratch == room or (writes[quiet] == 0 and room > 0):
-        return room, quiet
-    return max(scratch, room - 1), None
+        return room, quiet, planes + states if room else None
+    return max(scratch, room - 1), None, None
 
 
 def _forgotten(frame: Frame, coming: int) -> int:
@@ -227,7 +235,7 @@ def _forgotten(frame: Frame, coming: int) -> int:
     forgets = 0
     if frame.solution.state_in_flag:
         # Analog words meanwhile may keep FLAG in t0.
-        forgets |= 1 << frame.mask if frame.mask is not None else 0
+        forgets |= (frame.scratch > 0) << frame.planes + frame.states
     elif coming == len(demands) or not demands[coming].flag_kept:
         forgets |= 1 << frame.flag
     # Only planes and states are refreshed in a frame that is longer than memory lasts.
@@ -252,7 +260,7 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
         last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
             segments.append([])
-        segments[max(last, item.segment)].append(_gate(item, names, frame.flag))
+        segments[max(last, item.segment)].append(_gate(item, names, frame))
         used |= item.reads | 1 << item.destination
     spare = used >> (frame.planes + frame.states) & ((1 << frame.scratch) - 1)
     return replace(
@@ -268,12 +276,14 @@ def _kept(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
     return tuple(tuple(segment) for segment in segments if segment)
 
 
-def _gate(item: Op, names: Sequence[str], flag: int) -> Gate:
+def _gate(item: Op, names: Sequence[str], frame: Frame) -> Gate:
     sources = tuple(names[i] for i in item.sources)
-    if item.destination == flag:
+    if item.destination == frame.flag:
         return Gate("WHERE", "FLAG", sources)
     kinds = ("SET", "NOT", "NOR") if item.inverted else ("CLR", "MOV", "OR")
-    return Gate(kinds[min(len(sources), 2)], names[item.destination], sources)
+    masked = item.destination == frame.masked
+    mask = names[frame.mask] if masked and frame.mask is not None else None
+    return Gate(kinds[min(len(sources), 2)], names[item.destination], sources, mask)
 
 
 def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ...]]:
@@ -295,6 +305,4 @@ def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ..
         return found
     if state[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
-    if not frame.quiet(frame.writes(items)):
-        raise Illegal("another plane would get the masked register")
     return found

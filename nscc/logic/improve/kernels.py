@@ -8,7 +8,6 @@ that is right for these is right in every place, and all passes work on it uncha
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import suppress
 from dataclasses import replace
 from itertools import chain
 
@@ -36,14 +35,9 @@ def improve_kernels(
         new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
-        tried = list(parts)
         for tokens in block:
             start, end = tokens[0].start, tokens[-1].end
-            tried[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
-        # Right in every place by itself, but the masked register's plane may be another one now.
-        with suppress(Illegal):
-            Run(frame, list(chain.from_iterable(tried)), budget)
-            parts = tried
+            parts[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
     return list(chain.from_iterable(parts))
 
 

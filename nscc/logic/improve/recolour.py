@@ -12,10 +12,11 @@ or a value may not be everywhere; what is chosen among the free ones decides the
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op, op
+from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op
 from nscc.truth import set_bits
 
 
@@ -24,13 +25,15 @@ class _Value:
     """What one operation writes, or what a register holds at the start.
 
     `last` is the last item that reads it; `home` the register in which it is needed at the end.
-    `banned` are the registers (a bit mask) in which it would be lost meanwhile.
+    `banned` are the registers (a bit mask) in which it would be lost meanwhile, or in the way of a
+    value that `masks` writes and so must be in the mask's register.
     """
 
     first: int
     last: int
     home: int = -1
     banned: int = 0
+    masks: bool = False
     sources: tuple[int, ...] = ()
 
 
@@ -41,18 +44,14 @@ def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[It
     (a bit mask).
     """
     values, written = _values(frame, items)
+    masks = [value for value in values if value.masks]
+    ends = [value.last for value in masks]
     for value in values:
         value.banned |= without
-    if frame.masked is not None and frame.mask is not None:
-        # A write to the masked register destroys its mask.
-        writes = [
-            k
-            for k, item in enumerate(items)
-            if isinstance(item, Op) and item.destination == frame.masked
-        ]
-        for value in values:
-            if any(value.first < k <= value.last for k in writes):
-                value.banned |= 1 << frame.mask
+        following = bisect_right(ends, value.first)
+        in_the_way = following < len(masks) and masks[following].first < value.last
+        if frame.mask is not None and in_the_way and not value.masks:
+            value.banned |= 1 << frame.mask
     return _Painter(frame, items, values, written).paint()
 
 
@@ -67,8 +66,10 @@ def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int
             if item.need is not None:
                 values[holds[frame.flag]].last = k
             continue
-        for register in item.sources:
+        for register in set_bits(item.reads):
             values[holds[register]].last = k
+        if item.destination == frame.masked and frame.mask is not None:
+            values[holds[frame.mask]].masks = True
         sources = tuple(holds[register] for register in item.sources)
         holds[item.destination] = len(values)
         written.append(len(values))
@@ -104,6 +105,7 @@ class _Painter:
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
         # Which value a register holds; the first ones that nobody reads do not count.
         self.holds: list[int] = list(range(frame.flag))
+        self.masks_from = {value.first for value in values if value.masks}
         # Where the value is written that must be in a register at the end.
         self.homing = [-1] * frame.flag
         for value in values:
@@ -130,18 +132,22 @@ class _Painter:
                 self.holds[target] = number
             self.place[number] = target
             if not _copies(item) or sources != [target]:
-                out.append(op(item.inverted, target, sources, item.place, item.segment))
+                out.append(self.frame.op(item.inverted, target, sources, item.place, item.segment))
         return self._bring_home(out)
 
     def _choose(self, k: int, item: Op, value: _Value, sources: Sequence[int]) -> int | None:
-        masked = self.frame.masked
+        masked, mask = self.frame.masked, self.frame.mask
         if item.destination == masked:
             return masked
+        if value.masks and mask is not None:
+            return None if value.banned >> mask & 1 else mask
 
         def price(register: int) -> tuple[int, bool, bool, int]:
             in_place = int(register in sources)
             if in_place and _copies(item):
                 in_place = -1  # nothing to do at all
+            # What a mask is made from would be read in place if it were in the mask's register.
+            in_place += register == mask and value.last in self.masks_from
             away = value.home >= 0 and register != value.home
             # A value in the way when a plane comes home makes that plane go elsewhere first.
             plane = register < self.frame.planes
@@ -192,7 +198,7 @@ class _Painter:
         )
 
         def copy(target: int, source: int) -> None:
-            out.append(op(False, target, (source,), CLOSING, segment))
+            out.append(frame.op(False, target, (source,), CLOSING, segment))
 
         waits = nx.DiGraph()
         waits.add_nodes_from(astray)

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from nscc.logic.improve.code import Check, Content, Item, Op, op
+from nscc.logic.improve.code import Check, Content, Item, Op
 from nscc.logic.improve.covers import gate, inner
 from nscc.logic.improve.run import HORIZON, Run
 
@@ -92,14 +92,13 @@ class _Walk:
             k += 1
         run.budget.spend((k - self.start) * run.step // 4)
         gain = self.gain - run.refresh(items[self.start : k], self.out)
-        if gain < self.least or run.disquiets(items[self.start : k], self.out):
+        if gain < self.least:
             return None
         return Rewrite(self.start, k, self.out, gain)
 
     def _compare(self, reference: Sequence[Content], register: int) -> None:
         """Brings `changed` up to date where `register` (-1: any) may have been written."""
-        mask = self.frame.mask
-        if register < 0 or (register == self.frame.masked and mask is not None):
+        if register < 0:
             self.changed = 0
             for i, content in enumerate(self.state):
                 if content != reference[i]:
@@ -120,8 +119,6 @@ class _Walk:
     def _store(self, item: Op, value: Content) -> None:
         self.out.append(item)
         self.state[item.destination] = value
-        if item.destination == self.frame.masked and self.frame.mask is not None:
-            self.state[self.frame.mask] = None
 
     def _follow(self, k: int, item: Op) -> bool:
         """Operation k in the present state: as it is, dropped or repaired."""
@@ -162,12 +159,26 @@ class _Walk:
         banned = -1
         if target == frame.flag and not frame.machine.where_reads_flag:
             banned = frame.flag
-        elif target == frame.masked and frame.mask is not None:
-            banned = frame.mask
         return [r for r in self.order if self.state[r] is not None and r != banned]
+
+    def _written(self, target: int, one: int, zero: int) -> tuple[int, int] | None:
+        """What a gate must write into `target` for (one, zero) to stand there; None if a mask keeps
+        it from doing so."""
+        frame = self.frame
+        if target != frame.masked or frame.mask is None:
+            return one, zero
+        mask, kept = self.state[frame.mask], self.state[target]
+        if mask is None or (kept is None and mask != frame.everything):
+            return None
+        wrong = ((kept or 0) & zero | ~(kept or 0) & one) & ~mask
+        return None if wrong else (one & mask, zero & mask)
 
     def _single(self, item: Op, one: int, zero: int, *, in_place: bool) -> Op | None:
         frame, target = self.frame, item.destination
+        written = self._written(target, one, zero)
+        if written is None:
+            return None
+        one, zero = written
         readable = self._readable(target)
         if target == frame.flag:
             if in_place:
@@ -180,7 +191,7 @@ class _Walk:
             found = gate(one, zero, self.state, readable, frame.machine.or_sources)
         if found is None:
             return None
-        new = op(found[0], target, found[1], item.place, item.segment)
+        new = frame.op(found[0], target, found[1], item.place, item.segment)
         return new if frame.legal(new) else None
 
     def _double(self, k: int, item: Op, one: int, zero: int) -> bool:
@@ -188,13 +199,17 @@ class _Walk:
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]
-        for _, one_, zero_ in inner(one, zero, self.state, readable, kinds):
-            for spare in self.run.free(k + 1, target):
+        written = self._written(target, one, zero)
+        if written is None:
+            return False
+        busy = {target, frame.mask} if target == frame.masked else {target}
+        for _, one_, zero_ in inner(*written, self.state, readable, kinds):
+            for spare in self.run.free(k + 1, busy):
                 sources = [r for r in self._readable(spare) if r != spare]
                 found = gate(one_, zero_, self.state, sources, frame.machine.or_sources)
                 if found is None:
                     continue
-                new = op(found[0], spare, found[1], item.place, item.segment)
+                new = frame.op(found[0], spare, found[1], item.place, item.segment)
                 value = frame.value(new, self.state)
                 held = self.state[spare]
                 self.state[spare] = value

@@ -9,7 +9,7 @@ is exact, as a shutter's bits never mix with another's.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import REFRESH_WORDS, Check, Frame, Item, states_before
@@ -54,11 +54,10 @@ class Run:
             known = self._cares[k] = self._follow(k)
         return known[0]
 
-    def free(self, k: int, besides: int) -> list[int]:
-        """Digital registers but the masked one, and `besides`, that nobody reads from item k on."""
-        taken = self.live[k] | 1 << besides
-        flag, masked = self.frame.flag, self.frame.masked
-        return [r for r in range(flag) if r != masked and not taken >> r & 1]
+    def free(self, k: int, besides: Collection[int | None]) -> list[int]:
+        """Digital registers that nobody reads from item k on: no masked one, none of `besides`."""
+        taken = (*besides, self.frame.masked)
+        return [r for r in range(self.frame.flag) if r not in taken and not self.live[k] >> r & 1]
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
         """Words more that refresh costs where `new` replaces `old`."""
@@ -66,12 +65,6 @@ class Run:
             return 0
         after = self._after(old, new)
         return REFRESH_WORDS * (after.count(0) - self._writes.count(0))
-
-    def disquiets(self, old: Sequence[Item], new: Sequence[Item]) -> bool:
-        """Whether another plane would get the masked register if `new` replaced `old`."""
-        if self.frame.masked is None or self.frame.ends is not None:
-            return False
-        return not self.frame.quiet(self._after(old, new))
 
     def _after(self, old: Sequence[Item], new: Sequence[Item]) -> list[int]:
         """How often each plane is written once `new` has replaced `old`."""
@@ -166,6 +159,12 @@ class Run:
                     some |= content  # type: ignore[operator]
                 if item.inverted:
                     some ^= everything
+                if item.destination == frame.masked:
+                    mask, kept = (
+                        other[r] if r in other else state[r]  # type: ignore[index]
+                        for r in (frame.mask, frame.masked)
+                    )
+                    some = some & mask | (kept or 0) & ~mask  # type: ignore[operator]
                 if some == before[at + 1][item.destination]:
                     other.pop(item.destination, None)
                     touched &= ~(1 << item.destination)

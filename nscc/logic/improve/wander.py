@@ -13,7 +13,7 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from nscc.logic.improve.code import Check, Op, op
+from nscc.logic.improve.code import Check, Op
 from nscc.logic.improve.rewrite import Rewrite, rewrite
 from nscc.logic.improve.run import Run
 
@@ -59,7 +59,7 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
             return None
         if target == item.destination or run.frame.masked in (target, item.destination):
             return None
-        lead = (op(item.inverted, target, item.sources, item.place, item.segment),)
+        lead = (run.frame.op(item.inverted, target, item.sources, item.place, item.segment),)
     elif kind == 6:
         start = _earlier(run, k, choose)
         if start == k:
@@ -73,7 +73,7 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
             return None
         known = [r for r in order if run.before[k][r] is not None]
         sources = known[: choose.randrange(1, 4)]
-        lead = (op(True, target, sources, item.place, item.segment),)
+        lead = (run.frame.op(True, target, sources, item.place, item.segment),)
         dropped = _near(run, k)
         choose.shuffle(dropped)
         dropped = dropped[: choose.randrange(1, 3)]

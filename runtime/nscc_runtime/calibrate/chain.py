@@ -2,14 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 from nscc.words.container import Container
-
-if TYPE_CHECKING:
-    from nscc_runtime.reference.weights import Weights
 
 
 @dataclass(frozen=True)
@@ -41,8 +36,6 @@ class Chain:
         if container.pixel_codes is not None:
             lanes = np.unique(container.table.shutter_of_code[container.pixel_codes])
 
-        def squared(parts: Mapping[int, Weights]) -> float:
-            return float(sum((part[lanes, 0] ** 2).mean() for part in parts.values()))
-
-        total = sum(part[lanes, 0].mean() for part in weights.errors.values())
-        return cls(squared(weights.reads), squared(weights.resets), float(total))
+        reads, resets = weights.squared("reads"), weights.squared("resets")
+        sums = (reads, resets, weights.error_sum)
+        return cls(*(float(each[lanes, 0].mean()) for each in sums))

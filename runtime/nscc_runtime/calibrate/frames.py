@@ -23,9 +23,11 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc_runtime.frame_file import SCHEMA
+from nscc.npy import npz_arrays
+from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.scenes.arrays import NPY_HEADERS
 from nscc_runtime.scenes.errors import size
+from nscc_runtime.scenes.mat_files import mat_arrays, mat_shapes
 
 Codes = NDArray[np.uint16]
 
@@ -73,7 +75,7 @@ def load_stack(given: str, top_code: int) -> Stack:
     if path.suffix.lower() in (".npz", ".npy", ".mat") and path.is_file():
         found = _arrays(path)
         key, values = _chosen(name, found)
-        meta = _meta(found)
+        meta = frame_meta(found)
         if meta is not None:
             values, from_meta = _ours(name, values, meta)
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
@@ -146,12 +148,9 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
     reads(path)
     try:
         if path.suffix.lower() == ".mat":
-            from scipy.io import loadmat, whosmat
-
-            for key, shape, _ in whosmat(path):
+            for key, shape in mat_shapes(path).items():
                 _check_size(path, key, shape, shape[:2], 1)
-            found = loadmat(path)
-            return {key: value for key, value in found.items() if isinstance(value, np.ndarray)}
+            return mat_arrays(path)
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
                 _check_header(path, KEYS[0], file)
@@ -163,7 +162,10 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
             for key in sorted(names):
                 with archive.zip.open(f"{key}.npy") as entry:
                     _check_header(path, key, entry)
-            return {key: archive[key] for key in sorted(names)}
+        found, _ = npz_arrays(path, names.__contains__)
+        if frame_meta(found) is not None:
+            checked_meta(found)
+        return found
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
@@ -216,17 +218,6 @@ def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[
     )
 
 
-def _meta(found: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
-    """The `meta` of a frame file of our own; None for other files."""
-    if "meta" not in found or found["meta"].dtype.kind != "U":
-        return None
-    try:
-        meta = json.loads(str(found["meta"]))
-    except ValueError:
-        return None
-    return meta if isinstance(meta, dict) and meta.get("schema") == SCHEMA else None
-
-
 def _ours(
     name: str, values: NDArray[Any], meta: Mapping[str, Any]
 ) -> tuple[NDArray[Any], float | None]:
@@ -264,9 +255,10 @@ def _pictures(path: Path) -> NDArray[Any]:
     from nscc_runtime.scenes import picture_files
 
     if path.is_dir():
-        found = list(picture_files.read_folder(picture_files.files_of(path)))
+        # Frames of one kind have no order: a gap in their numbers is none in time.
+        found = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
     elif path.suffix.lower() in picture_files.PICTURES:
-        found = [picture_files.read_picture(path)]
+        found = list(picture_files.open_pages(path).read())
     else:
         raise _no_frames(
             f"'{path}' does not end like frames",

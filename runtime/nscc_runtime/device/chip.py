@@ -1,4 +1,4 @@
-"""A device as an `Exposer`: what runs a program on a chip behind a port."""
+"""A device that runs a program on a chip behind a port."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ class Shot:
 
 
 class Chip:
-    """The loader behind an open link: an `nscc_runtime.interface.Exposer`.
+    """The loader behind an open link.
 
     `sensor` says what a code is in electrons (None: the target's figures), where the loader hands
     out codes only. All raise Rejected, status 3, where the device fails.

@@ -11,7 +11,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 
 _TIME = re.compile(r"(\d+(?:\.\d+)?)(us|ms|s)")
 _UNITS = {"us": 1e-6, "ms": 1e-3, "s": 1.0}
@@ -53,9 +53,7 @@ def parse_faults(text: str) -> Faults:
     for part in text.split(","):
         name, _, value = (piece.strip() for piece in part.partition("="))
         if name not in NAMES:
-            near = closest(name, NAMES)
-            helps = (f"did you mean '{near}'?",) if near else ()
-            raise _wrong(f"'{name[:40]}' is no fault", *helps)
+            raise _wrong(f"'{name[:40]}' is no fault", *meant(name, NAMES))
         if NAMES[name] in values:
             raise _wrong(f"'{name}' is given twice")
         values[NAMES[name]] = _value(name, value)

@@ -10,8 +10,7 @@ import os
 import shutil
 import subprocess
 import tempfile
-from atexit import register
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future
 from contextlib import suppress
 from functools import partial
@@ -21,37 +20,35 @@ from select import select
 from struct import Struct
 from typing import TYPE_CHECKING, NamedTuple, Self
 
-from nscc.cache.store import cache_folder
-from nscc.words.container import Launch
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.board import in_background
-from nscc_runtime.device.objects import RUN, WORD
-from nscc_runtime.device.parsing import container_of
+from nscc_runtime.device.kept_loaders import cached_folder, is_whole, keep, passing_folder
+from nscc_runtime.device.recording import Job, Recording
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
     from nscc.target.target import Target
-    from nscc.words.container import Container
     from nscc_runtime.device.board import EmulatedChip, Executed
 
-PYTHON_NAME = "nscc-loader 2 (Python)"
-SOURCES = Path(__file__).resolve().parents[2] / "firmware"
+_PACKAGE = Path(__file__).resolve().parents[1]
+_INSTALLED = _PACKAGE / "firmware_files"
+SOURCES = _INSTALLED if _INSTALLED.is_dir() else _PACKAGE.parent / "firmware"
 WARNINGS = ("-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-pedantic")
 CORE_FLAGS = ("-std=c++17", "-fno-exceptions", "-fno-rtti")
 
 _PORT = b"P"
 _RECORD = Struct("<BI")
-_JOB = Struct("<IIII")
-_READOUT = Struct("<Id")
-_EVENT = Struct("<Ii")
 _RESULT = Struct("<IB")
-_LIGHT_FALLS = 0xFFFF_FFFF
-_IN_IS_SET = 0xFFFF_FFFE
 _MOST_READ = 1 << 16
 _START_S = 10.0
 
 
 class NotBuilt(Exception):
     """The firmware cannot be compiled here: why."""
+
+
+class NotStarted(NotBuilt):
+    """The firmware is compiled and does not start: why."""
 
 
 class Built(NamedTuple):
@@ -97,27 +94,22 @@ def compiled(
         raise NotBuilt(str(reason)) from None
     texts = [path.read_bytes() for path in sorted(SOURCES.glob("*/*.[chl][pd]*"))]
     key = sha256(b"\0".join([header.encode(), " ".join(command).encode(), *texts]))
-    place = (folder or _kept()) / f"loader-{key.hexdigest()[:32]}"
-    if not place.exists():
+    name = f"loader-{key.hexdigest()[:32]}"
+    place = (folder or cached_folder()) / name
+    if not is_whole(place):
         includes = [f"-I{SOURCES / part}" for part in parts]
-        _compile([*command, *includes, *map(str, sources)], header, place)
+        image = _compile([*command, *includes, *map(str, sources)], header)
+        try:
+            keep(place, image)
+        except Rejected as reason:
+            if folder is not None:
+                raise NotBuilt(reason.diagnostics[0].message) from None
+            place = passing_folder() / name  # a full or damaged cache does not stop the loader
+            keep(place, image)
     return place
 
 
-def _kept() -> Path:
-    cache = cache_folder()
-    if cache is not None:
-        folder = cache / "firmware"
-        with suppress(OSError):
-            folder.mkdir(parents=True, exist_ok=True)
-            if os.access(folder, os.W_OK):
-                return folder
-    passing = tempfile.mkdtemp(prefix="nscc-firmware-")
-    register(shutil.rmtree, passing, ignore_errors=True)
-    return Path(passing)
-
-
-def _compile(command: list[str], header: str, place: Path) -> None:
+def _compile(command: list[str], header: str) -> bytes:
     with tempfile.TemporaryDirectory(prefix="nscc-firmware-") as name:
         folder = Path(name)
         (folder / "target.hpp").write_text(header)
@@ -127,97 +119,7 @@ def _compile(command: list[str], header: str, place: Path) -> None:
         if done.returncode:
             lines = done.stderr.strip().splitlines() or [command[0]]
             raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
-        beside = place.with_name(f".{place.name}.{os.getpid()}")
-        try:
-            shutil.copy2(out, beside)
-            os.replace(beside, place)
-        except OSError as error:
-            raise NotBuilt(f"cannot write '{place}': {error.strerror}") from None
-
-
-class Recording:
-    """What a loader does with its board, told record by record (`emulated/records.hpp`)."""
-
-    def __init__(self, target: Target) -> None:
-        self.target = target
-        self._forget()
-
-    def _forget(self) -> None:
-        self._planes: dict[int, bytes] = {}
-        self._latest: Job | None = None
-        self._words = self._runs = b""
-        self._events: list[tuple[int, int]] = []
-
-    def take(self, kind: bytes, data: bytes) -> Job | None:
-        """Follow the loader; a job where a frame is to be exposed."""
-        match kind:
-            case b"F":
-                self._forget()
-            case b"D":
-                self._planes[data[0]] = data[1:]
-            case b"W":
-                self._words = data
-            case b"S":
-                self._runs = data
-            case b"N":
-                self._events = []
-            case b"E":
-                self._events.append(_EVENT.unpack(data))
-            case b"J":
-                number, channels, readouts, states = _JOB.unpack_from(data)
-                split = _JOB.size + readouts * _READOUT.size
-                self._latest = Job(
-                    number,
-                    channels,
-                    self._container(
-                        list(_READOUT.iter_unpack(data[_JOB.size : split])),
-                        list(data[split : split + states]),
-                    ),
-                )
-                return self._latest
-            case _:
-                raise ValueError(f"a record of kind {kind!r}")
-        return None
-
-    def keep(self, job: Job, planes: Mapping[str, bytes]) -> None:
-        """What a frame left in code registers: the next one of the same program begins with it."""
-        if job is self._latest:
-            names = self.target.digital_registers
-            self._planes = {names.index(name): plane for name, plane in planes.items()}
-
-    def _container(self, readouts: Sequence[tuple[int, float]], states: Sequence[int]) -> Container:
-        numbers: dict[tuple[int, int], int] = {}
-        launches: list[Launch] = []
-        boundary, level = 0, None
-        for what, count in self._events:
-            if what == _LIGHT_FALLS:
-                boundary += count
-            elif what == _IN_IS_SET:
-                level = count
-            else:
-                kernel = numbers.setdefault((what, count), len(numbers))
-                launches.append(Launch(boundary, kernel, level))
-                level = None
-        return container_of(
-            self.target,
-            readouts=readouts,
-            kernels=[
-                tuple(WORD.iter_unpack(self._words[first : first + count * WORD.size]))
-                for first, count in numbers
-            ],
-            launches=launches,
-            runs=list(RUN.iter_unpack(self._runs)),
-            states=states,
-            planes=self._planes,
-        )
-
-
-class Job(NamedTuple):
-    """A frame that a loader wants of its board."""
-
-    number: int
-    channels: int
-    container: Container
+        return out.read_bytes()
 
 
 class Firmware:
@@ -359,8 +261,13 @@ class Process(Running):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
-        super().__init__([str(loader.path), "--pty"], loader.target, chip)
-        self.port = self._named()
+        try:
+            super().__init__([str(loader.path), "--pty"], loader.target, chip)
+            self.port = self._named()
+        except (OSError, RuntimeError) as error:
+            if hasattr(self, "_out"):
+                self.close()
+            raise NotStarted(f"it does not start: {error}") from None
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:

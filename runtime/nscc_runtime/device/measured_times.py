@@ -86,8 +86,7 @@ def measured(link: Link, target: Target) -> Times:
         raise rejected(
             "NS0723",
             f"words take no time on the device at '{link.path[:200]}': it has no pixels of its own",
-            "measure a chip; `nscc device serve --loader firmware` stands in for one, with the "
-            "times of its target",
+            "measure a chip; `nscc device serve` stands in for one, with the times of its target",
         )
     return Times(
         round((plain.lasted_us - once) / (LAUNCHES - 1) - analog_us, 4),

@@ -17,7 +17,6 @@ from nscc_runtime.device.firmware import (
     SOURCES,
     WARNINGS,
     Built,
-    Job,
     NotBuilt,
     Running,
     compiled,
@@ -26,6 +25,7 @@ from nscc_runtime.device.firmware import (
 if TYPE_CHECKING:
     from nscc.target.target import Target
     from nscc_runtime.device.board import EmulatedChip
+    from nscc_runtime.device.recording import Job
 
 Core = Literal["m0", "m4"]
 COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"

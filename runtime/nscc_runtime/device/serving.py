@@ -27,7 +27,7 @@ _MOST_TRIES = 64
 
 
 class Loaded(Protocol):
-    """A loader: `nscc_runtime.device.loader.Loader` or the firmware's core."""
+    """A loader: the firmware's core, on this machine or an emulated one."""
 
     @property
     def busy(self) -> bool:

@@ -7,18 +7,17 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal
 
-from nscc.diagnostics.diagnostic import Diagnostic
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.target.target import Target
 from nscc_runtime.device import firmware, qemu
-from nscc_runtime.device.board import BackgroundChip, EmulatedChip
+from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.faults import Faults
-from nscc_runtime.device.loader import Loader
 from nscc_runtime.device.serving import Loaded, Server
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
-LoaderName = Literal["auto", "firmware", "python", "qemu", "qemu-m0"]
+Machine = Literal["host", "qemu", "qemu-m0"]
 
 
 def emulated_chip(
@@ -66,50 +65,54 @@ def serve(
 
 @contextmanager
 def loaded(
-    choice: LoaderName, target: Target, chip: EmulatedChip, say: Callable[[str], None]
+    machine: Machine, target: Target, chip: EmulatedChip, say: Callable[[str], None]
 ) -> Iterator[Loaded]:
-    """The loader that was chosen: the firmware in a process of its own, or its Python twin.
+    """The firmware, compiled for a machine and running on it in a process of its own.
 
-    `auto` is the firmware where there is a C++ compiler; `qemu` and `qemu-m0` are the firmware on
-    an emulated Cortex-M4 and Cortex-M0. `say` is told what became of it.
-    NS0772 (status 2) where the firmware is asked for and cannot be compiled.
+    `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is told what runs. Raises
+    Rejected (NS0772, status 2) where the firmware cannot be compiled or does not start.
     """
-    if choice in ("qemu", "qemu-m0"):
-        core: qemu.Core = "m0" if choice == "qemu-m0" else "m4"
-        try:
-            with qemu.Emulated(qemu.built(target, core), chip, core) as board:
-                say(f"loader: the firmware on a Cortex-{core.upper()}, emulated by {qemu.EMULATOR}")
-                yield board
-        except firmware.NotBuilt as reason:
-            raise rejected(
-                "NS0772",
-                f"the firmware cannot be run on an emulated microcontroller: {reason}",
-                helps=(
-                    "install both programs, on Debian and Ubuntu with `apt-get install "
-                    "gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm`",
-                    "or serve the firmware on this machine: leave --on out",
-                ),
-            ) from None
-        return
-    why = "as asked for"
-    if choice != "python":
-        try:
+    try:
+        if machine == "host":
             built = firmware.built(target)
-        except firmware.NotBuilt as reason:
-            if choice == "firmware":
-                raise rejected(
-                    "NS0772",
-                    f"the firmware cannot be compiled for this machine: {reason}",
-                    helps=(
-                        "install a C++17 compiler (g++ or clang++; CXX names another)",
-                        "or serve its Python twin: --loader python",
-                    ),
-                ) from None
-            why = str(reason)
-        else:
             with firmware.Process(built, chip) as process:
                 say(f"loader: the firmware, compiled by {built.compiler}")
                 yield process
-            return
-    say(f"loader: the Python twin of the firmware ({why})")
-    yield Loader(target, BackgroundChip(chip), firmware.PYTHON_NAME)
+        else:
+            core: qemu.Core = "m0" if machine == "qemu-m0" else "m4"
+            with qemu.Emulated(qemu.built(target, core), chip, core) as board:
+                say(f"loader: the firmware on a Cortex-{core.upper()}, emulated by {qemu.EMULATOR}")
+                yield board
+    except firmware.NotBuilt as reason:
+        raise _not_built(machine, reason) from None
+
+
+def _not_built(machine: Machine, reason: firmware.NotBuilt) -> Rejected:
+    if isinstance(reason, firmware.NotStarted):
+        return rejected(
+            "NS0772",
+            f"the firmware cannot be run on this machine: {reason}",
+            helps=(
+                "CXX names another compiler, for instance CXX=clang++",
+                "see that programs in the cache folder (NSCC_CACHE_DIR) may be executed",
+            ),
+        )
+    if machine == "host":
+        return rejected(
+            "NS0772",
+            f"the firmware cannot be compiled for this machine: {reason}",
+            helps=(
+                "install a C++17 compiler, on Debian and Ubuntu with `apt-get install g++`, on "
+                "macOS with `xcode-select --install`",
+                "CXX names a compiler that is neither g++ nor clang++",
+            ),
+        )
+    return rejected(
+        "NS0772",
+        f"the firmware cannot be run on an emulated microcontroller: {reason}",
+        helps=(
+            "install both programs, on Debian and Ubuntu with `apt-get install "
+            "gcc-arm-none-eabi libstdc++-arm-none-eabi-newlib qemu-system-arm`",
+            "or serve the firmware on this machine: leave --on out",
+        ),
+    )

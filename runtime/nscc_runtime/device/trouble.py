@@ -14,9 +14,10 @@ from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
 from nscc_runtime.device.packets import VERSION, Kind
 from nscc_runtime.device.port import PortTrouble
-from nscc_runtime.device.timing import FADES, NO_BREATH, TOO_LONG
 
 FAILED = 3
+TOO_LONG, NO_BREATH, FADES = 7, 8, 9
+"""What may be wrong with a schedule's times: details of the fault SCHEDULE."""
 _UNTIMED = {
     TOO_LONG: "they last longer than its clock counts",
     NO_BREATH: "they keep it from its other work for more than two seconds",

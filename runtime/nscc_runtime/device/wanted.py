@@ -6,8 +6,9 @@ from dataclasses import dataclass
 
 from nscc_runtime.device.messages import Captured, frame_bytes
 from nscc_runtime.device.objects import Upload
-from nscc_runtime.device.timing import LONGEST_US
 
+LONGEST_US = 1_200_000_000
+"""From the first word of a frame to its last, at most."""
 CHUNK = 64
 """Bytes of a frame come in multiples of so many, but for its end."""
 _BESIDE_S = 10.0

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import meant
 from nscc_runtime.effects.effect import RESERVED, Effect
 from nscc_runtime.effects.marks import Mark
 from nscc_runtime.effects.parts import Converter, Errors, Part
@@ -34,7 +34,7 @@ class Selection:
 
     @property
     def noiseless(self) -> bool:
-        """Whether only what is always on is on: the exposure is the exact sum of light."""
+        """Whether only what is always on is on: the exposure is the sum of light."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
@@ -152,10 +152,9 @@ def named(name: str) -> Effect:
     """The effect of that name; NS0756 (status 2) if there is none."""
     found = by_name().get(name)
     if found is None:
-        near = closest(name, (*by_name(), *RESERVED))
         raise _wrong(
             f"there is no effect {name[:60]!a}",
-            f"did you mean `{near}`?" if near else "`nscc effects` lists them",
+            *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists them"),
         )
     return found
 

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-from nscc_runtime.emulator.capture import Emulator, expose
+from nscc_runtime.emulator.capture import expose
 
-__all__ = ["Emulator", "expose"]
+__all__ = ["expose"]

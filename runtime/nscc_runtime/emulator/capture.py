@@ -37,20 +37,8 @@ if TYPE_CHECKING:
     from nscc_runtime.light import Light
 
 BLOCK = 8192
-"""Pixels exposed together: their registers stay in the cache, their light comes in long strips."""
-
-
-@dataclass(frozen=True)
-class Emulator:
-    """An emulated chip: an `nscc_runtime.interface.Exposer`. `device_seed` picks the chip."""
-
-    device_seed: int = 0
-
-    def expose(self, container: Container, light: Light | None) -> Exposure:
-        """See `expose`."""
-        if light is None:
-            raise ValueError("the emulator needs light")
-        return expose(container, light, device_seed=self.device_seed)
+"""Pixels exposed together, a multiple of 64: their registers stay in the cache, their light comes
+in long strips."""
 
 
 def expose(
@@ -58,13 +46,12 @@ def expose(
     light: Light,
     *,
     device_seed: int = 0,
-    block: int = BLOCK,
     threads: int | None = None,
 ) -> Exposure:
     """Run `container`'s words over `light`, slot by slot, in float64; or what it is sent.
 
-    `block`, a multiple of 64, is how many pixels run together, `threads` (by default as many as
-    there are processors) how many such blocks do; they change no bit. Raises
+    `threads` (by default as many as there are processors) blocks of pixels run together; their
+    number changes no bit. Raises
     `Rejected` for a program without pixel codes (NS0741), for light of another size (NS0734), and
     for words that the target cannot run (`nscc.words.legality`); ValueError for a container or
     light whose parts contradict each other.
@@ -74,14 +61,12 @@ def expose(
         return sorted_light(container, light)
     from nscc_runtime.emulator.loops import Block, expose_block
 
-    if block < 64 or block % 64:
-        raise ValueError(f"a block of {block} pixels")
     words = _decoded(container)
     readouts = {readout.bucket: readout for readout in container.readouts}
     ordered = [readouts[bucket] for bucket in container.buckets]
     pixels = light.shape[0] * light.shape[1]
     exposure = np.empty((len(ordered), pixels), np.float64)
-    block = min(block, (pixels + 63) // 64 * 64)
+    block = min(BLOCK, (pixels + 63) // 64 * 64)
     frames = np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), pixels)
     _check_matrix(light)
     program, layout = words.steps, words.layout

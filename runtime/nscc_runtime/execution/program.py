@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
-from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, Soft, WordGain
+from nscc_runtime.effects.parts import Soft
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.overlap import Overlap
@@ -18,10 +18,11 @@ from nscc_runtime.execution.pixel_array import PixelArray
 from nscc_runtime.execution.pixels import Pixels, Wired
 from nscc_runtime.execution.reach import Reach, reach_of
 from nscc_runtime.execution.sums import Weights
-from nscc_runtime.execution.tables import Model, Tables
+from nscc_runtime.execution.tables import Tables
 from nscc_runtime.ready import MadeReady
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.charge import Groups
+from nscc_runtime.reference.weights import Model
 from nscc_runtime.remembered import Recent, remembered
 
 Values = NDArray[np.float64]
@@ -69,14 +70,7 @@ class Program:
     @remembered
     def model(self, kept: Selection) -> Model:
         """The weights under some effects, at the mean leakage."""
-        gain, leak = kept.part(WordGain), kept.part(Leak)
-        return Model(
-            gain.gain(self.sensor) if gain else 1.0,
-            1.0 / leak.tau_s(self.sensor) if leak else 0.0,
-            kept.part(SlowWords) is not None,
-            kept.part(Fading) is not None,
-            kept.part(LitLevel) is not None,
-        )
+        return Model.of(kept, self.sensor)
 
     @cached_property
     def pixels(self) -> Pixels:

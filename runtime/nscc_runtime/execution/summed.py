@@ -34,13 +34,13 @@ from nscc_runtime.execution.frame_loop import (
     draw_counts,
 )
 from nscc_runtime.execution.sums import scene_sums
-from nscc_runtime.execution.tables import Model
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import RATE_CAP, key
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.noise import SUM
+from nscc_runtime.reference.weights import Model
 
 Values = NDArray[np.float64]
 

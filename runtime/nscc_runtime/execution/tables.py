@@ -15,24 +15,10 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.reference.capture import Reference, numbered_errors
 from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, ByName, backward
+from nscc_runtime.reference.weights import Backward, ByName, Model, backward
 from nscc_runtime.remembered import remembered
 
 Weights = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class Model:
-    """What weights depend on: the gain of a word, the rate at which registers leak, whether light
-    falls while words run, whether digital registers fade, and whether the level of a reset is read
-    with the light that fell since.
-    """
-
-    gain: float = 1.0
-    leak_per_s: float = 0.0
-    dead_time: bool = False
-    decay: bool = False
-    lit_level: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,9 +64,7 @@ class Tables:
     @remembered
     def _backward(self, model: Model) -> Backward:
         words = self.decayed if model.decay else self.fresh
-        return backward(
-            self.container, words, model.gain, model.leak_per_s, model.dead_time, model.lit_level
-        )
+        return backward(self.container, words, model)
 
     def numbered(self, at: str, model: Model) -> ByName[int]:
         """The coefficients (lanes, buckets) of small errors, by the numbers of their draws."""
@@ -106,8 +90,7 @@ class Tables:
     @remembered
     def pattern(self, full: Model) -> Weights:
         """The sum (lanes, buckets) of the signed coefficients of the analog words' errors."""
-        none = np.zeros((len(self.container.encoding), len(self.container.buckets)))
-        return sum(self.weights(full).errors.values(), none)
+        return self.weights(full).error_sum
 
     @remembered
     def seen(self) -> NDArray[np.bool_]:

@@ -22,23 +22,22 @@ class Format:
     ending: str
     holds: str
     write: Callable[[Content], Product]
-    about: str
     shown: bool = False
 
 
 FORMATS = {
     format_.ending: format_
     for format_ in (
-        Format(".npz", "arrays", arrays.npz, "all arrays, for numpy"),
-        Format(".npy", "arrays", arrays.npy, "the main array, for numpy"),
-        Format(".mat", "arrays", arrays.mat, "as snapshot compressive imaging has it"),
-        Format(".hdr", "picture", pictures.hdr, "linear light, Radiance"),
-        Format(".exr", "picture", pictures.exr, "linear light, OpenEXR"),
-        Format(".pfm", "picture", pictures.pfm, "linear light, portable float map"),
-        Format(".tiff", "picture, clip", pictures.tiff, "linear light, a page a frame"),
-        Format(".png", "picture", pictures.png, "as a screen shows it", shown=True),
-        Format(".gif", "clip", clips.gif, "as a screen shows it", shown=True),
-        Format(".mp4", "clip", clips.mp4, "as a screen shows it", shown=True),
+        Format(".npz", "arrays", arrays.npz),
+        Format(".npy", "arrays", arrays.npy),
+        Format(".mat", "arrays", arrays.mat),
+        Format(".hdr", "picture", pictures.hdr),
+        Format(".exr", "picture", pictures.exr),
+        Format(".pfm", "picture", pictures.pfm),
+        Format(".tiff", "picture, clip", pictures.tiff),
+        Format(".png", "picture", pictures.png, shown=True),
+        Format(".gif", "clip", clips.gif, shown=True),
+        Format(".mp4", "clip", clips.mp4, shown=True),
     )
 }
 """By ending. A name without an ending, such as /dev/stdout, gets a command's own format."""

@@ -14,7 +14,9 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import inf
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +24,10 @@ from numpy.typing import NDArray
 from nscc.operations import Effect, Op
 from nscc.words.container import Container
 from nscc.words.cost import word_us
+from nscc.words.legality import decoded
 from nscc_runtime.looking.registers import UNKNOWN, Bits, Registers
+from nscc_runtime.ready import OfContainer
+from nscc_runtime.remembered import remembered
 
 MOST = 1 << 21
 """Most words x ways that are followed: some hundred megabytes."""
@@ -85,10 +90,69 @@ class Paths:
         words = walk.run(kernels)
         return _alive(container, words, walk, starts)
 
+    @cached_property
+    def _packed(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+        """The bits of the starts as rising numbers, and where these begin."""
+        numbers = _packed(self.starts, (len(self.first),))
+        order = np.argsort(numbers)
+        return numbers[order], self.first[order]
+
+    def begins(
+        self, loaded: Mapping[str, NDArray[Any]], shape: tuple[int, ...]
+    ) -> NDArray[np.int64]:
+        """Where pixels of a `shape` with these bits begin; ValueError for bits that no code and
+        kept state has."""
+        numbers, first = self._packed
+        wanted = _packed({name: loaded[name] for name in self.starts}, shape)
+        if len(numbers) == 1:
+            at = np.zeros(shape, np.intp)
+        else:
+            at = np.minimum(np.searchsorted(numbers, wanted), len(numbers) - 1)
+        if not np.array_equal(numbers[at], wanted):
+            raise ValueError("bits that no code and no kept state has")
+        return first[at]
+
+
+class KeptPaths:
+    """The paths of a container with a machine, or why there are none, for each time that digital
+    registers keep their values."""
+
+    def __init__(self, container: Container) -> None:
+        self._container = container
+        self._kernels = decoded(container)
+
+    @remembered
+    def __call__(self, retention_us: float) -> Paths | str:
+        """The paths for a time in microseconds."""
+        try:
+            return Paths.of(self._container, self._kernels, retention_us)
+        except Pathless as why:
+            return str(why)
+
+
+paths_of = OfContainer(KeptPaths)
+"""The paths of a container, made once."""
+
+
+def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
+    """Bits of registers as one number."""
+    numbers = np.zeros(shape, np.int64)
+    for k, name in enumerate(sorted(bits)):
+        numbers |= bits[name].astype(np.int64) << k
+    return numbers
+
 
 def _starts(container: Container) -> dict[str, Bits]:
-    """All bits with which a frame can start, by register that is loaded: of codes and of kept
-    states."""
+    """All bits with which a frame can start, by register that is loaded."""
+    assert container.machine is not None
+    by_node, nodes = start_bits(container), int(container.machine.first[1])
+    bits = np.array([*by_node.values()], np.int8).reshape(-1, nodes)
+    return dict(zip(by_node, np.unique(bits, axis=1), strict=True))
+
+
+def start_bits(container: Container) -> dict[str, Bits]:
+    """The bits with which a frame starts in each node of the machine's first stage (nodes,), by
+    register that is loaded: of codes and of kept states."""
     machine = container.machine
     assert machine is not None
     nodes = np.arange(machine.first[1])
@@ -101,9 +165,7 @@ def _starts(container: Container) -> dict[str, Bits]:
             rows = dict(zip(planes.values, planes.bits, strict=True))
             bits = np.array([rows[value] for value in machine.values[nodes, k].tolist()])
             found |= zip(planes.registers, bits.reshape(len(nodes), -1).T, strict=True)
-    names = sorted(found)
-    bits = np.array([found[name] for name in names], np.int8).reshape(-1, len(nodes))
-    return dict(zip(names, np.unique(bits, axis=1), strict=True))
+    return {name: found[name].astype(np.int8) for name in sorted(found)}
 
 
 class _Walk:

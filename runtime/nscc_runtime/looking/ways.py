@@ -9,7 +9,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from math import inf
 from typing import Any
 
 import numpy as np
@@ -17,21 +16,20 @@ from numpy.typing import NDArray
 
 from nscc.operations import Effect as Does
 from nscc.words.container import Container
-from nscc.words.legality import decoded
 from nscc_runtime.effects import CannotHave, Selection, everything
 from nscc_runtime.effects.in_loops import device_keys, draws_keys, figures, switches
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
-from nscc_runtime.interface import Exposure
+from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
-from nscc_runtime.looking.paths import AnalogWord, Pathless, Paths
+from nscc_runtime.looking.paths import AnalogWord, Paths, paths_of
 from nscc_runtime.looking.way_loop import BLOCK, run_ways
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.capture import most_destinations, readout_waits_s
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.film import Executed
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS
+from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.remembered import remembered
 
@@ -60,14 +58,14 @@ class Ways:
             if isinstance(each.words, CannotHave)
             and not each.reference.keys() <= BEFORE_WORDS | _AFTER_WORDS
         ]
-        laid = self._laid(_retention_us(effects, self.sensor))
+        laid = self._laid(retention_us(effects, self.sensor))
         return (*found, laid) if isinstance(laid, str) else tuple(found)
 
     @cached_property
     def fades(self) -> bool:
         """Whether a digital register may go unwritten for too long in a frame."""
         frame_us = float(sum(self.container.slot_us))
-        return _retention_us(everything(), self.sensor) < frame_us
+        return retention_us(everything(), self.sensor) < frame_us
 
     def expose(
         self,
@@ -105,10 +103,10 @@ class Ways:
         """The same under the charge of rows that `fall` gives; `among` (rows, cols): the pixels
         whose words run, by default all. Of others the result means nothing."""
         lacking = self.lacks(effects)
-        laid = self._laid(_retention_us(effects, self.sensor))
+        laid = self._laid(retention_us(effects, self.sensor))
         if lacking or isinstance(laid, str):
             raise ValueError("; ".join(lacking))
-        begins = laid.begins(loaded, scene.light.shape)
+        begins = laid.paths.begins(loaded, scene.light.shape)
         if among is not None:
             begins = np.where(among, begins, -1)  # they have come to an end
         return _Run(self, laid, scene, effects, seeds, frame).rows(rows, begins, fall, threads)
@@ -116,15 +114,10 @@ class Ways:
     @remembered
     def _laid(self, retention_us: float) -> Laid | str:
         """The ways where bits are kept so long, or why there are none."""
-        try:
-            paths = Paths.of(self.container, decoded(self.container), retention_us)
-        except Pathless as why:
-            return f"the words run one by one: {why}"
+        paths = paths_of(self.container)(retention_us)
+        if isinstance(paths, str):
+            return f"the words run one by one: {paths}"
         return Laid(self.container, paths)
-
-
-def _retention_us(effects: Selection, sensor: Sensor) -> float:
-    return min([kept(sensor) for kept in effects.at("digital")], default=inf)
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,38 +185,10 @@ class Laid:
             "readout_wait_s": readout_waits_s(container),
         }
 
-    @cached_property
-    def _packed(self) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-        """The bits of the starts as rising numbers, and where these begin."""
-        numbers = _together(self.paths.starts, (len(self.paths.first),))
-        order = np.argsort(numbers)
-        return numbers[order], self.paths.first[order]
-
-    def begins(self, loaded: Mapping[str, Bits], shape: tuple[int, int]) -> NDArray[np.int64]:
-        """Where pixels (rows, cols) with these bits begin; ValueError for bits that no code and
-        kept state has."""
-        numbers, first = self._packed
-        wanted = _together({name: loaded[name] for name in self.paths.starts}, shape)
-        if len(numbers) == 1:
-            at = np.zeros(shape, np.intp)
-        else:
-            at = np.minimum(np.searchsorted(numbers, wanted), len(numbers) - 1)
-        if not np.array_equal(numbers[at], wanted):
-            raise ValueError("bits that no code and no kept state has")
-        return first[at]
-
 
 def _operands(word: AnalogWord) -> tuple[str, ...]:
     resets = word.op.operation.effect is Does.RESET_PIX
     return () if resets else word.op.sources + word.op.destinations
-
-
-def _together(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:
-    """Bits of registers as one number."""
-    found = np.zeros(shape, np.int64)
-    for k, name in enumerate(sorted(bits)):
-        found |= bits[name].astype(np.int64) << k
-    return found
 
 
 @dataclass(frozen=True, eq=False)

@@ -45,7 +45,7 @@ def _settings(chosen: Look) -> dict[Any, Any]:  # matplotlib lists every key as 
         "grid.color": chosen.grid, "grid.linewidth": 0.7, "xtick.color": chosen.faint,
         "ytick.color": chosen.faint, "legend.frameon": False, "legend.borderpad": 0,
         "legend.borderaxespad": 0, "legend.handletextpad": 0.5, "legend.columnspacing": 1.4,
-        "lines.linewidth": 1.4, "lines.markersize": 5, "svg.hashsalt": "nscc",
+        "lines.linewidth": 1.4, "lines.markersize": 5,
     }  # fmt: skip
 
 
@@ -64,21 +64,15 @@ def style() -> Iterator[None]:
 def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
     """The figure that `draw` makes, as PNG: the same arguments give the same bytes."""
     with style():
-        return _saved(draw(*args, **options), "png", {"Software": None})
+        return _saved(draw(*args, **options))
 
 
-def svg_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
-    """The same as SVG, its letters as outlines: no font is needed to see it as it was laid out."""
-    with style():
-        return _saved(draw(*args, **options), "svg", {"Date": None, "Creator": None})
-
-
-def _saved(figure: Figure, kind: str, metadata: dict[str, Any]) -> bytes:
+def _saved(figure: Figure) -> bytes:
     data = io.BytesIO()
     box = figure.get_tightbbox().padded(_MARGIN)
     # Whole dots, or else images between them would blur.
     box.set_points(np.round(box.get_points() * DPI) / DPI)
-    figure.savefig(data, format=kind, bbox_inches=box, metadata=metadata)
+    figure.savefig(data, format="png", bbox_inches=box, metadata={"Software": None})
     return data.getvalue()
 
 

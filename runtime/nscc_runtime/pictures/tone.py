@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.rejection import unknown_name
 
 Field = NDArray[np.float64]
 
@@ -36,19 +35,16 @@ class Tone:
         """Light of any shape as 0..255; what is negative is dark."""
         if not self.white > 0:
             return np.zeros(light.shape, np.uint8)
-        relative = np.maximum(np.asarray(light, np.float64) / self.white, 0.0)
+        shown = np.clip(np.nan_to_num(np.asarray(light, np.float64)), 0.0, self.white)
+        relative = shown / self.white
         return np.rint(255.0 * np.clip(self.curve(relative), 0.0, 1.0)).astype(np.uint8)
 
 
 def check_tone(tone: str) -> None:
     """Rejected (NS0739) for a name that is none of `TONES`."""
     if tone not in TONES:
-        near = closest(tone, TONES)
-        raise rejected(
-            "NS0739",
-            f"there is no tone curve '{tone[:60]}'",
-            notes=(f"the curves are {', '.join(TONES)}",),
-            helps=(f"did you mean {near}?" if near else "name one of them",),
+        raise unknown_name(
+            "NS0739", "there is no tone curve '{}'", tone, [*TONES], "the curves are {}"
         )
 
 
@@ -59,7 +55,8 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
     Raises Rejected as `check_tone`.
     """
     check_tone(tone)
-    values = np.maximum(np.asarray(light, np.float64), 0.0).ravel()
+    values = np.asarray(light, np.float64).ravel()
+    values = np.maximum(values[np.isfinite(values)], 0.0)
     if white is None:
         white = float(np.percentile(values, WHITE_PERCENTILE)) if values.size else 0.0
         white = white or (float(values.max()) if values.size else 0.0)

@@ -57,7 +57,6 @@ class Audit:
     std_ratio_mc_error: float | None
     samples: int
     frames: int
-    sampled_rows: int
     holds: bool
     other_states: float | None = None
     other_states_mc_error: float | None = None
@@ -181,7 +180,6 @@ def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan
         ratio_error,
         error.size,
         len(error),
-        error.shape[2],
         True,
         measured_p999_e=max(each.p999_e for each in largest_e),
         measured_max_e=max(each.max_e for each in largest_e),

@@ -59,9 +59,9 @@ def planned(
     assert told.allowed is not None
     setting, worst = together.setting, together.worst
     approximations = [Approximation(name, None) for name in trial.approximations]
-    if approximations:
-        joint_e = None if measured.approximations is None else measured.approximations_e
-        approximations.append(Approximation("all of these together", joint_e))
+    if approximations and measured.approximations is not None:
+        together_e = measured.approximations_e
+        approximations.append(Approximation("all of these together", together_e))
     decisions = tuple(_decision(effect, trial, told, measured, together) for effect in registered())
     plan = Plan(
         told.allowed.electrons,

@@ -21,14 +21,15 @@ from nscc_runtime.effects.views import Scene
 from nscc_runtime.execution.frames import Path
 from nscc_runtime.execution.near import NO_PIXELS
 from nscc_runtime.execution.pixel_array import light_at, tile_places
+from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
+from nscc_runtime.looked_frames import next_planes
 from nscc_runtime.looking.ways import BEFORE_WORDS, Ways
 from nscc_runtime.planning.differences import Difference, Errors
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.sample import Sample, sample_of
 from nscc_runtime.planning.trial import NONE, Move, Names, Setting, Trial
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.film import Executed, next_planes
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.remembered import remembered

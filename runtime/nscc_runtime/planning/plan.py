@@ -243,15 +243,6 @@ class Plan:
         }
 
     @classmethod
-    def of_nothing(cls) -> Plan:
-        """The plan that simulates no effect."""
-        decisions = tuple(
-            Decision(effect.name, effect.kind, "dropped", True, "", None, None, None, 0.0)
-            for effect in registered()
-        )
-        return cls(None, None, None, "none", (), 0.0, (), decisions)
-
-    @classmethod
     def from_json(cls, values: Mapping[str, Any]) -> Plan:
         """The plan that `as_json` wrote; KeyError, TypeError or ValueError for anything else."""
         names = {"slot_loop": "slot_loop_pixels", "decisions": "effects"}

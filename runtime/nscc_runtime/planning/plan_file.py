@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import read_whole
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.sensor import Sensor, sensor_sha256
@@ -25,7 +26,7 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     (status 2).
     """
     try:
-        values = json.loads(path.read_bytes())
+        values = json.loads(read_whole(path))
         if values["schema"] != PLAN_SCHEMA:
             raise ValueError(f"its schema is {str(values['schema'])[:40]!r}")
         plan = Plan.from_json(values["plan"])

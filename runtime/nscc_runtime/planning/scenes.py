@@ -21,7 +21,7 @@ from nscc_runtime.execution.program import Program, analysed
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looking.frames import Planes, exposer, frames, ways_of
+from nscc_runtime.looked_frames import Planes, exposer, frames, next_planes, ways_of
 from nscc_runtime.looking.way_loop import run_ways
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.planning.audit import Audit, Compared, audit
@@ -40,7 +40,6 @@ from nscc_runtime.planning.word_trial import (
 )
 from nscc_runtime.pool import threads_of
 from nscc_runtime.reference.capture import Reference, scene_of
-from nscc_runtime.reference.film import next_planes
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.remembered import remembered

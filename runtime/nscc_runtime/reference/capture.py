@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,8 +33,15 @@ from nscc_runtime.reference.charge import Groups, charge_of_rows
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.resets import Resets
-from nscc_runtime.reference.trace import AnalogWord, analog_words
-from nscc_runtime.reference.weights import Backward, ByName, backward, error_sign, orthonormal
+from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
+from nscc_runtime.reference.weights import (
+    Backward,
+    ByName,
+    Model,
+    backward,
+    error_sign,
+    orthonormal,
+)
 
 Values = NDArray[np.float64]
 
@@ -83,11 +91,12 @@ class Reference:
         opened = backward(container, fresh).open()
         bits = np.int64(1) << np.arange(len(container.buckets), dtype=np.int64)
         # After decay other lanes may act; the draws stay those of the words as they were meant.
-        retentions = [retention(sensor) for retention in effects.at("digital")]
-        words = analog_words(container, min(retentions)) if retentions else fresh
+        kept_us = retention_us(effects, sensor)
+        words = fresh if kept_us == inf else analog_words(container, kept_us)
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
         gain, leak = everything().the(WordGain), everything().the(Leak)
-        weights = backward(container, fresh, gain.gain(sensor), 1.0 / leak.tau_s(sensor))
+        model = Model(gain.gain(sensor), 1.0 / leak.tau_s(sensor))
+        weights = backward(container, fresh, model)
         errors = numbered_errors(container.target, weights)
         draws = {at: orthonormal(found) for at, found in errors.items()}
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)

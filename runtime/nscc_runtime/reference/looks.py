@@ -12,10 +12,9 @@ Without effects every slot is added by itself, as the exposure is defined.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
-from math import inf
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,18 +28,17 @@ from nscc_runtime.effects import Selection, selected
 from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
-from nscc_runtime.emulator.capture import check, check_size
-from nscc_runtime.frame_file import Frame
-from nscc_runtime.interface import Exposure
+from nscc_runtime.emulator.capture import check_size
+from nscc_runtime.interface import Executed, Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.capture import START, most_destinations, scene_of
 from nscc_runtime.reference.charge import charge_of_rows
-from nscc_runtime.reference.film import Executed, film
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.marks import Marks
 from nscc_runtime.reference.resets import Resets
+from nscc_runtime.reference.trace import retention_us
 from nscc_runtime.reference.weights import error_sign
 from nscc_runtime.sensor import default_sensor
 
@@ -148,19 +146,6 @@ def executed(
     )
 
 
-def looking_frames(
-    container: Container, light: Light, sensor: Sensor, effects: Selection, *,
-    seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
-    threads: int | None = None,
-) -> Iterator[Frame]:  # fmt: skip
-    """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
-    frame. What can be refused is refused before the first one."""
-    check(container, light)
-    reference = LookingReference(container, sensor, effects, threads)
-    scene = scene_of(container, light, previous)
-    return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)
-
-
 @dataclass(eq=False, kw_only=True)
 class _LookingPixels(Pixels):
     """Some pixels while the words of one frame run. All arrays are (pixels,) but `pace`, which
@@ -193,7 +178,7 @@ class _LookingPixels(Pixels):
         nothing = np.zeros(len(self.places), np.bool_)
         self.bits |= {"SELECT": nothing, "bus": nothing, **self.code}
         self.written_us = dict.fromkeys(self.bits, 0.0)
-        self.retention_us = min([r(self.sensor) for r in self.at("digital")], default=inf)
+        self.retention_us = retention_us(self.program.effects, self.sensor)
         self.now_us, self.after_us, self.in_e, self.number = 0.0, 0.0, 0.0, 0
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:

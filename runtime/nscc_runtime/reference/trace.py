@@ -19,6 +19,8 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.sensor import Sensor
 
 Bits = NDArray[np.bool_]
 
@@ -50,6 +52,12 @@ class AnalogWord:
     def resets(self) -> bool:
         """Whether it resets PIX; else it is a bus word."""
         return self.op.operation.effect is Effect.RESET_PIX
+
+
+def retention_us(effects: Selection, sensor: Sensor) -> float:
+    """For how long digital registers keep their values, in microseconds; infinite where no effect
+    takes them away."""
+    return min([kept_us(sensor) for kept_us in effects.at("digital")], default=inf)
 
 
 def analog_words(container: Container, retention_us: float = inf) -> tuple[AnalogWord, ...]:

@@ -11,12 +11,15 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import groupby
 from math import exp
-from typing import Generic, TypeVar
+from typing import Generic, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Fading, Leak, LitLevel, SlowWords, WordGain
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.reference.trace import AnalogWord, opens_no_shutters
 
 Weights = NDArray[np.float64]
@@ -62,6 +65,32 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
         return len(self._held)
 
 
+@dataclass(frozen=True)
+class Model:
+    """What weights depend on: the gain of a word, the rate at which registers leak, whether light
+    falls while words run, whether digital registers fade, and whether the level of a reset is read
+    with the light that fell since.
+    """
+
+    gain: float = 1.0
+    leak_per_s: float = 0.0
+    dead_time: bool = False
+    decay: bool = False
+    lit_level: bool = False
+
+    @classmethod
+    def of(cls, effects: Selection, sensor: Sensor) -> Model:
+        """Of some effects, at the mean leakage."""
+        gain, leak = effects.part(WordGain), effects.part(Leak)
+        return cls(
+            gain.gain(sensor) if gain else 1.0,
+            1.0 / leak.tau_s(sensor) if leak else 0.0,
+            effects.part(SlowWords) is not None,
+            effects.part(Fading) is not None,
+            effects.part(LitLevel) is not None,
+        )
+
+
 @dataclass(frozen=True, eq=False)
 class Backward:
     """Weights in the exposures; each array ends in (lanes, buckets).
@@ -77,6 +106,19 @@ class Backward:
     resets: ByName[int]
     errors: ByName[tuple[int, int]]
 
+    def squared(self, at: Literal["reads", "resets", "words"]) -> Weights:
+        """The sum (lanes, buckets) of the squared weights of all errors at reads or resets of PIX,
+        or at words: the variance of independent errors of variance 1."""
+        weights = {"reads": self.reads, "resets": self.resets, "words": self.errors}[at]
+        total = np.zeros(self.slots.shape[1:])
+        return sum((weight**2 for weight in weights.values()), total)  # type: ignore[attr-defined]
+
+    @property
+    def error_sum(self) -> Weights:
+        """The sum (lanes, buckets) of the signed weights of all words: what an error of 1 that all
+        words share adds."""
+        return sum(self.errors.values(), np.zeros(self.slots.shape[1:]))
+
     def open(self) -> NDArray[np.bool_]:
         """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
         found = self.slots > 0.5
@@ -88,23 +130,19 @@ class Backward:
         return found
 
 
-def backward(
-    container: Container,
-    words: Sequence[AnalogWord],
-    gain: float = 1.0,
-    leak_per_s: float = 0.0,
-    dead_time: bool = False,
-    lit_level: bool = False,
-) -> Backward:
-    """The weights of `words`, whose results each word multiplies with `gain`.
+def backward(container: Container, words: Sequence[AnalogWord], model: Model = Model()) -> Backward:
+    """The weights of `words`, each of which multiplies its result with the model's gain; `decay`
+    is in the words already. Lanes are those of the words.
 
     Analog registers lose their value at the rate `leak_per_s`. With `dead_time` a slot's charge
     falls on PIX while the words of its boundary run, at an even rate; with `lit_level` also those
     find it that read PIX after its reset at the same boundary.
     """
+    gain, leak_per_s, dead_time = model.gain, model.leak_per_s, model.dead_time
     if container.target.streamed:
         return _of_taps(container, leak_per_s, dead_time)
-    lanes, buckets = len(container.encoding), len(container.buckets)
+    lanes = len(words[0].lanes) if words else len(container.encoding)
+    buckets = len(container.buckets)
     names = (*container.target.analog_registers, "PIX", "IN")
     weight = {name: np.zeros((lanes, buckets)) for name in names}
     for order, readout in enumerate(container.readouts):
@@ -132,7 +170,7 @@ def backward(
         for index in reversed(range(len(executed))):
             word, before = executed[index], weight["PIX"]
             _through(word, weight, container, gain, result)
-            if not lit_level:
+            if not model.lit_level:
                 read = np.zeros_like(before) if word.resets else weight["PIX"] - before
                 unseen = (unseen + read * fresh[index]) * ~(word.lanes[:, None] & word.resets)
             if dead_time:

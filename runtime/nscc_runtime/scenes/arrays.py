@@ -17,15 +17,19 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import npy_header_2
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.errors import Census, damaged, size
+from nscc_runtime.scenes.mat_files import mat_array, mat_names
 
 KEY = "light"
 MAT_CLIP_KEY = "orig"
 _BLOCK_BYTES = 1 << 24
-NPY_HEADERS = {
+NPY_HEADERS: dict[
+    tuple[int, int], Callable[[IO[bytes]], tuple[tuple[int, ...], bool, np.dtype[Any]]]
+] = {
     (1, 0): np.lib.format.read_array_header_1_0,
-    (2, 0): np.lib.format.read_array_header_2_0,
+    (2, 0): npy_header_2,
 }
 """What reads shape, order and type at the beginning of an .npy file, by its version."""
 
@@ -33,7 +37,7 @@ Check = Callable[[tuple[int, ...]], None]
 """Raises Rejected where a light array of that shape does not fit the program and the array."""
 
 
-def check_type(name: Path, key: str, dtype: np.dtype[Any]) -> None:
+def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
     """Light is made of real numbers: anything else is NS0733."""
     if dtype.kind in "uif":
         return
@@ -184,28 +188,28 @@ def _gather(
     return out
 
 
+def clip_white(clip: NDArray[Any]) -> float | None:
+    """White of a clip in a .mat file: 255 of floats that go beyond 1, as the benchmark has it; None
+    where that of the type is meant."""
+    return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
+
+
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     """The scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as stored).
 
-    `light` wins where both are there. Files of MATLAB 7.3 (HDF5) are refused (NS0732).
+    `light` wins where both are there.
     """
-    from scipy.io import loadmat, whosmat
-
     wanted = (KEY, MAT_CLIP_KEY)
     try:
-        names = [str(name) for name, _, _ in whosmat(path)]
+        names = mat_names(path)
         key = next((k for k in wanted if k in names), None)
         if key is None:
             raise missing_key(path, names, wanted)
-        found: NDArray[Any] = loadmat(path, variable_names=[key])[key]
-    except Rejected:
+        found = mat_array(path, key)
+    except (Rejected, ImportError):
         raise
-    except NotImplementedError as error:
-        raise damaged(path, error, helps=("save it in MATLAB with the option -v7",)) from error
-    except Exception as error:  # scipy.io raises a dozen types for damaged files
+    except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
         raise damaged(path, error) from error
-    if not isinstance(found, np.ndarray):
-        raise damaged(path, f"'{key}' is a {type(found).__name__}, not an array")
     check_type(path, key, found.dtype)
     if key == KEY:
         check(found.shape)

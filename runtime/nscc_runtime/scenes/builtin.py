@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import exposure as exposures
 from nscc_runtime.scenes.exposure import BUILTIN, Exposure
@@ -92,9 +92,8 @@ def _electrons(spec: str, text: str) -> float:
 
 def _unknown(spec: str, name: str) -> Exception:
     near = name if name in NAMES else closest(name, NAMES)
-    help_text = f"did you mean builtin:{near}?" if near else "choose one of these, or name a file"
-    if near == "flat":
-        help_text = "did you mean builtin:flat:10000 (10000 electrons over the whole frame)?"
+    written = f"builtin:{near}" + (":10000" if near == "flat" else "")
+    help_text = did_you_mean(written) if near else "choose one of these, or name a file"
     return rejected(
         "NS0731",
         f"there is no scene '{spec[:80]}'",

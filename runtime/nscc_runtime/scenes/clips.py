@@ -1,8 +1,9 @@
-"""Scenes given as moving pictures: .gif through Pillow, the others through OpenCV's FFmpeg."""
+"""Scenes given as moving pictures: .gif through Pillow, the others through PyAV."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import count
 from pathlib import Path
 from typing import Any
@@ -10,41 +11,50 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.scenes.errors import damaged
-from nscc_runtime.scenes.picture_files import quiet
+from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_files import quiet, same_size
+from nscc_runtime.scenes.picture_size import refuse_size
+from nscc_runtime.scenes.video import video_pages
 
 CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
 
 
-def read_clip(path: Path) -> Iterator[NDArray[Any]]:
-    """The frames of a clip, uint8 (R, C, 3), red, green, blue; NS0732 where none can be decoded.
+def open_clip(path: Path) -> Pages:
+    """The frames of a clip, (R, C, 3) red, green, blue; NS0732 where none can be decoded.
 
-    A container that breaks off yields the frames before the break.
+    A container that breaks off yields the frames before the break, and a note says so. The count
+    of a .gif is not known.
     """
-    return _read_gif(path) if path.suffix.lower() == ".gif" else _read_video(path)
-
-
-def _read_video(path: Path) -> Iterator[NDArray[Any]]:
-    with quiet():
-        import cv2
-
-        # The backend is named: others would take a % in the name for a numbered sequence.
-        video = cv2.VideoCapture(str(path), cv2.CAP_FFMPEG)
-    found = 0
+    if path.suffix.lower() == ".gif":
+        return Pages(0, lambda: _read_gif(path))
     try:
-        while True:
+        with quiet():
+            pages = video_pages(path)
+    except (Rejected, ImportError):
+        raise
+    except Exception as error:  # PyAV has an exception for each number of FFmpeg
+        raise damaged(path, error) from error
+    return replace(pages, read=lambda: same_size(_named(path, pages)))
+
+
+def read_clip(path: Path) -> Iterator[NDArray[Any]]:
+    """The frames of a clip; as `open_clip`."""
+    return open_clip(path).read()
+
+
+def _named(path: Path, pages: Pages) -> Iterator[tuple[str, NDArray[Any]]]:
+    frames = pages.read()
+    for number in count():
+        try:
             with quiet():
-                good, frame = video.read()
-            if not good or frame is None:
-                break
-            found += 1
-            yield np.asarray(frame)[..., ::-1]
-    except cv2.error as error:
-        raise damaged(path, error.err) from error
-    finally:
-        video.release()
-    if not found:
-        raise damaged(path, "no frame of it can be decoded")
+                frame = next(frames)
+        except StopIteration:
+            return
+        except Exception as error:
+            raise damaged(path, error) from error
+        yield f"{path}, frame {number}", frame
 
 
 def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
@@ -56,6 +66,7 @@ def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
     except Exception as error:  # Pillow's plugins raise what they like
         raise damaged(path, error) from error
     with image:
+        refuse_size(path, image.height, image.width)
         for number in count():
             try:
                 image.seek(number)

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
-
-from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.errors import Path_or_name, size
@@ -19,12 +16,12 @@ class Window:
     cols: int
     corner: tuple[int, int] | None = None
 
-    def of(self, picture: NDArray[Any], name: Path_or_name) -> NDArray[Any]:
-        """The part (rows, cols, ...) of a picture (R, C, ...); NS0734 where it does not fit.
+    def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
+        """Row and column of the top left corner in a picture of that size; NS0734 where the window
+        does not fit.
 
         A centred window whose margins cannot be equal has the smaller one above and to the left.
         """
-        have = (int(picture.shape[0]), int(picture.shape[1]))
         need = (self.rows, self.cols)
         if have[0] < need[0] or have[1] < need[1]:
             raise rejected(
@@ -37,19 +34,18 @@ class Window:
                 data={"scene": list(have), "array": list(need)},
             )
         if self.corner is None:
-            top, left = (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
-        else:
-            top, left = self.corner
-            if not (0 <= top <= have[0] - need[0] and 0 <= left <= have[1] - need[1]):
-                raise rejected(
-                    "NS0734",
-                    f"--crop {top},{left} puts the array of {size(need)} outside the scene "
-                    f"'{name}' of {size(have)}",
-                    notes=("--crop R,C is the row and column of the top left corner",),
-                    helps=(f"R may be 0 to {have[0] - need[0]} here, C 0 to {have[1] - need[1]}",),
-                    data={"scene": list(have), "array": list(need), "crop": [top, left]},
-                )
-        return picture[top : top + need[0], left : left + need[1]]
+            return (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
+        top, left = self.corner
+        if not (0 <= top <= have[0] - need[0] and 0 <= left <= have[1] - need[1]):
+            raise rejected(
+                "NS0734",
+                f"--crop {top},{left} puts the array of {size(need)} outside the scene "
+                f"'{name}' of {size(have)}",
+                notes=("--crop R,C is the row and column of the top left corner",),
+                helps=(f"R may be 0 to {have[0] - need[0]} here, C 0 to {have[1] - need[1]}",),
+                data={"scene": list(have), "array": list(need), "crop": [top, left]},
+            )
+        return top, left
 
 
 def parse_crop(text: str) -> tuple[int, int]:

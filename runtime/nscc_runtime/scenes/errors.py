@@ -28,6 +28,11 @@ def damaged(name: Path_or_name, reason: object, *, helps: Sequence[str] = ()) ->
     )
 
 
+def unsupported(name: Path_or_name, reason: str, help_text: str) -> Rejected:
+    """The file of that name is whole, but of a kind that is not decoded (NS0732)."""
+    return rejected("NS0732", f"cannot use '{name}': {reason}", helps=(help_text,))
+
+
 def size(shape: Sequence[int]) -> str:
     """`256 x 256` for (256, 256)."""
     return " x ".join(str(n) for n in shape) if len(shape) else "a single number"
@@ -79,12 +84,13 @@ class Census:
                 row, *place = (int(i) for i in np.argwhere(bad)[0])
                 self.first[kind] = (row + start, *place), float(block[(row, *place)])
 
-    def reject(self, name: Path_or_name) -> None:
-        """Raise NS0736 if any value was bad."""
+    def reject(self, name: Path_or_name, corner: tuple[int, int] = (0, 0)) -> None:
+        """Raise NS0736 if any value was bad; `corner` is where the values begin in the file."""
         found = [kind for kind, count in self.counts.items() if count]
         if not found:
             return
         place, value = self.first[found[0]]
+        place = (*place[:-2], *(at + start for at, start in zip(place[-2:], corner, strict=True)))
         counted = ", ".join(f"{self.counts[kind]} {_NOT_LIGHT[kind]}" for kind in found)
         total = sum(self.counts.values())
         axes = "[slot, row, column]" if len(place) == 3 else "[row, column]"
@@ -100,8 +106,10 @@ class Census:
         )
 
 
-def refuse_no_light(values: NDArray[Any], name: Path_or_name) -> None:
-    """NS0736 where any of the values cannot be light."""
+def refuse_no_light(
+    values: NDArray[Any], name: Path_or_name, corner: tuple[int, int] = (0, 0)
+) -> None:
+    """NS0736 where any of the values, which begin at `corner` in the file, cannot be light."""
     census = Census()
     census.look(values)
-    census.reject(name)
+    census.reject(name, corner)

@@ -46,6 +46,18 @@ def parse_exposure(text: str) -> Exposure:
     return found
 
 
+def checked_white(white: float | None) -> float | None:
+    """A white level as it is; NS0739 for one that is not a number above 0."""
+    if white is None or 0 < white < math.inf:
+        return white
+    raise rejected(
+        "NS0739",
+        f"--white {white:g} is no white level",
+        notes=("--white W: the sample that is white, above 0",),
+        helps=("for instance --white 4095 for 12 bits",),
+    )
+
+
 def needed(name: Path_or_name) -> Exposure:
     """Never returns: the scene has no unit of its own and no exposure was given (NS0737)."""
     raise rejected(

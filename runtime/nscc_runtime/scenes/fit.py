@@ -17,6 +17,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc_runtime.light import Light
+from nscc_runtime.scenes.colour import CURVES, Transfer, white_of
 from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import Path_or_name, size
 
@@ -137,36 +138,52 @@ def changes(where: Layout, colour: bool, name: str) -> list[Diagnostic]:
     picture, array = size(where.picture), size(where.array)
     if where.fit == "crop" and where.picture != where.size:
         share = where.size[0] * where.size[1] / (where.picture[0] * where.picture[1])
-        found.append(_note(
+        found.append(picture_note(
             f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
             "--fit scale exposes the whole picture, reduced; --fit tiles all of it, in pieces; "
             "--crop R,C says which part",
         ))  # fmt: skip
     elif where.fit == "scale" and where.picture != where.size:
         text = f"'{name}' is {picture}, and is exposed as {size(where.size)}"
-        found.append(_note(text, "--fit tiles exposes every pixel of it, in pieces"))
+        found.append(picture_note(text, "--fit tiles exposes every pixel of it, in pieces"))
     elif where.fit == "tiles" and where.arrays != (1, 1):
         text = f"'{name}' is {picture}: it is exposed in {size(where.arrays)} pieces of {array}"
-        found.append(_note(text, "--fit scale exposes it at once, reduced"))
+        found.append(picture_note(text, "--fit scale exposes it at once, reduced"))
     if colour:
         text = f"'{name}' is in colour, and its luminance is exposed"
-        told = _note(text, "--color exposes red, green and blue one after the other")
+        told = picture_note(text, "--color exposes red, green and blue one after the other")
         found.append(replace(told, data={"grey": True}))
     return found
 
 
 def no_colours(name: str) -> Diagnostic:
     """The note (NS0773) on a scene that is to be exposed in colours and has none."""
-    return _note(f"'{name}' has no colours: it is exposed once", "leave --color out")
+    return picture_note(f"'{name}' has no colours: it is exposed once", "leave --color out")
 
 
 def taken_for_srgb(name: str) -> Diagnostic:
     """The note (NS0773) on floating-point samples in a format that is made for screens."""
-    return _note(
+    return picture_note(
         f"the numbers of '{name}' are taken for sRGB, 1 for white",
         "--transfer linear takes them for light",
     )
 
 
-def _note(text: str, help_text: str) -> Diagnostic:
+def few_bits(stored: NDArray[Any]) -> bool:
+    """Whether samples of more than 8 bits use a quarter of their type at most: 14 bits of 16."""
+    deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
+    return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
+
+
+def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
+    """The note (NS0773) on curve and white level of samples with `few_bits`, of a first picture."""
+    return picture_note(
+        f"the samples of '{name}' are taken with {CURVES[transfer]} and {white_of(stored.dtype):g} "
+        f"for white; the largest is {stored.max():g}",
+        "--white W says which sample is white, such as --white 4095 for 12 bits",
+    )
+
+
+def picture_note(text: str, help_text: str) -> Diagnostic:
+    """A note (NS0773) on what becomes of a picture."""
     return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from itertools import islice
 from pathlib import Path
@@ -14,26 +14,34 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
-from nscc.diagnostics.suggest import closest
+from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes import arrays, exposure, timing
-from nscc_runtime.scenes.colour import Transfer, grey
+from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import Window
-from nscc_runtime.scenes.errors import clamped, refuse_no_light
-from nscc_runtime.scenes.exposure import Exposure
-from nscc_runtime.scenes.fit import Fit, Layout, changes, in_colour, layout, placed, taken_for_srgb
+from nscc_runtime.scenes.errors import refuse_no_light
+from nscc_runtime.scenes.exposure import Exposure, checked_white
+from nscc_runtime.scenes.fit import (
+    Fit,
+    Layout,
+    changes,
+    few_bits,
+    in_colour,
+    layout,
+    picture_note,
+    placed,
+    taken_for_srgb,
+    white_used,
+)
+from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_light import picture_light
 
 FramesAre = Literal["integrals", "samples"]
 
 ARRAYS = (".mat", ".npy", ".npz")
 _BUILTINS = ("hdr", "motion", "dark")
-_STRIP = 256
-"""Rows of a picture that become light at a time: a large one never exists in double precision and
-in colours."""
-_TINY_NEGATIVE = 1e-3
-"""Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
 
 
 @dataclass(frozen=True)
@@ -54,6 +62,10 @@ class _Request:
     single: bool = False
     channel: int | None = None
     factor: float | None = None
+    white: float | None = None
+    skip: bool = False
+    bracket: bool = False
+    times: tuple[float, ...] | None = None
     warn: Callable[[Diagnostic], None] = lambda _: None
     progress: Progress = unseen
 
@@ -118,6 +130,10 @@ def laid_scene(
     single: bool = False,
     channel: int | None = None,
     factor: float | None = None,
+    white: float | None = None,
+    skip: bool = False,
+    bracket: bool = False,
+    times: tuple[float, ...] | None = None,
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
 ) -> Laid:
@@ -129,7 +145,9 @@ def laid_scene(
 
     A clip begins with frame `first`; with `single` that frame is a still. `channel` exposes red,
     green or blue (0 to 2) of a picture in colour instead of its luminance, `factor` is known
-    electrons for one unit of the scene instead of an exposure.
+    electrons for one unit of the scene instead of an exposure. `white` is the sample that is white
+    instead of the largest of its type. `skip` leaves out frames that a folder lacks, with a
+    warning (NS0776). `bracket` merges photos to a still; `times` are their exposures in seconds.
 
     `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect of
     the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
@@ -137,7 +155,8 @@ def laid_scene(
     """
     request = _Request(
         spec, tuple(slot_us), Window(rows, cols, crop), exposure, transfer, fps, crop, frames_are,
-        fit, first, single, channel, factor, warn, progress,
+        fit, first, single, channel, factor, checked_white(white), skip, bracket, times,
+        warn, progress,
     )  # fmt: skip
     if crop is not None and fit != "crop":
         _refuse(request, f"--fit {fit} exposes the whole picture", "crop")
@@ -145,11 +164,19 @@ def laid_scene(
         from nscc_runtime.scenes.builtin import load_builtin
 
         why = "a builtin scene is made for the array and the program's slots"
-        _refuse(request, why, "transfer", "fps", "crop", "first")
+        _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket")
         made = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
         if made.kind != "still":
             _refuse(request, why, "single")
         return Laid(made, request.on_array)
+    if not bracket:
+        _refuse(request, "the exposure times are those of a bracket", "times")
+    else:
+        from nscc_runtime.scenes.bracket import bracket_files, merged_bracket
+
+        _refuse(request, "a bracket is one still", "first", "transfer", "white")
+        files = bracket_files(spec)
+        return _still(request, lambda: merged_bracket(files, times), "linear")
     return _load_path(request, _existing(spec))
 
 
@@ -182,7 +209,7 @@ def _existing(spec: str) -> Path:
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
-            *((f"did you mean builtin:{near}?",) if near and not path.suffix else ()),
+            *((did_you_mean(f"builtin:{near}"),) if near and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",
         ),
@@ -196,17 +223,19 @@ def _load_path(request: _Request, path: Path) -> Laid:
 
     suffix = path.suffix.lower()
     if path.is_dir():
-        files = picture_files.files_of(path)
-        transfer = request.transfer or picture_files.default_transfer(files[0])
-        return _clip(request, picture_files.read_folder(files), transfer)
+        files = picture_files.files_of(path, request.skip, request.warn)
+        transfer = request.transfer or picture_files.transfer_of(files[0])
+        frames = picture_files.read_folder(files, request.skip, request.warn)
+        return _clip(request, frames, transfer)
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
-        _refuse(request, "a still is one frame", "first")
-        transfer = request.transfer or picture_files.default_transfer(path)
-        return _still(request, partial(picture_files.read_picture, path), transfer)
+        usual = picture_files.default_transfer(path)
+        return _picture(request, picture_files.open_pages(path), usual)
     if suffix in clips.CLIPS:
-        return _clip(request, clips.read_clip(path), request.transfer or "srgb")
+        pages = clips.open_clip(path)
+        _say_notes(request, pages)
+        return _clip(request, pages.read(), request.transfer or pages.transfer or "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
@@ -214,6 +243,21 @@ def _load_path(request: _Request, path: Path) -> Laid:
         notes=(f"scenes end in {known}, or are folders of pictures",),
         helps=("give the file the ending of its format",),
     )
+
+
+def _picture(request: _Request, pages: Pages, usual: Transfer) -> Laid:
+    """A still, or the clip of a file of several pictures; `usual` is the format's curve."""
+    transfer = request.transfer or pages.transfer or usual
+    _say_notes(request, pages)
+    if pages.count > 1:
+        return _clip(request, pages.read(), transfer)
+    _refuse(request, "a still is one frame", "first")
+    return _still(request, lambda: next(pages.read()), transfer)
+
+
+def _say_notes(request: _Request, pages: Pages) -> None:
+    for text, help_text in pages.notes if request.channel is None else ():
+        request.warn(picture_note(f"'{request.name}' {text}", help_text))
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
@@ -235,11 +279,12 @@ def _array(request: _Request, path: Path) -> Laid:
         key, found = arrays.read_mat(path, request.check_light)
         if key == arrays.MAT_CLIP_KEY:
             frames = (found[:, :, k] for k in range(found.shape[2]))
-            return _clip(request, frames, request.transfer or "linear")
+            white = request.white or arrays.clip_white(found)
+            return _clip(replace(request, white=white), frames, request.transfer or "linear")
     else:
         found = arrays.read_light(path, request.check_light, request.progress)
     why = "`light` arrays hold electrons, slot by slot, for every pixel"
-    _refuse(request, why, "fps", "crop", "first")
+    _refuse(request, why, "fps", "crop", "first", "white")
     if found.ndim == 3:
         _refuse(request, why, "single")
     if request.transfer == "srgb":
@@ -285,14 +330,17 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Laid:
     """Frames of a clip: one a slot, or as `--fps` lays them under the slots; or one, as a still."""
     if request.single:
-        return _still(request, partial(_only_frame, request, stored), transfer)
+        return _still(
+            request, partial(timing.only_frame, request.name, stored, request.first), transfer
+        )
     request.check_exposure()
     fps = None if request.fps is None else timing.check_fps(request.fps)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
     frames, where = np.empty((0, 0, 0), np.float32), request.on_array
     have, colour = 0, False
     for picture in request.progress(islice(stored, request.first, None), "reading frames", need):
-        frame, where = _light(request, picture, transfer, f"{request.name}, frame {have}")
+        name = f"{request.name}, frame {request.first + have}"
+        frame, where = _light(request, picture, transfer, name)
         if have == 0:
             colour = _say_changes(request, picture, transfer, where)
         if have == len(frames):
@@ -316,15 +364,6 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     return Laid(clip, where, colour)
 
 
-def _only_frame(request: _Request, stored: Iterator[NDArray[Any]]) -> NDArray[Any]:
-    """The frame of a clip that is taken as a still; NS0735 beyond its end."""
-    have = 0
-    for have, picture in enumerate(stored, 1):
-        if have > request.first:
-            return picture
-    raise timing.no_such_frame(request.name, have, request.first)
-
-
 def _say_changes(
     request: _Request, stored: NDArray[Any], transfer: Transfer, where: Layout
 ) -> bool:
@@ -333,8 +372,11 @@ def _say_changes(
     if request.channel is None:
         for found in changes(where, colour, request.name):
             request.warn(found)
-        if request.transfer is None and transfer == "srgb" and stored.dtype.kind == "f":
+        floats = stored.dtype.kind == "f"
+        if request.transfer is None and transfer == "srgb" and floats:
             request.warn(taken_for_srgb(request.name))
+        if request.white is None and few_bits(stored):
+            request.warn(white_used(request.name, transfer, stored))
     return colour
 
 
@@ -343,16 +385,12 @@ def _light(
 ) -> tuple[NDArray[np.float32], Layout]:
     """A stored picture as light on the arrays, and how it lies; NS0736 for what is not light."""
     where = layout(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
-    with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
-        floats = stored.dtype.kind == "f"
-        peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
-        part = request.window.of(stored, request.name) if where.fit == "crop" else stored
-        strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
-        values = np.concatenate([grey(strip, transfer, request.channel) for strip in strips])
-        low = float(values.min())
-    if low < 0 and low >= -_TINY_NEGATIVE * peak:
-        count = int(np.count_nonzero(values < 0))
-        values = np.maximum(values, 0.0)
-        request.warn(clamped(name, count, values.size, low))
-    refuse_no_light(values, name)
+    window = None
+    if where.fit == "crop":
+        top, left = request.window.place(where.picture, request.name)
+        window = slice(top, top + request.window.rows), slice(left, left + request.window.cols)
+    values = picture_light(
+        stored, transfer, name, channel=request.channel, white=request.white, window=window,
+        warn=request.warn,
+    )  # fmt: skip
     return placed(values, where), where

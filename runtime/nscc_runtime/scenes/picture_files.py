@@ -1,28 +1,36 @@
 """Scenes given as pictures: single files and folders of them, through the readers that know them.
 
-OpenEXR reads .exr; Pillow .jpg, .webp and .gif, because it notices truncated files; OpenCV the
-rest, because it keeps 16 bits a sample and knows Radiance and PFM.
+OpenEXR reads .exr; Pillow .jpg and .webp, because it notices truncated files, and .avif; rawpy the
+raw files of cameras; OpenCV the rest, because it keeps 16 bits a sample and knows Radiance and PFM.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, redirect_stdout
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.errors import damaged
+from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
+from nscc_runtime.scenes.exr_pictures import exr_pages
+from nscc_runtime.scenes.numbering import frames_missing, missing_frames
+from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
+from nscc_runtime.scenes.picture_heads import png_head, read_radiance
+from nscc_runtime.scenes.picture_size import refuse_huge, refuse_size
+from nscc_runtime.scenes.raw_pictures import RAW, raw_pages
+from nscc_runtime.scenes.tiff_pictures import tiff_pages
 
-LINEAR = (".exr", ".hdr", ".pfm")
-DISPLAY = (".bmp", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
+LINEAR = (".exr", ".hdr", ".pfm", *RAW)
+DISPLAY = (".avif", ".bmp", ".heic", ".heif", ".jpeg", ".jpg", ".png", ".tif", ".tiff", ".webp")
 PICTURES = LINEAR + DISPLAY
 
 
@@ -31,29 +39,89 @@ def default_transfer(path: Path) -> Transfer:
     return "linear" if path.suffix.lower() in LINEAR else "srgb"
 
 
-def read_picture(path: Path) -> NDArray[Any]:
-    """A picture as stored: (R, C) grey or (R, C, 3) red, green, blue; NS0732 where damaged.
+def transfer_of(path: Path) -> Transfer:
+    """The transfer curve that a picture's file names, or else that of its format."""
+    named = png_head(path).transfer if path.suffix.lower() == ".png" else None
+    return named or default_transfer(path)
+
+
+def open_pages(path: Path) -> Pages:
+    """The pictures in a file: one, or those of a file of several, which are a clip.
 
     Alpha is dropped; the rotation noted in a photograph is applied.
+
+    Raises
+    ------
+    Rejected
+        NS0732 for a file that is damaged, or of a kind that is not decoded.
     """
     reads(path)
+    with _readable(path):
+        refuse_huge(path)
+        pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
+
+    def read() -> Iterator[tuple[str, NDArray[Any]]]:
+        pictures = pages.read()
+        for number in range(pages.count):
+            with _readable(path):
+                picture = next(pictures)
+                kind = picture.dtype.kind
+                if picture.ndim not in (2, 3) or 0 in picture.shape or kind not in "uif":
+                    raise ValueError(f"an array of {picture.dtype}, {picture.shape}")
+            yield f"{path}, page {number}", picture
+
+    return replace(pages, read=lambda: same_size(read()))
+
+
+def read_picture(path: Path) -> NDArray[Any]:
+    """The one picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
+
+    Raises
+    ------
+    Rejected
+        As `open_pages`, and NS0732 for a file of several pictures.
+    """
+    pages = open_pages(path)
+    if pages.count != 1:
+        raise unsupported(
+            path, f"it holds {pages.count} pictures, and one is needed here",
+            "save the picture that is meant in a file of its own",
+        )  # fmt: skip
+    return next(iter(pages.read()))
+
+
+@contextmanager
+def _readable(path: Path) -> Iterator[None]:
+    """NS0732 with the reader's words, or with the reason why a whole file is not decoded."""
     try:
         with quiet():
-            picture = _READERS.get(path.suffix.lower(), _read_opencv)(path)
-    except Rejected:
+            yield
+    except (Rejected, ImportError, GeneratorExit):
         raise
+    except UnsupportedPicture as error:
+        raise unsupported(path, error.reason, error.help_text) from error
     except Exception as error:  # each reader has its own exceptions
         raise damaged(path, error) from error
-    if picture.ndim not in (2, 3) or 0 in picture.shape or picture.dtype.kind not in "uif":
-        raise damaged(path, f"an array of {picture.dtype}, {picture.shape}")
-    return picture
 
 
-def _read_opencv(path: Path) -> NDArray[Any]:
+def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
+    """A file of one picture. imread knows files by their content; decoding from memory also takes
+    any path."""
+
+    def read() -> Iterator[NDArray[Any]]:
+        yield decode(np.fromfile(path, np.uint8))
+
+    return Pages(1, read)
+
+
+def _opencv_pages(path: Path) -> Pages:
+    return _one(path, decoded)
+
+
+def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
+    """The picture that OpenCV decodes from the bytes of a file; ValueError where it cannot."""
     import cv2
 
-    # imread knows files by their content; decoding from memory also takes any path.
-    data = np.fromfile(path, np.uint8)
     if data.size == 0:
         raise ValueError("the file is empty")
     # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
@@ -67,37 +135,79 @@ def _read_opencv(path: Path) -> NDArray[Any]:
     return picture if picture.ndim == 2 else picture[..., 2::-1]
 
 
-def _read_pillow(path: Path) -> NDArray[Any]:
+def _pillow_pages(path: Path) -> Pages:
+    """The frames of a file, an animation's laid over those before."""
     from PIL import Image, ImageOps
 
-    with Image.open(path) as image:
-        upright = ImageOps.exif_transpose(image)
-        return np.asarray(upright.convert("L" if upright.mode in ("1", "L") else "RGB"))
+    with _large_pictures(), Image.open(path) as image:
+        count = int(getattr(image, "n_frames", 1))
+        refuse_size(path, image.height, image.width)
+
+    def read() -> Iterator[NDArray[Any]]:
+        with _large_pictures(), Image.open(path) as image:
+            for number in range(count):
+                image.seek(number)
+                upright = ImageOps.exif_transpose(image) if count == 1 else image
+                grey = count == 1 and upright.mode in ("1", "L")
+                yield np.asarray(upright.convert("L" if grey else "RGB"))
+
+    return Pages(count, read)
 
 
-def _read_exr(path: Path) -> NDArray[Any]:
-    import OpenEXR
+@contextmanager
+def _large_pictures() -> Iterator[None]:
+    """Pillow takes panoramas for attacks by their size; `refuse_size` says what is one here."""
+    from PIL import Image
 
-    with OpenEXR.File(str(path)) as file:
-        channels = file.channels()
-        for name in ("RGB", "RGBA"):
-            if name in channels:
-                return np.array(channels[name].pixels[..., :3])
-        if "Y" in channels:
-            return np.array(channels["Y"].pixels)
-        names = sorted(channels)
-    if len(names) == 1:
-        raise ValueError(f"its only channel is {names[0]}, not Y")
-    raise ValueError(f"no channels R, G, B or Y, but {', '.join(names)[:100]}")
+    most, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
+    try:
+        yield
+    finally:
+        Image.MAX_IMAGE_PIXELS = most
 
 
-_READERS = {".exr": _read_exr, **dict.fromkeys((".bmp", ".jpeg", ".jpg", ".webp"), _read_pillow)}
+def _heif_pages(path: Path) -> Pages:
+    from pillow_heif import register_heif_opener
+
+    register_heif_opener()
+    return _pillow_pages(path)
 
 
-def files_of(folder: Path) -> list[Path]:
-    """The pictures of a folder in natural order (2 before 10); NS0735 if there are none.
+def _png_pages(path: Path) -> Pages:
+    """A picture by OpenCV, which keeps 16 bits, or the frames of an animation by Pillow."""
+    head = png_head(path)
+    pages = _pillow_pages(path) if head.animated else _opencv_pages(path)
+    return replace(pages, transfer=head.transfer, notes=head.notes)
 
-    Hidden files and files of other kinds are passed over.
+
+def _radiance_pages(path: Path) -> Pages:
+    return _one(path, lambda data: read_radiance(path, data, decoded))
+
+
+_READERS: dict[str, Callable[[Path], Pages]] = {
+    ".exr": exr_pages,
+    ".hdr": _radiance_pages,
+    ".png": _png_pages,
+    **dict.fromkeys((".tif", ".tiff"), tiff_pages),
+    **dict.fromkeys((".heic", ".heif"), _heif_pages),
+    **dict.fromkeys((".avif", ".bmp", ".jpeg", ".jpg", ".webp"), _pillow_pages),
+    **dict.fromkeys(RAW, raw_pages),
+}
+
+
+def files_of(
+    folder: Path, skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
+) -> list[Path]:
+    """The pictures of a folder in natural order (2 before 10).
+
+    Hidden files, and files that belong to no sequence of frames, are passed over. With `skip`,
+    `warn` is told of frames that are missing.
+
+    Raises
+    ------
+    Rejected
+        NS0735 for a folder without pictures, NS0739 for one of linear and of display pictures,
+        NS0776 where frames are missing: files that are not read, or gaps in the numbering.
     """
     try:
         names = sorted(entry.name for entry in folder.iterdir() if entry.is_file())
@@ -123,6 +233,11 @@ def files_of(folder: Path) -> list[Path]:
             f"({first['srgb']})",
             helps=("a clip is one kind: put the others into a folder of their own",),
         )
+    missing = missing_frames([path.name for path in pictures], names)
+    if missing:
+        if not skip:
+            raise Rejected(frames_missing(folder, missing), status=2)
+        warn(frames_missing(folder, missing, skipped=True))
     return pictures
 
 
@@ -135,17 +250,37 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
     ], name
 
 
-def read_folder(pictures: list[Path]) -> Iterator[NDArray[Any]]:
-    """The frames of a folder, each as stored; NS0734 where one differs in size from the first."""
+def read_folder(
+    pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
+) -> Iterator[NDArray[Any]]:
+    """The frames of a folder, each as stored; NS0734 where one differs in size from the first.
+
+    With `skip`, `warn` is told of damaged files (NS0776), and they are left out.
+    """
+
+    def read() -> Iterator[tuple[Path, NDArray[Any]]]:
+        for path in pictures:
+            try:
+                yield path, read_picture(path)
+            except Rejected as error:
+                if not skip:
+                    raise
+                reason = error.diagnostics[0].message
+                warn(frames_missing(path.parent, (f"{path.name}: {reason}",), skipped=True))
+
+    return same_size(read())
+
+
+def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
+    """The pictures of a clip, each given with its name; NS0734 where one differs in size."""
     first: tuple[int, int] | None = None
-    for path in pictures:
-        picture = read_picture(path)
+    for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])
         first = first or have
         if have != first:
             raise rejected(
                 "NS0734",
-                f"'{path}' is {have[0]} x {have[1]}, but the clip's first frame is "
+                f"'{name}' is {have[0]} x {have[1]}, but the clip's first frame is "
                 f"{first[0]} x {first[1]}",
                 helps=("give all frames of a clip the same size",),
             )

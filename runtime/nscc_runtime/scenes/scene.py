@@ -10,6 +10,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.target.target import Target
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.scenes.bracket import parse_times
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import parse_exposure
@@ -23,7 +24,8 @@ class Scene:
 
     `name` is a file, a folder or `builtin:NAME`, `exposure` is text as E[@P], `crop` as R,C.
     `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
-    `single` takes it as a still.
+    `single` takes it as a still. `white` is the sample that is white; `skip` leaves out frames that
+    are missing from a folder. `bracket` merges photos, of exposure `times` in seconds, as text.
     """
 
     name: str
@@ -36,6 +38,10 @@ class Scene:
     color: bool = False
     first: int = 0
     single: bool = False
+    white: float | None = None
+    skip: bool = False
+    bracket: bool = False
+    times: str | None = None
 
     def light(
         self,
@@ -71,6 +77,10 @@ class Scene:
                 fit=self.fit,
                 first=self.first,
                 single=self.single,
+                white=self.white,
+                skip=self.skip,
+                bracket=self.bracket,
+                times=None if self.times is None else parse_times(self.times),
                 warn=told,
                 progress=progress,
                 **which,

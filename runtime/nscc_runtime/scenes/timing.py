@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import accumulate
 from math import ceil
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -143,6 +144,15 @@ def too_short(
         helps=(f"use a longer clip, {ways}",),
         data={"frames": have, "needed": need},
     )
+
+
+def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -> NDArray[Any]:
+    """The frame of a clip that is taken as a still; NS0735 beyond its end."""
+    have = 0
+    for have, picture in enumerate(stored, 1):
+        if have > first:
+            return picture
+    raise no_such_frame(name, have, first)
 
 
 def no_such_frame(name: Path_or_name, have: int, first: int) -> Rejected:

@@ -76,7 +76,6 @@ class Asked:
     setting: str
     plan: Plan
     measured_e: float
-    measured_lsb: float
 
     @property
     def tolerance_e(self) -> float:
@@ -255,7 +254,8 @@ class _Bench:
             for key in errors
         ]
         asked = (
-            Asked(setting, plan, *errors[PLANNED, setting]) for setting, plan in self.plans.items()
+            Asked(setting, plan, errors[PLANNED, setting][0])
+            for setting, plan in self.plans.items()
         )
         return Study(
             self.scene.name,

@@ -1,7 +1,7 @@
 """Clips and stills from a frame of any code, by weights that no code was trained for.
 
 `measured` is what is known of the light: frames, masks, noise, saturation. `network` is a denoiser
-that sees it, `stages` alternates both, and `lessons` and `training` made the weights beside them.
+that sees it, `stages` alternates both, and `lessons` are what `nscc train` made the weights of.
 """
 
 from __future__ import annotations

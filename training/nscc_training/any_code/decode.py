@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from functools import cache
 from importlib.resources import as_file, files
+from pathlib import Path
 
-import numpy as np
 import torch
-from numpy.typing import NDArray
 from torch import Tensor
 
-from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
-from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage, started
+from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.baselines.tensor_tv import gap_tv_of
+from nscc_training.measured import Measured
 
 WEIGHTS = "weights.safetensors"
-Clip = NDArray[np.float32]
+_BRIGHT = 0.995
 
 
 @cache
@@ -36,6 +36,19 @@ def shipped(kind: str) -> ClipDenoiser:
     return made.eval().requires_grad_(False)
 
 
+def write_shipped(clip: Path, still: Path, out: Path) -> None:
+    """Write the weights of two runs as nscc ships them, in half precision."""
+    from safetensors.torch import load_file, save_file
+
+    state = {
+        f"{kind}.{name.removeprefix('denoiser.')}": weight.half()
+        for kind, run in (("clip", clip), ("still", still))
+        for name, weight in load_file(run / "decoder.safetensors").items()
+        if name.startswith("denoiser.")
+    }
+    save_file(state, out)
+
+
 @torch.no_grad()
 def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
     """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages;
@@ -46,7 +59,7 @@ def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
     """
     unit = white(measured)
     measured = measured.over(unit)
-    clip, target = started(measured)
+    clip, target = gap_tv_of(measured)
     with bf16_where_multiplied():
         for number, sigma in enumerate(schedule(count)):
             denoiser = mirrored(shipped("clip"), number)
@@ -69,19 +82,19 @@ def decoded_still(measured: Measured, count: int = STILL_STAGES) -> Tensor:
     return light * unit.reshape(-1, 1, 1)
 
 
-def any_clip(measurement: NDArray[np.float32], mask: Clip, count: int = STAGES) -> Clip:
-    """The same of one frame (rows, cols) without noise, and its mask (N, rows, cols)."""
-    frame, opened = (torch.from_numpy(np.asarray(part, np.float32)) for part in (measurement, mask))
-    return decoded_clip(Measured.exact(frame[None], opened[None]), count)[0].numpy()
-
-
 def white(measured: Measured) -> Tensor:
-    """The light (batch,) that all but the brightest half percent of the pixels have on average."""
+    """Return the light (batch,) that all but the brightest half percent of the pixels have on
+    average, of those that are ever open; 1 where none is."""
     total = measured.mask.sum(dim=(1, 2))
     mean = measured.mean()
-    levels = []
-    for index in range(len(mean)):
-        opened = total[min(index, len(total) - 1)] > 0
-        values = mean[index][opened]
-        levels.append(np.quantile(values.numpy(), 0.995) if len(values) else 1.0)
-    return torch.tensor(levels, dtype=torch.float32).clamp(min=1e-6)
+    opened = (total > 0).expand_as(mean).flatten(1)
+    # Pixels that never open come first, and do not count.
+    ordered = torch.where(opened, mean.flatten(1), -torch.inf).sort(dim=1).values
+    count = opened.sum(dim=1)
+    closed = ordered.shape[1] - count
+    place = closed + _BRIGHT * (count - 1).clamp(min=0)
+    below = place.floor().long().clamp(max=ordered.shape[1] - 1)
+    above = (below + 1).clamp(max=ordered.shape[1] - 1)
+    low, high = (ordered.gather(1, each[:, None])[:, 0] for each in (below, above))
+    level = torch.where(count > 0, low + (high - low) * (place - below).to(low), 1.0)
+    return level.clamp(min=1e-6)

@@ -8,11 +8,12 @@ import torch
 from torch import Tensor, nn
 
 from nscc_training.any_code.decode import shipped, white
-from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.network import ClipDenoiser
-from nscc_training.any_code.stages import led, mirrored, schedule, stage, started
+from nscc_training.any_code.stages import led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
+from nscc_training.baselines.tensor_tv import gap_tv_of
 from nscc_training.decoders.declared import Task
+from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, shared_out
 
 _STAGES = {"paper": 8, "small": 4}
@@ -42,23 +43,28 @@ class AnyCode(nn.Module):
         self.denoiser.load_state_dict(shipped("still" if still else "clip").state_dict())
         self.noise = nn.Parameter(torch.tensor(_NOISE).log())
 
+    def begin_anew(self) -> None:
+        """Replace the weights that come with nscc by random ones."""
+        self.denoiser = ClipDenoiser(self.denoiser.widths)
+
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         opened = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
-        slots = 1 if self.still else len(opened)
-        mask = opened.mean(dim=0, keepdim=True) if self.still else opened
+        slots = 1 if self.still else opened.shape[-3]
+        mask = opened.mean(dim=-3, keepdim=True) if self.still else opened
         if frame.ndim == 3:
-            frame, masks = frame.unsqueeze(1), mask.unsqueeze(0)
+            frame, masks = frame.unsqueeze(1), mask.unsqueeze(-4)
         else:
             masks = shared_out(mask, frame.shape[1])
         dark, gained = self.noise.exp()
         variance = slots**2 * (dark + gained * frame.clamp(min=0))
-        measured = Measured(slots * frame, masks.unsqueeze(0), variance, frame >= 1)
+        masks = masks if masks.ndim == 5 else masks.unsqueeze(0)
+        measured = Measured(slots * frame, masks, variance, frame >= 1)
         return self._still(measured) if self.still else self._clip(measured)
 
     def _clip(self, measured: Measured) -> Tensor:
         with torch.no_grad():
-            unit = white(measured).to(measured.value.device)
-            clip, target = started(measured.over(unit))
+            unit = white(measured)
+            clip, target = gap_tv_of(measured.over(unit))
         measured = measured.over(unit)
         for number, sigma in enumerate(schedule(self.stages)):
             clip, target = stage(measured, mirrored(self.denoiser, number), clip, target, sigma)

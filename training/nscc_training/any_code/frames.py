@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
+from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
@@ -12,15 +12,18 @@ import numpy as np
 import torch
 from numpy.typing import NDArray
 
-from nscc.containers import load_container, with_pixels
+from nscc.containers import is_compiled, load_container, with_pixels
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import InvalidArrays
+from nscc.pipeline import Options
+from nscc.words.file import to_bytes
 from nscc_runtime.decode_table import decode_arrays
-from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_training.any_code.measured import Measured
 from nscc_training.dark import read_dark, undarkened
-from nscc_training.frame_reading import are_lengths, is_plan, number_of
+from nscc_training.frame_reading import are_lengths, number_of
+from nscc_training.measured import Measured
 from nscc_training.problems import said, why_no_arrays
 
 _TOP = 255
@@ -91,21 +94,24 @@ def read_coded_frames(
     is taken off, in place of what its words add in the mean; `warn` is told doubts about it.
     """
     try:
-        with open(path, "rb") as stream, np.load(stream, allow_pickle=False) as file:
-            arrays = {key: file[key] for key in file.files if key not in ("light", "truth_e")}
-        meta = json.loads(str(arrays["meta"]))
-    except Exception as error:  # numpy, zipfile and json raise a dozen types for damaged files
-        raise nocoded_frame(path, why_no_arrays(path, error)) from error
-    if not isinstance(meta, dict) or meta.get("schema") != SCHEMA:
-        raise nocoded_frame(path, f"its schema is not {SCHEMA}")
-    if not is_plan(meta.get("plan")):
-        raise nocoded_frame(path, "the `plan` of its meta does not say which effects it has")
+        arrays, meta = read_frame_arrays(
+            path, lambda name: name == "saturated" or name.startswith("decode_")
+        )
+    except (InvalidArrays, OSError) as error:
+        raise nocoded_frame(path, why_no_arrays(error)) from error
     if program is not None:
-        arrays |= _table_of(path, program, meta)
-        pixels, own = (arrays[name].shape[-2:] for name in ("decode_row", "frame"))
+        table = _table_of(path, program, meta)
+        pixels, own = (each[name].shape[-2:] for each, name in
+                       ((table, "decode_row"), (arrays, "frame")))  # fmt: skip
         if pixels != own:
             sizes = f"{own[0]} x {own[1]} pixels, and '{program}' has {pixels[0]} x {pixels[1]}"
             raise nocoded_frame(path, f"it has {sizes}", "name the program that exposed it")
+        if not _is_exposed_by(program, arrays, meta, table):
+            reason = f"it was exposed with other shutters than those of '{program}'"
+            raise nocoded_frame(path, f"{reason} (`program_sha256` of its meta is another)",
+                                "name the .icw file that exposed it, or leave --program out where "
+                                "the frame holds its shutters")  # fmt: skip
+        arrays |= table
     if "decode_row" not in arrays:
         raise nocoded_frame(path, "it does not hold its pixels' shutters",
                              "name the program that exposed it: --program FILE.icw")  # fmt: skip
@@ -133,7 +139,11 @@ def _dark_of(
     program, or with light."""
     found = read_dark(path, arrays["decode_shutter"].shape[-2])
     own, dark = arrays["frame"].shape[-2:], found.offset.shape[-2:]
-    if any(most < side or most % side for most, side in zip(own, dark, strict=True)):
+    # A picture that was laid on arrays may end within the last of them.
+    laid = meta.get("laid")
+    needed = [-(-most // side) for most, side in zip(own, dark, strict=True)]
+    fits = isinstance(laid, dict) and needed == laid.get("arrays")
+    if not fits and any(most < side or most % side for most, side in zip(own, dark, strict=True)):
         sizes = f"{dark[0]} x {dark[1]} pixels, the frame {own[0]} x {own[1]}"
         raise nocoded_frame(path, f"without light it has {sizes}",
                              "expose the dark frame with the same program")  # fmt: skip
@@ -161,12 +171,13 @@ def coded_frame(
         raise ValueError("`decode_slot_us` are no lengths of slots")
     if codes.shape[1:] != (opened.shape[1], *row.shape):
         raise ValueError(f"frames of {codes.shape[1:]}, shutters of {opened.shape[1:]}")
-    gain, bias_e, variance_e2 = (
-        arrays[f"decode_{name}"][row].transpose(2, 0, 1)
-        for name in ("gain", "bias_e", "variance_e2")
-    )
+    responses = [arrays[f"decode_{name}"] for name in ("gain", "bias_e", "variance_e2")]
+    if any(each.shape != opened.shape[:2] or each.dtype.kind != "f" for each in responses):
+        raise ValueError(f"responses of other shapes than the shutters, {opened.shape[:2]}")
+    gain, bias_e, variance_e2 = (response[row].transpose(2, 0, 1) for response in responses)
     # A variance may be infinite: such a code says nothing about the light.
-    known = np.isfinite(gain) & (gain != 0) & np.isfinite(bias_e) & (variance_e2 >= 0)
+    largest = np.maximum(np.abs(gain), np.abs(bias_e))
+    known = (np.abs(gain) > 1e-15) & (largest < 1e15) & (variance_e2 >= 0)
     if not known.all():
         raise ValueError("how light follows from an exposure (`decode_gain`, `decode_bias_e`, "
                          "`decode_variance_e2`) is not said in numbers")  # fmt: skip
@@ -211,6 +222,25 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
             helps=("name the program that exposed the frame",),
         )
     return found
+
+
+def _is_exposed_by(
+    program: Path, arrays: Mapping[str, NDArray[Any]], meta: Mapping[str, Any],
+    table: Mapping[str, NDArray[Any]],
+) -> bool:  # fmt: skip
+    """Whether a frame has the shutters of a program, whose arrays are `table`: by the shutters that
+    the frame holds, else by its digest of the program, compiled at any level."""
+    if "decode_row" in arrays:
+        same_slots = np.array_equal(arrays["decode_slot_us"], table["decode_slot_us"])
+        opened, wanted = (each["decode_shutter"][each["decode_row"]] for each in (arrays, table))
+        return same_slots and np.array_equal(opened, wanted)
+    digest = meta.get("program_sha256")
+    levels = (2,) if is_compiled(program) else (2, 1, 0, 3)
+    containers = (load_container(program, Options(level=level))[0] for level in levels)
+    return digest is None or any(
+        sha256(to_bytes(with_pixels(container, program))).hexdigest() == digest
+        for container in containers
+    )
 
 
 def nocoded_frame(path: Path, reason: str, help_text: str | None = None) -> Exception:

@@ -1,18 +1,27 @@
-"""What the denoiser learns from: noisy clips, and clips behind codes of every kind."""
+"""Lessons of the decoder for any code: noisy clips, and clips and stills behind codes of any kind.
+
+What is drawn of a lesson, light and shutters, depends on seed and step; noise is drawn on the
+device that the network learns on.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 import torch
 from numpy.typing import NDArray
 from torch import Tensor
+from torch.utils.data import Dataset
 
-from nscc_runtime.scenes.colour import srgb_to_linear
 from nscc_training.any_code.decode import white
-from nscc_training.any_code.measured import Measured
+from nscc_training.curves import srgb_inverse
+from nscc_training.data.exposures import quantiles
 from nscc_training.data.moving import Generator, Picture, moving
+from nscc_training.draws import uniform
+from nscc_training.measured import Measured
+from nscc_training.settings import Settings
 
 Mask = NDArray[np.float32]
 Light = NDArray[np.float32]
@@ -23,86 +32,94 @@ _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
 _FILM_LENGTHS = (8, 16, 16)
 _FULL_WELL_E = (2_000.0, 60_000.0)
 _READ_LSB = (0.2, 2.0)
-_BITS = 8
+_TOP = 255.0
 
 
-def noisy(
-    pictures: Sequence[Picture], generator: Generator, batch: int, size: int
-) -> tuple[Tensor, Tensor, Tensor]:
-    """Clips of eight frames, the same with noise, and its standard deviation (batch,)."""
-    clip = _clips(pictures, generator, batch, 8, size)
-    sigma = torch.from_numpy(generator.uniform(*_NOISE, batch).astype(np.float32))
-    noise = torch.from_numpy(generator.standard_normal(clip.shape, np.float32))
-    return clip, clip + noise * sigma.reshape(-1, 1, 1, 1), sigma
+class Lesson(NamedTuple):
+    """What is drawn for a step: clips (batch, T, rows, cols) on 0..1 as a display shows them, or
+    the light of stills in full wells (batch, 1, rows, cols), behind masks of that shape.
 
-
-def coded(
-    pictures: Sequence[Picture], generator: Generator, batch: int, size: int, exact: float = 0.5
-) -> tuple[Tensor, Measured]:
-    """Clips of one length behind a mask each, as many as come to `batch` of eight frames.
-
-    The part `exact` of them is measured exactly, as benchmarks are; the others by a sensor with
-    photon noise, readout noise and rounding, and a full well that some pixels reach.
+    `exact`: they are measured without noise, as benchmarks are. `filmed`: as a camera takes them,
+    linear light whose white is guessed.
     """
-    frames = _LENGTHS[int(generator.integers(len(_LENGTHS)))]
-    count = max(1, batch * 8 // frames)
-    clip = _clips(pictures, generator, count, frames, size)
-    masks = [mask_drawn(generator, frames, size) for _ in range(count)]
-    mask = torch.from_numpy(np.stack(masks)).unsqueeze(1)
-    known = Measured.exact((mask[:, 0] * clip).sum(dim=1), mask[:, 0])
-    if generator.random() < exact:
-        return clip, known
-    read = [_read_out(value.numpy(), generator) for value in known.value]
-    value, variance, saturated = (
-        torch.from_numpy(np.stack(part)) for part in zip(*read, strict=True)
-    )
-    return clip, Measured(value, mask, variance, saturated)
+
+    light: Tensor
+    mask: Tensor
+    exact: bool
+    filmed: bool
+    names: tuple[str, ...]
 
 
-def filmed(
-    pictures: Sequence[Picture], generator: Generator, batch: int, size: int
-) -> tuple[Tensor, Measured, Tensor]:
-    """Clips as a camera takes them, as many as come to `batch` of eight frames: linear light, in
-    units of a white that is guessed as `decoded_clip` does, the white of the display being `unit`
-    (batch,) of the third result.
+class LessonSet(Dataset[Lesson]):
+    """The lessons of a run by step: as many clips as come to the batch of eight frames."""
 
-    The full well holds about what always open pixels gather at the brightest percent of places, as
-    protocol video-v1 exposes: behind short shutters dark places are lost in noise and rounding.
+    def __init__(self, pictures: Sequence[Picture] | Sequence[Light], settings: Settings) -> None:
+        self.pictures, self.settings = pictures, settings
+
+    def __getitem__(self, step: int) -> Lesson:
+        settings = self.settings
+        generator = np.random.default_rng([settings.train.seed, 12, step])
+        kind, size, batch = settings.decoder.lessons, settings.data.patch, settings.train.batch
+        if kind == "stills":
+            drawn = [_still_drawn(self.pictures, generator, size) for _ in range(batch)]  # type: ignore[arg-type]
+            light, mask = (torch.from_numpy(np.stack(part)) for part in zip(*drawn, strict=True))
+            return Lesson(light[:, None], mask[:, None], False, False, (kind,))
+        filmed = kind == "codes" and generator.random() < settings.decoder.films
+        exact = kind == "denoise" or (not filmed and generator.random() < settings.decoder.exact)
+        lengths = (8,) if kind == "denoise" else _FILM_LENGTHS if filmed else _LENGTHS
+        frames = lengths[int(generator.integers(len(lengths)))]
+        count = max(1, batch * 8 // frames)
+        clips = [moving(self.pictures, generator, frames, size) for _ in range(count)]  # type: ignore[arg-type]
+        draw = _film_mask if filmed else mask_drawn
+        masks = [draw(generator, frames, size) for _ in range(count)]
+        light, mask = (torch.from_numpy(np.stack(part)) for part in (clips, masks))
+        return Lesson(light, mask, exact, filmed, (kind,))
+
+
+def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
+    """Return clips with noise, and its standard deviation (batch,)."""
+    low, high = _NOISE
+    sigma = low + (high - low) * uniform(clip, generator, clip.shape[:1])
+    drawn = torch.randn(clip.shape, generator=generator, device=generator.device).to(clip)
+    return clip + drawn * sigma.reshape(-1, 1, 1, 1), sigma
+
+
+def measured_lesson(
+    lesson: Lesson, generator: torch.Generator
+) -> tuple[Tensor, Measured, Tensor | None]:
+    """Return the truth of a lesson, what is measured of it, and the display's white (batch,).
+
+    The white is given for filmed lessons, in whose unit errors are counted as a display shows them.
+    The full well of these holds about what always open pixels gather at the brightest percent of
+    places, as protocol video-v1 exposes: behind short shutters dark places are lost in noise and
+    rounding. Of a still the full well is 1; of others some pixels may reach it.
     """
-    frames = _FILM_LENGTHS[int(generator.integers(len(_FILM_LENGTHS)))]
-    count = max(1, batch * 8 // frames)
-    shown = _clips(pictures, generator, count, frames, size).numpy()
-    light = torch.from_numpy(srgb_to_linear(shown).astype(np.float32))
-    drawn = [_film_mask(generator, frames, size) for _ in range(count)]
-    mask = torch.from_numpy(np.stack(drawn)).unsqueeze(1)
-    read = []
-    for each, opened in zip(light.numpy(), mask.numpy(), strict=True):
-        brightest = float(np.quantile(each.sum(axis=0), 0.99))
-        full = max(brightest * float(np.exp2(generator.uniform(-1, 1))), 1e-3)
-        read.append(_read_out((opened * each).sum(axis=1), generator, full))
-    value, variance, saturated = (
-        torch.from_numpy(np.stack(part)) for part in zip(*read, strict=True)
-    )
-    measured = Measured(value, mask, variance, saturated)
+    light, mask = lesson.light, lesson.mask
+    if lesson.filmed:
+        light = srgb_inverse(light)
+    value = (mask * light).sum(dim=1, keepdim=True)
+    masks = mask.unsqueeze(1)
+    if lesson.exact:
+        return light, Measured.exact(value[:, 0], mask), None
+    full: Tensor | None = None
+    if light.shape[1] == 1:
+        full = torch.ones_like(value[:, 0, 0, 0])
+    elif lesson.filmed:
+        brightest = quantiles(light.sum(dim=1).flatten(1), 0.99).to(light)
+        stops = 2 * uniform(brightest, generator) - 1
+        full = (brightest * torch.exp2(stops)).clamp(min=1e-3)
+    measured = Measured(*_read_out(value, masks, generator, full))
+    if not lesson.filmed:
+        return light, measured, None
     unit = white(measured)
     return light / unit.reshape(-1, 1, 1, 1), measured.over(unit), 1 / unit
 
 
-def exposed_still(
-    pictures: Sequence[Light], generator: Generator, batch: int, size: int
-) -> tuple[Tensor, Measured]:
-    """Stills (batch, size, size), light over the frame in full wells, and their frames: behind
-    stops in tiles or at random, with some part of the pixels saturated if they were all open."""
-    lights, shares = [], []
-    for _ in range(batch):
-        light = _light_drawn(pictures, generator, size)
-        lights.append(light / max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6))
-        shares.append(_stops_drawn(generator, size))
-    light, share = np.stack(lights)[:, None], np.stack(shares)[:, None]
-    read = [_read_out(value, generator, 1.0) for value in light * share]
-    value, variance, saturated = (np.stack(part) for part in zip(*read, strict=True))
-    arrays = (value, share[:, :, None], variance, saturated)
-    return torch.from_numpy(light[:, 0]), Measured(*map(torch.from_numpy, arrays))
+def _still_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> tuple[Light, Mask]:
+    """Return a still in full wells, with some part of it saturated if it were open, and stops."""
+    light = _light_drawn(pictures, generator, size)
+    level = max(float(np.quantile(light, generator.uniform(0.4, 0.98))), 1e-6)
+    return np.asarray(light / level, np.float32), _stops_drawn(generator, size)
 
 
 def _light_drawn(pictures: Sequence[Light], generator: Generator, size: int) -> Light:
@@ -179,32 +196,34 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
     return np.ascontiguousarray(whole, np.float32)
 
 
-def _clips(
-    pictures: Sequence[Picture], generator: Generator, batch: int, frames: int, size: int
-) -> Tensor:
-    return torch.from_numpy(
-        np.stack([moving(pictures, generator, frames, size) for _ in range(batch)])
-    )
-
-
 def _read_out(
-    value: NDArray[np.float32], generator: Generator, full: float | None = None
-) -> tuple[NDArray[np.float32], NDArray[np.float32], NDArray[np.bool_]]:
-    """A frame (1, rows, cols) as some sensor reads it: value, variance, what is saturated.
+    value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None
+) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """Return frames (batch, 1, rows, cols) as some sensor reads each: the fields of `Measured`.
 
-    `full` is the value that fills the well, else one that some pixels reach, or none.
+    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none.
     """
-    well_e = float(np.exp(generator.uniform(*np.log(_FULL_WELL_E))))
-    top = (1 << _BITS) - 1
-    # The part of pixels that saturate: none, for most.
-    share = generator.uniform(0, 0.15) * (generator.random() < 0.4)
-    reached = max(float(np.quantile(value, 1 - share)), 1e-3) * (1.02 if share == 0 else 1.0)
-    level = reached if full is None else full
-    electrons = np.minimum(value / level, 2.0) * well_e
-    read = float(np.exp(generator.uniform(*np.log(_READ_LSB))))
-    charge = electrons + np.sqrt(electrons) * generator.standard_normal(value.shape)
-    lsb = charge / well_e * top + read * generator.standard_normal(value.shape)
-    codes = np.clip(np.rint(lsb), 0, top)
-    found = (codes / top * level).astype(np.float32)
-    variance = (level / top) ** 2 * (read**2 + 1 / 12) + level / well_e * np.maximum(found, 0)
-    return found, variance.astype(np.float32), codes >= top
+    wide = (-1, 1, 1, 1)
+
+    def drawn(limits: tuple[float, float]) -> Tensor:
+        """Return numbers (batch, 1, 1, 1), all ratios within limits as likely."""
+        low, high = np.log(limits)
+        return torch.exp(low + (high - low) * uniform(value, generator, (len(value),))).reshape(
+            wide
+        )
+
+    well_e, read_lsb = drawn(_FULL_WELL_E), drawn(_READ_LSB)
+    if full is None:
+        # The part of pixels that saturate: none, for most.
+        shares = 0.15 * uniform(value, generator, (len(value),))
+        shares = shares * (uniform(value, generator, (len(value),)) < 0.4)
+        reached = quantiles(value.flatten(1), 1 - shares).to(value).clamp(min=1e-3)
+        full = reached * torch.where(shares == 0, 1.02, 1.0)
+    level = full.reshape(wide)
+    electrons = (value / level).clamp(max=2.0) * well_e
+    noise = torch.randn((2, *value.shape), generator=generator, device=generator.device).to(value)
+    charge = electrons + electrons.sqrt() * noise[0]
+    codes = torch.round(charge / well_e * _TOP + read_lsb * noise[1]).clamp(0, _TOP)
+    read = codes / _TOP * level
+    variance = (level / _TOP) ** 2 * (read_lsb**2 + 1 / 12) + level / well_e * read.clamp(min=0)
+    return read, masks, variance, codes >= _TOP

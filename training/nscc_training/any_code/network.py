@@ -28,6 +28,7 @@ class ClipDenoiser(nn.Module):
 
     def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
         super().__init__()
+        self.widths = widths
         fine, middle, coarse = widths
         planes = _FOLD**2
         self.first = nn.Conv2d(planes * (1 + SEEN) + 1, fine, 3, padding=1)

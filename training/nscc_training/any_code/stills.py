@@ -12,9 +12,9 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.any_code.measured import Measured
 from nscc_training.any_code.stages import Denoiser
 from nscc_training.decoders.guess import averaged
+from nscc_training.measured import Measured
 
 STILL_STAGES = 1
 """More add nothing, with the weights that are shipped."""

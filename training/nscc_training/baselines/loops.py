@@ -94,10 +94,11 @@ def _dual_row(
 
 @record
 class Volume:
-    """The size of a clip and how it is denoised: `time` weighs differences in time relative to
+    """The size of clips and how they are denoised: `time` weighs differences in time relative to
     those in space.
     """
 
+    clips: int
     frames: int
     rows: int
     cols: int
@@ -106,21 +107,17 @@ class Volume:
     time: float
 
 
-_Clip = Annotated[Floats32, "frames rows cols"]
+_Clip = Annotated[Floats32, "clips frames rows cols"]
 
 
-@loop
-def denoise(
-    volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
-    right: Written[_Clip], out: Written[_Clip],
+@inlined
+def _denoise_clip(
+    volume: Volume, clip: int, image: Floats32, later: Floats32, down: Floats32, right: Floats32,
+    out: Floats32,
 ) -> None:  # fmt: skip
-    """Chambolle's projection (2004) of a volume: least |out - image|^2 / 2 + weight TV(out).
-
-    `later`, `down` and `right` are the dual field, from where it is to where it has come, 0 where a
-    neighbour is missing.
-    """
     frames, rows, cols, iterations = volume.frames, volume.rows, volume.cols, volume.iterations
     plane = rows * cols
+    begin = clip * frames * plane
     time, weight = np.float32(volume.time), np.float32(volume.weight)
     # 1 / (2 dimensions) is where the projection is known to converge.
     step = _ONE / (np.float32(4.0) + np.float32(2.0) * time * time)
@@ -130,15 +127,29 @@ def denoise(
             before = 2 if frame > 0 else 0
             for row in range(rows):
                 links = before + (1 if row > 0 else 0)
-                at = frame * plane + row * cols
+                at = begin + frame * plane + row * cols
                 _primal_row(cols, at, plane, links, time, image, later, down, right, out)
             if frame > 0 and turn < iterations:
                 for row in range(rows):
                     links = 2 + (1 if row < rows - 1 else 0)
-                    at = (frame - 1) * plane + row * cols
+                    at = begin + (frame - 1) * plane + row * cols
                     _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
         if turn < iterations:
             for row in range(rows):
                 links = 1 if row < rows - 1 else 0
-                at = (frames - 1) * plane + row * cols
+                at = begin + (frames - 1) * plane + row * cols
                 _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
+
+
+@loop
+def denoise(
+    volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
+    right: Written[_Clip], out: Written[_Clip],
+) -> None:  # fmt: skip
+    """Chambolle's projection (2004) of each clip: least |out - image|^2 / 2 + weight TV(out).
+
+    `later`, `down` and `right` are the dual field, from where it is to where it has come, 0 where a
+    neighbour is missing.
+    """
+    for clip in range(volume.clips):
+        _denoise_clip(volume, clip, image, later, down, right, out)

@@ -6,10 +6,6 @@ the result a clip (T, rows, cols) in the measurement's unit of a frame, here 0..
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Literal
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -76,29 +72,14 @@ def bilinear(clip: Clip, mask: Clip) -> Clip:
     )
 
 
-def thin_out(clip: Clip, step: int = 4) -> Clip:
+_STEP = 4
+
+
+def thin_out(clip: Clip) -> Clip:
     """Every fourth pixel in x and y at full rate, interpolated linearly; a yardstick as well."""
     rows, cols = clip.shape[1:]
-    down, right = _between(rows, step), _between(cols, step)
-    return np.asarray(down @ clip[:, ::step, ::step] @ right.T, np.float32)
-
-
-@dataclass(frozen=True)
-class Method:
-    """A way to get a clip; `sees` says whether from the capture or, as a yardstick, the truth."""
-
-    sees: Literal["capture", "truth"]
-    run: Callable[[NDArray[np.float32], Clip, Clip, int, float], Clip]
-
-
-METHODS: Mapping[str, Method] = {
-    "gap-tv": Method("capture", lambda y, s, _truth, n, w: gap_tv(y, s, n, w)),
-    "admm-tv": Method("capture", lambda y, s, _truth, n, w: admm_tv(y, s, n, w)),
-    "dictionary": Method("capture", lambda y, s, _truth, _n, _w: from_dictionary(y, s)),
-    "adjoint": Method("capture", lambda y, s, _truth, _n, _w: adjoint(y, s)),
-    "bilinear": Method("truth", lambda _y, s, truth, _n, _w: bilinear(truth, s)),
-    "thin-out": Method("truth", lambda _y, _s, truth, _n, _w: thin_out(truth)),
-}
+    down, right = _between(rows, _STEP), _between(cols, _STEP)
+    return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)
 
 
 def _energy(mask: Clip) -> NDArray[np.float32]:

@@ -21,12 +21,13 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
         raise ValueError(f"a clip of the shape {clip.shape}")
     if not weight > 0 or iterations < 0 or not time >= 0:
         raise ValueError(f"weight {weight}, {iterations} iterations, time {time}")
-    image = np.ascontiguousarray(clip, np.float32)
+    image = np.ascontiguousarray(clip, np.float32)[None]
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)
-    frames, rows, cols = image.shape
+    _, frames, rows, cols = image.shape
     volume = Volume(
-        frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight, time=time
-    )
+        clips=1, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
+        time=time,
+    )  # fmt: skip
     denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
-    return out
+    return np.asarray(out[0])

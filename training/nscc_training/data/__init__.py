@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from nscc_training.data.ahead import Ahead
-from nscc_training.data.batches import Batch, Batches
+from nscc_training.data.exposures import Batch, Exposures, ExposureSet, cut_batch
 from nscc_training.data.sources import Scene, Scenes, load_scenes
 
-__all__ = ["Ahead", "Batch", "Batches", "Scene", "Scenes", "load_scenes"]
+__all__ = ["Batch", "ExposureSet", "Exposures", "Scene", "Scenes", "cut_batch", "load_scenes"]

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.scenes.picture_files import PICTURES, default_transfer, read_picture
+from nscc_runtime.scenes.picture_files import PICTURES, read_picture, transfer_of
+from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training.curves import srgb
-from nscc_training.scene_files import light_in
 
 Picture = NDArray[np.uint8]
 Generator = np.random.Generator
@@ -166,44 +166,34 @@ def _seen(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.floa
     return found
 
 
-def pictures_in(folders: Sequence[Path]) -> list[Picture]:
-    """The pictures of folders and folders in them, grey as a display shows them; as `lights_in`."""
-    return [_shown(light) for light in lights_in(folders)]
-
-
-def picture_of(path: Path) -> Picture:
-    """One of these."""
-    return _shown(_light(path))
-
-
-def lights_in(folders: Sequence[Path]) -> list[NDArray[np.float32]]:
-    """The light of pictures in folders and folders in them, halved until their shorter side is
-    below 1000: detail as sharp as small cameras have it. NS0811 without any."""
+def pictures_below(folder: Path) -> list[Path]:
+    """Return the pictures in a folder and in folders below it. Rejected (NS0811) without any."""
     files = sorted(
-        path for folder in folders for path in folder.rglob("*")
-        if path.suffix.lower() in PICTURES and path.is_file()
-    )  # fmt: skip
+        path for path in folder.rglob("*") if path.suffix.lower() in PICTURES and path.is_file()
+    )
     if not files:
         raise rejected(
             "NS0811",
-            "there are no pictures to make clips of",
+            f"there are no pictures below '{folder}'",
             notes=(f"pictures end in {', '.join(PICTURES)}",),
             helps=("`python training/data/fetch.py DIR` fetches photographs that may be used",),
         )
-    return [_light(path) for path in files]
+    return files
 
 
-def _light(path: Path) -> NDArray[np.float32]:
+def light_of_picture(path: Path) -> NDArray[np.float32]:
+    """Return the light of a picture, halved until its shorter side is below 1000 pixels: detail as
+    sharp as small cameras have it."""
     import cv2
 
-    light = light_in(read_picture(path), default_transfer(path)).astype(np.float32)
+    light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)
     while min(light.shape) >= _SHORT:
         half = cv2.resize(light, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA)
         light = np.asarray(half, np.float32)
-    return np.maximum(light, 0)
+    return light
 
 
-def _shown(light: NDArray[np.float32]) -> Picture:
+def shown_picture(light: NDArray[np.float32]) -> Picture:
     """The picture on a display whose white is the light that all but 2 % of the pixels have."""
     level = max(float(np.percentile(light, 98)), 1e-30)
     return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)

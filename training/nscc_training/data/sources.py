@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from hashlib import sha256
 from itertools import islice
@@ -12,15 +13,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import file_sha256
 from nscc_runtime.scenes.colour import Transfer, linear
-from nscc_runtime.scenes.picture_files import DISPLAY, LINEAR, read_picture
+from nscc_runtime.scenes.picture_files import (
+    DISPLAY,
+    LINEAR,
+    PICTURES,
+    default_transfer,
+    open_pages,
+    read_picture,
+)
+from nscc_runtime.scenes.picture_light import picture_light
 from nscc_training import made_scenes
 from nscc_training.curves import srgb
-from nscc_training.data.camera import turned
-from nscc_training.data.moving import moving, picture_of
+from nscc_training.data.moving import light_of_picture, moving, pictures_below, shown_picture
 from nscc_training.import_paths import imported, is_import_path, own_code
-from nscc_training.scene_files import CLIPS, files_in, frames_in, light_in
+from nscc_training.scene_files import CLIPS, files_in, frames_in
 from nscc_training.settings import DataSettings
+from nscc_training.turning_camera import turned
 
 _MOST_SIDE = 512
 """Clips are cut to this from their centre: training takes patches."""
@@ -28,6 +38,8 @@ _CAMERA_SIDE = 256
 """Rows and columns of the clips that a camera makes of a panorama, at least."""
 _MOST_LIGHT = 1e32
 """Sums over all slots of more than that are infinite."""
+_LIT_SHARE = 0.01
+"""A clip's exposure is set by its brightest hundredth."""
 _VALIDATION = 5
 """Every so many files one is for validation, where no folder is named for it."""
 
@@ -60,21 +72,33 @@ class Scenes:
         }
 
 
-def load_scenes(settings: DataSettings, still: bool, slots: int, seed: int) -> Scenes:
-    """The scenes that a configuration names.
+def load_scenes(
+    settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False,
+    tell: Callable[[str], object] = lambda _text: None,
+) -> Scenes:  # fmt: skip
+    """The scenes that a configuration names; with `pictures` those to learn from are the light of
+    all pictures below a folder. `tell` is told which of a folder are for validation, and what was
+    changed in a scene.
 
     Raises Rejected: NS0811 for a folder without scenes of the kind, or where training and
     validation would share one, NS0812 for an import path.
     """
-    kind = _Kind(settings, still, slots, seed)
-    train = _load(settings.train, kind, "train")
-    if settings.val:
-        val = _load(settings.val, kind, "val")
+    kind = _Kind(settings, still, slots, seed, tell)
+    train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
+    if settings.val or pictures or settings.train == "procedural":
+        if pictures and not settings.val:
+            tell("validation: procedural scenes, as lessons learn from all pictures of data.train")
+        val = _load(settings.val or "procedural", kind, "val")
     else:
         # By file: the clips of one panorama stay together.
         kept = set(list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION])
         val = [scene for scene in train if scene.sha256 in kept]
         train = [scene for scene in train if scene.sha256 not in kept]
+        kept_back = ", ".join(dict.fromkeys(scene.name.partition(", path ")[0] for scene in val))
+        tell(
+            f"validation: {len(kept)} of {len(kept) + len({s.sha256 for s in train})} scenes of "
+            f"'{settings.train}' ({kept_back[:200]}), every fifth; data.val names a folder instead"
+        )
     shared = {s.sha256 for s in train} & {s.sha256 for s in val}
     if shared or not train or not val:
         names = sorted(s.name for s in val if s.sha256 in shared)
@@ -96,6 +120,17 @@ class _Kind:
     still: bool
     slots: int
     seed: int
+    tell: Callable[[str], object] = lambda _text: None
+
+    def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
+        """A stored picture as light, by the same rules as `nscc run`."""
+        return picture_light(stored, transfer, name, warn=lambda said: self.tell(said.message))
+
+
+def _pictures(folder: Path) -> list[Scene]:
+    files = pictures_below(folder)
+    return [Scene(path.name, file_sha256(path), light_of_picture(path))
+            for path in files]  # fmt: skip
 
 
 def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
@@ -137,15 +172,20 @@ def _made(kind: _Kind, part: str) -> list[Scene]:
 
 def _read(path: Path, kind: _Kind) -> list[Scene]:
     """The scenes of a file: one, or the clips of a panorama or a photograph."""
-    digest = sha256(path.read_bytes()).hexdigest()
-    if path.suffix.lower() in DISPLAY:
-        return _moved(path, digest, kind)
-    if path.suffix.lower() in LINEAR:
-        light = np.maximum(light_in(read_picture(path), "linear"), 0.0)
-        if not kind.still:
-            return _turned(light.astype(np.float32), path.name, digest, kind)
+    digest = file_sha256(path)
+    suffix = path.suffix.lower()
+    if suffix not in PICTURES:
+        return [_scene(path.name, _read_clip(path, kind), kind, digest)]
+    pages = open_pages(path)
+    if pages.count > 1 and not kind.still:
+        light = _clip_light(path, pages.read(), pages.transfer or default_transfer(path), kind)
         return [_scene(path.name, light, kind, digest)]
-    return [_scene(path.name, _read_clip(path, kind), kind, digest)]
+    if suffix in DISPLAY:
+        return _moved(path, digest, kind)
+    still = kind.light(read_picture(path), "linear", str(path))
+    if not kind.still:
+        return _turned(still.astype(np.float32), path.name, digest, kind)
+    return [_scene(path.name, still, kind, digest)]
 
 
 def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) -> list[Scene]:
@@ -167,7 +207,7 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
 def _moved(path: Path, digest: str, kind: _Kind) -> list[Scene]:
     """The clips of a photograph: layers that are all cut from it, so that no other file is seen."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
-    picture = picture_of(path)
+    picture = shown_picture(light_of_picture(path))
     transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
     return [
         _scene(
@@ -190,16 +230,33 @@ def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:
     """The first frames of a clip as light."""
     chosen = kind.settings.transfer or ("linear" if path.suffix.lower() == ".mat" else "srgb")
     transfer: Transfer = "linear" if chosen == "linear" else "srgb"
-    frames = islice(frames_in(path), kind.settings.frames)
-    return np.stack(
-        [light_in(_centre(np.asarray(each)), transfer).astype(np.float32) for each in frames]
-    )
+    return _clip_light(path, frames_in(path), transfer, kind)
+
+
+def _clip_light(
+    path: Path, stored: Iterable[NDArray[Any]], transfer: Transfer, kind: _Kind
+) -> NDArray[np.float32]:
+    frames = [
+        kind.light(_centre(np.asarray(frame)), transfer, f"{path}, frame {number}")
+        for number, frame in enumerate(islice(stored, kind.settings.frames))
+    ]
+    return np.stack(frames, dtype=np.float32, casting="same_kind")
 
 
 def _centre(frame: NDArray[Any]) -> NDArray[Any]:
     rows, cols = frame.shape[:2]
     top, left = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
     return frame[top : top + _MOST_SIDE, left : left + _MOST_SIDE]
+
+
+def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
+    """Why no exposure fits a scene of which too little is lit; "" for others."""
+    share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
+    lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
+    return "" if lit >= share else (
+        f"{lit:.1%} of its pixels have light, and {share:.0%} at least must: "
+        "it is dark where it should saturate"
+    )  # fmt: skip
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> Scene:
@@ -215,6 +272,8 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
         reason = f"it has {len(light)} frames, a window {kind.slots}"
     elif not (light.min() >= 0 and light.max() <= _MOST_LIGHT):
         reason = f"its light is negative, no number, or above {_MOST_LIGHT:g} somewhere"
+    else:
+        reason = _too_dark(light, kind)
     if reason:
         raise rejected(
             "NS0811",

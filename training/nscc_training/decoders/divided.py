@@ -20,5 +20,5 @@ class Divided(nn.Module):
     and no neighbour asked."""
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        share = laid(shutters.mean(dim=0), *frame.shape[-2:])
+        share = laid(shutters.mean(dim=-3), *frame.shape[-2:])
         return frame / share.clamp(min=1e-9)

@@ -32,6 +32,7 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
     """
     opened = share.clamp(min=1e-6)
     alone = frame / opened
+    refuse_not_finite(frame, "frame")
     saturated = frame >= 1
     noise = READ_VARIANCE + SHOT_VARIANCE * frame.clamp(min=0)
     precision = torch.where(saturated | (share <= 0), torch.zeros_like(frame), share**2 / noise)
@@ -45,8 +46,22 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
     `opened` (N, rows, cols) are the shutters, of each bucket. A pixel says more of a slot the fewer
     slots that bucket was open in: it counts with the inverse of their number.
     """
+    refuse_not_finite(volume, "volume")
     weight = torch.stack([each / each.sum(dim=0).clamp(min=1) for each in opened]).sum(dim=0)
     return averaged(volume, weight.unsqueeze(0).expand_as(volume))
+
+
+def refuse_not_finite(values: Tensor, name: str) -> None:
+    """ValueError for values that are not finite: averages would spread them over the picture."""
+    # A sum is finite only of finite values; one that overflows is looked at again. What is compiled
+    # cannot branch on values.
+    if not torch.compiler.is_compiling() and not bool(torch.isfinite(values.detach().sum())):
+        count = int((~torch.isfinite(values.detach())).sum())
+        if count:
+            raise ValueError(
+                f"{count} of {values.numel()} values of the {name} are not finite; "
+                "leave these pixels out, for instance as never open (share 0)"
+            )
 
 
 def averaged(values: Tensor, weights: Tensor) -> Tensor:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 
 import torch
 from torch import Tensor, nn
@@ -54,7 +55,7 @@ class UNet(nn.Module):
             )  # fmt: skip
 
         self.down = nn.ModuleList(
-            double(before, width) for before, width in zip([inputs, *widths], widths, strict=False)
+            double(before, width) for before, width in pairwise([inputs, *widths])
         )
         self.up = nn.ModuleList(
             double(widths[k + 1] + widths[k], widths[k]) for k in reversed(range(len(widths) - 1))
@@ -133,7 +134,7 @@ class StillUNet(nn.Module):
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
         seen, guess = [frame], None
         if self.sees_code:
-            share = laid(shutters.mean(dim=0), *frame.shape[-2:]).expand_as(frame)
+            share = laid(shutters.mean(dim=-3), *frame.shape[-2:]).expand_as(frame)
             alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
             # Readout noise takes dark pixels below the offset of the ADC.
             seen += [share, torch.log1p(alone.clamp(min=0) / LOG_FLOOR)]

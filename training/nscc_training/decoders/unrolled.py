@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
 import torch
 from torch import Tensor, nn
 
+from nscc_training.baselines.tensor_tv import gap_tv_of
 from nscc_training.decoders.declared import Task
 from nscc_training.decoders.guess import clip_guess
 from nscc_training.decoders.unet import UNet, begin_with_nothing
+from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, lifted
 
 _STAGES = {"paper": 9, "small": 3}
@@ -66,8 +67,5 @@ class Unrolled(nn.Module):
 
     @torch.no_grad()
     def _gap_tv(self, total: Tensor, opened: Tensor) -> Tensor:
-        from nscc_training.baselines.sci import gap_tv
-
-        mask = opened.float().cpu().numpy()
-        found = [gap_tv(y, mask, self.tv_iterations) for y in total.float().cpu().numpy()]
-        return torch.from_numpy(np.stack(found)).to(total)
+        measured = Measured.exact(total.float(), opened.float().unsqueeze(0))
+        return gap_tv_of(measured, self.tv_iterations)[0].to(total)

@@ -19,6 +19,7 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
+from nscc_runtime.decode_table import with_table
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
@@ -202,4 +203,5 @@ def _dark(container: Container, sensor: Sensor, settings: Settings, listener: Li
 def _frame_file(taken: Taken, keep: Sequence[str] = ()) -> FrameFile:
     simulated, light = taken.simulated, taken.light
     about = meta(taken.container, light, simulated.frame, simulated.origin) | taken.laid
-    return FrameFile.of(taken.container, light, simulated.frame, about, keep)
+    file = FrameFile.of(taken.container, light, simulated.frame, about, keep)
+    return with_table(file, taken.container)

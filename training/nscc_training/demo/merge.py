@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.words.container import Container
 from nscc_runtime.effects import everything
 from nscc_runtime.pieces import Taken
 from nscc_runtime.sensor import Sensor
@@ -37,48 +36,27 @@ def merged_light(
 
     `offset` is what the array reads without light, in codes.
     """
-    still, frame = taken.light.kind == "still", taken.simulated.frame
-    codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
-    share = _open_share(taken.container)
-    made = []
-    for each, full in zip(*(_by_colour(values) for values in (codes, saturated)), strict=True):
-        seen_lsb = each - laid_like(offset, each)
-        made.append(
-            _still(seen_lsb, full, share, sensor) if still else _clip(seen_lsb, taken, sensor)
-        )
-    light = made[0] if codes.ndim == 2 else np.stack(made, axis=-1)
-    how = "neighbours merged" if still else "total variation (GAP-TV)"
-    return np.asarray(light, np.float32), how
-
-
-def _by_colour(values: NDArray[Any]) -> NDArray[Any]:
-    return values.reshape(-1, *values.shape[-2:])
-
-
-def _still(
-    seen_lsb: NDArray[np.float64], saturated: NDArray[np.bool_], share: NDArray[np.float64],
-    sensor: Sensor,
-) -> NDArray[np.float64]:  # fmt: skip
-    lsb_e = sensor.electrons_per_lsb
-    return merged(seen_lsb, share, lsb_e, saturated, everything().converter_lsb(sensor) * lsb_e)
-
-
-def _clip(seen_lsb: NDArray[np.float64], taken: Taken, sensor: Sensor) -> NDArray[np.float32]:
-    container = taken.container
-    white_e = sensor.full_well_e / container.slots
-    mask = container.table.shutters[:, 0].astype(np.float32)[_lanes(container)]
-    seen = np.maximum(seen_lsb, 0.0) * (sensor.electrons_per_lsb / white_e)
-    found = gap_tv(seen.astype(np.float32), np.ascontiguousarray(np.moveaxis(mask, -1, 0)))
-    return np.maximum(found, 0) * np.float32(white_e)
-
-
-def _open_share(container: Container) -> NDArray[np.float64]:
-    """The part of the frame (rows, cols) that each pixel is open for."""
-    slots = np.array(container.slot_us) / sum(container.slot_us)
-    share = np.asarray(container.table.shutters[:, 0] @ slots, np.float64)
-    return np.asarray(share[_lanes(container)])
-
-
-def _lanes(container: Container) -> NDArray[np.signedinteger]:
+    frame, container = taken.simulated.frame, taken.container
     assert container.pixel_codes is not None  # it has been exposed
-    return container.table.shutter_of_code[container.pixel_codes]
+    lanes = container.table.shutter_of_code[container.pixel_codes]
+    codes, saturated = (values[..., 0, :, :] for values in (frame.frame, frame.saturated))
+    lsb_e, size = sensor.electrons_per_lsb, codes.shape[-2:]
+    shutters = container.table.shutters[:, 0]
+
+    def of_colour(codes: NDArray[Any], full: NDArray[Any]) -> NDArray[np.floating]:
+        seen_lsb = codes - laid_like(offset, codes)
+        if taken.light.kind == "still":
+            share = shutters @ (np.array(container.slot_us) / sum(container.slot_us))
+            noise_e = everything().converter_lsb(sensor) * lsb_e
+            return merged(seen_lsb, share[lanes].astype(np.float64), lsb_e, full, noise_e)
+        white_e = sensor.full_well_e / container.slots
+        mask = np.moveaxis(shutters.astype(np.float32)[lanes], -1, 0)
+        seen = np.maximum(seen_lsb, 0.0) * (lsb_e / white_e)
+        found = gap_tv(seen.astype(np.float32), np.ascontiguousarray(mask))
+        return np.maximum(found, 0) * np.float32(white_e)
+
+    made = [of_colour(*each) for each in zip(codes.reshape(-1, *size),
+            saturated.reshape(-1, *size), strict=True)]  # fmt: skip
+    light = made[0] if codes.ndim == 2 else np.stack(made, axis=-1)
+    how = "neighbours merged" if taken.light.kind == "still" else "total variation (GAP-TV)"
+    return np.asarray(light, np.float32), how

@@ -18,13 +18,11 @@ from nscc_runtime.simulate import Listener
 from nscc_training.demo.expose import DARK_FRAMES, DARK_SEED, Exposed, Settings, exposed
 from nscc_training.demo.merge import dark_codes, merged_light
 from nscc_training.demo.sheet import Shown, demo_sheet
-from nscc_training.demo.subject import Subject, subject
+from nscc_training.demo.subject import subject
 from nscc_training.run_files import run_capture
 
 BUILTIN = ("builtin:hdr", "builtin:motion:0.15")
 """What is shown to those who name nothing."""
-_CORNER = 16
-"""Rows and columns of the array whose shutters are shown."""
 
 
 @dataclass(frozen=True)
@@ -60,7 +58,7 @@ def demo(
     frames = (out / f"{name}_frame.npz", out / f"{name}_dark.npz")
     write_together({path: file.write for path, file in zip(frames, made.files(), strict=True)})
     light, decode_s, how = _reconstructed(made, frames, settings)
-    shown = _shown(found, made, settings, light, decode_s, how)
+    shown = Shown(made, found.transfer == "srgb", settings.tone, light, how, decode_s)
     content = Content(
         {"image" if made.still else "video": light}, light, not made.still, len(made.laid) > 1,
         tone=shown.curve, white=shown.fitted.white,
@@ -87,25 +85,6 @@ def _reconstructed(
     begin = perf_counter()
     light, how = merged_light(made.taken, dark_codes(made.dark), made.sensor)
     return light, perf_counter() - begin, how
-
-
-def _shown(
-    found: Subject, made: Exposed, settings: Settings, light: NDArray[np.float32],
-    decode_s: float, how: str,
-) -> Shown:  # fmt: skip
-    container, display = made.container, found.transfer == "srgb"
-    assert container.pixel_codes is not None  # it has been exposed
-    corner = container.table.shutter_of_code[container.pixel_codes[:_CORNER, :_CORNER]]
-    name = found.scene.name
-    return Shown(
-        title=name if name.startswith("builtin:") else Path(name).name, still=made.still,
-        display=display, truth=made.truth(), light=light, frame=made.codes(made.taken),
-        usual=made.codes(made.usual), dark=dark_codes(made.usual_dark),
-        top=container.target.top_code, lsb_e=made.sensor.electrons_per_lsb,
-        white_e=made.white_e() if display else None, tone=settings.tone,
-        shutters=container.table.shutters[:, 0][corner], slot_us=container.slot_us,
-        how=how, expose_s=made.seconds, decode_s=decode_s, looked=made.looked,
-    )  # fmt: skip
 
 
 def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tuple[str, ...]:

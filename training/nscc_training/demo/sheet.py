@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,8 +13,8 @@ from numpy.typing import NDArray
 
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.tone import Tone, fitted
-from nscc_training.demo.expose import Looked
-from nscc_training.demo.merge import laid_like
+from nscc_training.demo.expose import Exposed, Looked
+from nscc_training.demo.merge import dark_codes, laid_like
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
 
 if TYPE_CHECKING:
@@ -24,6 +25,8 @@ _SIDE_PIXELS = 512
 numbers."""
 _SIDE_INCHES = 3.6
 _MOMENTS = 4
+_CORNER = 16
+"""Rows or columns of the array, at most, whose shutters are shown."""
 _ERROR_TOP = 64
 """Errors of so many of 255 greys have the last colour of the scale."""
 _PEAK_PERCENTILE = 99.9
@@ -32,34 +35,32 @@ _PEAK_PERCENTILE = 99.9
 
 @dataclass(frozen=True, eq=False)
 class Shown:
-    """What a sheet shows. `truth` and `light` are (rows, cols) of a still, electrons over the
-    frame, or (T, rows, cols) of a clip, electrons a slot; `frame` and `usual`, the codes of the
-    coded frame and of always open pixels, (rows, cols); all with an axis of colours or none.
-
-    `dark` (rows, cols) of the array is what always open pixels read without light, `top` the last
-    code; `lsb_e` makes electrons of codes. `shutters` (rows, cols, N) are those of a corner of the
-    array. `display` says that the scene was made for screens, which show `white_e` as white. `how`
-    names the reconstruction; `looked` is the same still through pixels that look.
+    """What a sheet shows: `made` of a scene, and `light`, its reconstruction in the shape of the
+    truth; `how` names what found it, in so many seconds (`decode_s`). `display` says that the scene
+    was made for screens, `tone` names a curve.
     """
 
-    title: str
-    still: bool
+    made: Exposed
     display: bool
-    truth: NDArray[Any]
-    light: NDArray[Any]
-    frame: NDArray[np.uint8]
-    usual: NDArray[np.uint8]
-    dark: NDArray[np.float64]
-    top: int
-    lsb_e: float
-    white_e: float | None
     tone: str | None
-    shutters: NDArray[np.bool_]
-    slot_us: tuple[float, ...]
+    light: NDArray[Any]
     how: str
-    expose_s: float
     decode_s: float
-    looked: Looked | None = None
+
+    @property
+    def still(self) -> bool:
+        """Whether it is a still."""
+        return self.made.still
+
+    @cached_property
+    def truth(self) -> NDArray[Any]:
+        """Electrons over the frame, or a slot."""
+        return self.made.truth()
+
+    @property
+    def white_e(self) -> float | None:
+        """What a screen shows as white, of what was made for screens."""
+        return self.made.white_e() if self.display else None
 
     @property
     def curve(self) -> str:
@@ -74,7 +75,9 @@ class Shown:
     @cached_property
     def usual_light(self) -> NDArray[np.float64]:
         """The light that always open pixels tell of, in the shape of the truth."""
-        light = (self.usual - laid_like(self.dark, self.usual)) * self.lsb_e
+        usual = self.made.codes(self.made.usual)
+        dark = laid_like(dark_codes(self.made.usual_dark), usual)
+        light = (usual - dark) * self.made.sensor.electrons_per_lsb
         if self.still:
             return light
         return np.broadcast_to(light / len(self.truth), self.truth.shape)
@@ -92,7 +95,8 @@ class Shown:
     @property
     def looked_db(self) -> float | None:
         """Of the light that pixels tell that look; None of a clip."""
-        return None if self.looked is None else self.decibels(self.looked.light)
+        looked = self.made.looked
+        return None if looked is None else self.decibels(looked.light)
 
     @property
     def measure(self) -> str:
@@ -115,16 +119,17 @@ class Shown:
 
 def demo_sheet(shown: Shown) -> Figure:
     """The sheet."""
-    top = np.float64(shown.top)
-    codes = fitted("srgb", np.array([0.0]), float(top))
+    made, name = shown.made, shown.made.scene.name
+    codes = fitted("srgb", np.array([0.0]), float(made.container.target.top_code))
     panels = {
-        "usual": Image(_fit(codes(shown.usual)), "always open",
+        "usual": Image(_fit(codes(made.codes(made.usual))), "always open",
                        f"an ordinary camera: {shown.measure} {shown.open_db:.1f} dB"),
-        "frame": Image(_fit(codes(shown.frame)), "readout",
-                       f"one exposure through the shutters, emulated in {_time(shown.expose_s)}"),
+        "frame": Image(_fit(codes(made.codes(made.taken))), "readout",
+                       f"one exposure through the shutters, emulated in {_time(made.seconds)}"),
     }  # fmt: skip
     reached = f"{shown.measure} {shown.psnr_db:.1f} dB"
-    told, title = f"{shown.how}: {reached}, in {_time(shown.decode_s)}", f"{shown.title}: {reached}"
+    told = f"{shown.how}: {reached}, in {_time(shown.decode_s)}"
+    title = f"{name if name.startswith('builtin:') else Path(name).name}: {reached}"
     tone = f"{shown.fitted.name}, white {shown.fitted.white:.3g} electrons"
     if shown.still:
         truth, light = shown.fitted(shown.truth), shown.fitted(shown.light)
@@ -132,9 +137,9 @@ def demo_sheet(shown: Shown) -> Figure:
             [Image(_fit(truth), "truth", tone), panels["usual"], panels["frame"]],
             [Image(_fit(light), "reconstruction", told), _error(truth, light), _shutters(shown)],
         ]
-        if shown.looked is not None:
+        if made.looked is not None:
             title += f"; {shown.looked_db:.1f} dB by pixels that look"
-            rows.append(_of_looks(shown, shown.looked, truth))
+            rows.append(_of_looks(shown, made.looked, truth))
         return image_sheet(rows, title, _SIDE_INCHES)
     moments = np.linspace(0, len(shown.truth) - 1, _MOMENTS).round().astype(int)
     truth, light = (shown.fitted(x[moments]) for x in (shown.truth, shown.light))
@@ -188,11 +193,11 @@ def _error(truth: NDArray[np.uint8], light: NDArray[np.uint8], quiet: bool = Fal
 
 def _shutters(shown: Shown) -> Image:
     """How long, or when, pixels of the corner are open: of a picture's shape, as the others are."""
-    down, across = shown.frame.shape[:2]
-    rows, cols = (
-        max(4, len(shown.shutters) * side // max(down, across)) for side in (down, across)
-    )
-    corner, slot_us = shown.shutters[:rows, :cols], np.array(shown.slot_us)
+    container, size = shown.made.container, shown.made.codes(shown.made.taken).shape[:2]
+    assert container.pixel_codes is not None  # it has been exposed
+    rows, cols = (max(4, _CORNER * side // max(size)) for side in size)
+    lanes = container.table.shutter_of_code[container.pixel_codes[:rows, :cols]]
+    corner, slot_us = container.table.shutters[:, 0][lanes], np.array(container.slot_us)
     open_us = corner @ slot_us
     shortest, longest = (f"{time_us * 1e-3:.3g}" for time_us in (open_us.min(), open_us.max()))
     length = longest if shortest == longest else f"{shortest} to {longest}"

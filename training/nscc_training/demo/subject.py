@@ -16,7 +16,13 @@ from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.clips import CLIPS, read_clip
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.load import ARRAYS
-from nscc_runtime.scenes.picture_files import default_transfer, files_of, read_picture
+from nscc_runtime.scenes.picture_files import (
+    PICTURES,
+    default_transfer,
+    files_of,
+    open_pages,
+    read_picture,
+)
 
 _MOST_FRAMES = 600
 """Frames of a clip that are looked through for the part in which most moves."""
@@ -59,6 +65,11 @@ def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
         return _of_clip(scene, (read_picture(file) for file in files), transfer, slots, frame_s)
     if suffix in CLIPS and path.is_file():
         return _of_clip(scene, read_clip(path), scene.transfer or "srgb", slots, frame_s)
+    if suffix in PICTURES and path.is_file():
+        pages = open_pages(path)
+        transfer = scene.transfer or pages.transfer or default_transfer(path)
+        if pages.count > 1:
+            return _of_clip(scene, pages.read(), transfer, slots, frame_s)
     return Subject(scene, True, scene.transfer or default_transfer(path))
 
 

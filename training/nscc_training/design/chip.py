@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 
 from nscc.target.target import Target
 from nscc_runtime.effects import Selection
-from nscc_runtime.effects.parts import Errors, Soft, WordGain
+from nscc_runtime.effects.parts import CountedLight, Errors, Soft, WordGain
 from nscc_runtime.effects.selection import everything
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.looked_light import variance_e2
+from nscc_runtime.response import converter_e2, gain_spread
 from nscc_training.curves import MU, mu_law
 
 Values = NDArray[np.float64]
@@ -27,6 +27,9 @@ PERCENTILE = 99.9
 _POINTS, _REACH = 37, 4.5
 """Of the sum over noise, and how many standard deviations it goes: what is clipped has a kink, at
 which a rule of few points that is exact for polynomials is off by a percent."""
+_READS, _WORDS = 2, 3
+"""An exposure is PIX less its reset level: each is read once, and three words bring them together,
+four where shutters open again."""
 _COPIES = 2
 """Words that a look's light goes through: PIX, and its reset level, come as one copy each."""
 
@@ -67,8 +70,14 @@ class Chip:
 
     def exposed_sd_e(self, electrons: Values) -> Values:
         """The standard deviation of an exposure's estimate, in electrons on PIX."""
-        gain = np.full_like(electrons, self.gain)
-        return np.sqrt(variance_e2(electrons, gain, self.sensor, self.effects))
+        sensor, effects = self.sensor, self.effects
+        fixed_e2 = converter_e2(sensor, effects)
+        times = {"reads": _READS, "words": _WORDS, "resets": 0}
+        for _, errors in effects.errors():
+            fixed_e2 += times[errors.at] * errors.sigma_e(sensor) ** 2
+        photons_e2 = electrons if effects.part(CountedLight) is not None else 0.0
+        unequal_e2 = (gain_spread(sensor, effects) * electrons) ** 2
+        return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 
     def errors(self, light_e: Values, peak_e: Values, share: Values, curve: Curve) -> Values:
         """The mean square error (groups, shares) of light (groups,), electrons over the frame,

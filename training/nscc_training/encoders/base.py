@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
 
 import numpy as np
 import torch
@@ -14,33 +13,10 @@ from torch import Tensor, nn
 from nscc_training.code_choices import RELAXATIONS
 from nscc_training.draws import normal
 from nscc_training.encoders.trial import Over, Trial
+from nscc_training.shutter_spec import ShutterSpec as ShutterSpec
 
 Codes = dict[str, NDArray[np.int64]]
 """Field values at every place of the tile, by field name, each (rows, cols)."""
-
-
-@dataclass(frozen=True)
-class ShutterSpec:
-    """A shutter class on a grid.
-
-    `kind` is a, b, c, d, e, codebook or looks; `slots` N; `tile` (rows, cols) repeats over the
-    array, and is the array itself for free codes. `length` is the bump of class c, `rows` the
-    number of a codebook's shapes. Of looks the tile is (1, looks), `levels` the largest step of IN.
-    With two `buckets` the second has the light that the shutters leave out.
-    """
-
-    kind: str
-    slots: int
-    tile: tuple[int, int]
-    length: int | None = None
-    rows: int | None = None
-    levels: int | None = None
-    buckets: int = 1
-
-    @property
-    def places(self) -> int:
-        """Codes in a tile."""
-        return self.tile[0] * self.tile[1]
 
 
 class Encoder(nn.Module, ABC):
@@ -67,6 +43,16 @@ class Encoder(nn.Module, ABC):
     @abstractmethod
     def codes(self) -> Codes:
         """The legal codes that the parameters stand for now."""
+
+    def check_finite(self) -> None:
+        """ValueError for parameters that are not finite: they stand for no code."""
+        for name, parameter in self.named_parameters():
+            count = int((~torch.isfinite(parameter)).sum())
+            if count:
+                raise ValueError(
+                    f"{count} of {parameter.numel()} values of the parameter `{name}` are not "
+                    "finite, and stand for no code: lower the learning rate, or load other codes"
+                )
 
     @abstractmethod
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:

@@ -23,6 +23,11 @@ _REACH = 2
 class AlwaysOpen(Encoder):
     """Class a: an ordinary camera, with nothing to learn."""
 
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__(spec, relaxation)
+        self.always: Tensor
+        self.register_buffer("always", torch.ones(()), persistent=False)
+
     def codes(self) -> Codes:
         return {}
 
@@ -37,7 +42,7 @@ class AlwaysOpen(Encoder):
     def start_quad(self) -> None: ...
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        return torch.ones(self.spec.slots, *self.spec.tile)
+        return self.always.expand(self.spec.slots, *self.spec.tile)
 
     def trial(self, over: Over, generator: torch.Generator) -> Trial:
         raise ValueError("class a has nothing to try")
@@ -152,6 +157,7 @@ class Bump(Encoder):
         return [(self.get_parameter(name), limits) for name, limits in self.limits.items()]
 
     def codes(self) -> Codes:
+        self.check_finite()
         with torch.no_grad():
             values = self.snapped(self.fields(None)).to("cpu", torch.int64).numpy()
         return dict(zip(self.limits, values, strict=True))

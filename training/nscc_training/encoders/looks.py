@@ -75,6 +75,7 @@ class Looks(Encoder):
         return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def codes(self) -> Codes:
+        self.check_finite()
         with torch.no_grad():
             at, level = self.hardened(self.fields()).chunk(2)
         shape = self.spec.tile

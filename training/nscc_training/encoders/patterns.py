@@ -64,6 +64,7 @@ class Bits(_Digits):
         return [(self.logits, (-1.0, 1.0))]
 
     def codes(self) -> Codes:
+        self.check_finite()
         if self.spec.slots > MOST_BITS:
             raise ValueError(f"class e has at most {MOST_BITS} slots, not {self.spec.slots}")
         opened = (self.logits.detach() > 0).cpu().numpy().astype(np.int64)
@@ -109,8 +110,8 @@ class Codebook(_Digits):
         """The weights (rows, cols, K) of the shapes at each place: one 1 unless `soft`."""
         scores: Tensor = self.choice
         if soft and self.relaxation == "gumbel" and generator is not None:
-            drawn = torch.empty(scores.shape).exponential_(generator=generator).to(scores.device)
-            scores = scores - torch.log(drawn)
+            drawn = torch.empty(scores.shape, device=generator.device)
+            scores = scores - torch.log(drawn.exponential_(generator=generator)).to(scores)
         likely = functional.softmax(scores / self.temperature, dim=-1)
         if soft:
             return likely
@@ -125,7 +126,9 @@ class Codebook(_Digits):
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             own = scores.argmax(dim=0, keepdim=True)
-            steps = torch.randint(1, max(2, self.rows), own.shape, generator=generator)
+            steps = torch.randint(
+                1, max(2, self.rows), own.shape, generator=generator, device=generator.device
+            )
             other = (own + steps.to(own.device)) % self.rows
         fields = torch.cat([
             self.shown(self.shapes, own), scores.gather(0, own) - scores.gather(0, other)
@@ -157,6 +160,7 @@ class Codebook(_Digits):
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
     def codes(self) -> Codes:
+        self.check_finite()
         return {"id": np.asarray(self.choice.detach().argmax(dim=-1).cpu().numpy(), np.int64)}
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:

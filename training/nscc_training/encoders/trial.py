@@ -15,7 +15,7 @@ from dataclasses import dataclass
 import torch
 from torch import Tensor
 
-from nscc_training.draws import normal
+from nscc_training.draws import normal, uniform
 
 Over = Callable[[Tensor], Tensor]
 """Takes anything of a tile, (any, rows, cols), to the pixels of a patch."""
@@ -41,8 +41,7 @@ def drawn(fields: Tensor, generator: torch.Generator, share: float) -> Tensor:
     """Standard normal numbers for a `share` of the pixels, 0 for the others."""
     numbers = normal(fields, generator)
     if share < 1:
-        tried = torch.rand(fields.shape[-2:], generator=generator) < share
-        numbers *= tried.to(fields.device)
+        numbers *= uniform(fields, generator, fields.shape[-2:]) < share
     return numbers
 
 

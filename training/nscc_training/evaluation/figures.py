@@ -6,8 +6,11 @@ always open, and decoded by the run. Light is in electrons, over the frame or a 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import re
+import tomllib
+from collections.abc import Mapping
 from dataclasses import dataclass
+from importlib.resources import files
 from pathlib import Path
 
 import numpy as np
@@ -17,28 +20,28 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
-from nscc_runtime.pictures.tone import TONES, Tone, fitted
+from nscc_runtime.pictures.tone import fitted
 from nscc_runtime.scenes import Scene as Shown
 from nscc_runtime.simulate import Request, simulate
 from nscc_training.demo import BUILTIN
 from nscc_training.demo.expose import RUNS, camera
 from nscc_training.emulated import captures_on
 from nscc_training.encoders import make_encoder
-from nscc_training.evaluation import hdr, video
-from nscc_training.evaluation.results import Scene, Unusable
-from nscc_training.evaluation.runs import container_of, seen_of
+from nscc_training.evaluation.runs import seen_of
+from nscc_training.loop.decoding import container_of, decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
+from nscc_training.protocol_scenes.files import scenes_in
+from nscc_training.protocol_scenes.hdr import ENDINGS
+from nscc_training.protocol_scenes.scene import Scene
 from nscc_training.protocols import load_protocol
-from nscc_training.reconstruct import decoded_frame
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder, load_run
 from nscc_training.scene_files import CLIPS, files_in
 
 _BUILTIN = dict(zip((True, False), BUILTIN, strict=True))
-_MOMENTS = 4
-_STOPS = {"low": 1 / 8, "middle": 1.0, "high": 8.0}
-"""Exposures of a still, relative to one that shows its median as a middle grey."""
+_SHOWN = re.compile(r"(?P<light>[a-z]+):(?P<curve>[a-z-]+)(@(?P<gain>[0-9.]+))?(#(?P<frame>\d+))?")
 _GREY = 0.18
+"""What the median of a still is, of white, at an exposure of 1."""
 _ZOOM = 16
 """Pixels a side that a place of a tile is drawn with."""
 
@@ -47,20 +50,45 @@ Field = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class _Taken:
-    """What came of a scene: `truth` and `made`, (rows, cols) of a still or (T, rows, cols) of a
-    clip; `coded` and `usual`, the coded frame and that of always open pixels as greys, 0..255;
-    `usual_light`, the light that the latter tell of, in the shape of the truth."""
+    """What came of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
+    `frames`, the coded one and that of always open pixels, as greys."""
 
     name: str
-    truth: Field
-    made: Field
-    coded: NDArray[np.uint8]
-    usual: NDArray[np.uint8]
-    usual_light: Field
+    light: Mapping[str, Field]
+    frames: Mapping[str, NDArray[np.uint8]]
+
+    def image(self, shown: str) -> Image:
+        """Return a picture of a figure's layout."""
+        if shown in self.frames:
+            return Image(self.frames[shown], shown.replace("-", " "))
+        found = _SHOWN.fullmatch(shown)
+        assert found is not None, shown
+        truth, light = self.light["truth"], self.light[found["light"]]
+        name, white = found["light"].replace("open", "always open"), None
+        title = f"{name}, {found['curve']}"
+        if found["gain"]:
+            white = max(float(np.median(truth)), 1e-9) / _GREY / float(found["gain"])
+            title = f"{name}, exposure {found['gain']}"
+        tone = fitted(found["curve"], truth, white)
+        if not found["frame"]:
+            return Image(tone(light), title, "" if light is truth else self._score(light))
+        k = min(int(found["frame"]), len(truth) - 1)
+        note = "" if light is truth or k else self._score(light)
+        return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
+
+    def _score(self, light: Field) -> str:
+        truth = self.light["truth"]
+        if truth.ndim == 2:
+            peak = float(np.percentile(truth, 99.9)) or 1.0
+            return f"PSNR-mu {mu_psnr(truth, light, peak):.1f} dB"
+        tone = fitted("srgb", truth)
+        pairs = zip(truth, light, strict=True)
+        mean = finite_mean(psnr(tone(a) / 255.0, tone(b) / 255.0, 1.0) for a, b in pairs)
+        return f"PSNR {mean:.1f} dB over all frames"
 
 
 def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> dict[str, bytes]:
-    """PNG files by name: fig3_coded_frame, fig5_frames, fig6_shutters, fig7_exposures, fig8_tones.
+    """Return PNG files by the names that `figures.toml` has for them.
 
     `data` holds panoramas and clips, or folders `hdr` and `video` of them: of the first crop of
     each panorama that one is shown whose brightest light is most above its median, and of the first
@@ -82,18 +110,19 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
             ),
             helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
         )
-    still, clip = (_taken(folder, kind, found[kind], effects, seed)
-                   for kind, folder in runs.items())  # fmt: skip
-    drawn = {
-        "fig3_coded_frame": ([_still_row(still)], f"{still.name}: one coded frame"),
-        "fig5_frames": (_clip_rows(clip), f"{clip.name}: several frames from one"),
-        "fig6_shutters": (_mosaics(runs, seed), "shutters, a tile of each code"),
-        "fig7_exposures": (_exposures(still), f"{still.name}: low and high exposure of one frame"),
-        "fig8_tones": (_tones(still), f"{still.name}: tone mapping"),
-    }
-    return {
-        f"{name}.png": png_of(image_sheet, rows, title) for name, (rows, title) in drawn.items()
-    }
+    taken = {"still" if kind else "clip": _taken(folder, kind, found[kind], effects, seed)
+             for kind, folder in runs.items()}  # fmt: skip
+    layout = files("nscc_training.evaluation") / "figures.toml"
+    made = {}
+    for name, figure in tomllib.loads(layout.read_text(encoding="utf-8")).items():
+        if "scene" in figure:
+            scene = taken[figure["scene"]]
+            rows = [[scene.image(shown) for shown in row.split()] for row in figure["rows"]]
+            title = f"{scene.name}: {figure['title']}"
+        else:
+            rows, title = _mosaics(runs, seed), figure["title"]
+        made[f"{name}.png"] = png_of(image_sheet, rows, title)
+    return made
 
 
 def _taken(
@@ -116,28 +145,29 @@ def _taken(
     request = Request.of(effects=effects, seed=seed, device_seed=seed, torch_device=on)
     coded, usual = (
         simulate(container, light, parts.sensor, request).frame
-        for container in (container_of(folder), camera(parts.slots, parts.chip.slot_us))
+        for container in (container_of(parts), camera(parts.slots, parts.chip.slot_us))
     )
-    made = decoded_frame(folder, coded.frame[0], coded.saturated[0])
+    made = decoded_frame(parts, coded.frame[0], coded.saturated[0])
     flat = usual.frame[0] * parts.model.electrons_per_lsb / (1 if still else parts.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
     codes = fitted("srgb", np.zeros(1), float(parts.model.top_code))
-    greys = [codes(frame.frame[0]) for frame in (coded, usual)]
-    return _Taken(name, truth, made.astype(np.float64), greys[0], greys[1], usual_light)
+    frames = {
+        name: codes(each.frame[0]) for name, each in (("coded", coded), ("always-open", usual))
+    }
+    shown = {"truth": truth, "open": usual_light, "decoded": made.astype(np.float64)}
+    return _Taken(name, shown, frames)
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] | None:
     """The scene that a figure shows of a folder, and its file's name; None without any."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
-    endings, name = (hdr.ENDINGS, "hdr") if still else (CLIPS, "video")
+    endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.parts.target.rows, folder.parts.target.cols)
     scenes: list[tuple[float, str, Scene]] = []
-    files = files_in(data / name, endings) or files_in(data, endings)
-    seen = seen_of(folder, files)
-    for path in (path for path in files if path not in seen):
-        every: Iterable[Scene | Unusable] = (
-            hdr.crops([path], protocol) if still else video.windows([path], protocol)
-        )
+    paths = files_in(data / name, endings) or files_in(data, endings)
+    seen = seen_of(folder, paths)
+    for path in (path for path in paths if path not in seen):
+        every = scenes_in([path], protocol)
         scene = next((each for each in every if isinstance(each, Scene)), None)
         if scene is not None and scene.light_e.shape[-2:] == size:
             scenes.append((_worth(scene.light_e), path.name, scene))
@@ -152,34 +182,6 @@ def _worth(light_e: Field) -> float:
     if light_e.ndim == 3:
         return float(np.abs(np.diff(light_e, axis=0)).mean() / max(light_e.mean(), 1e-9))
     return float(np.percentile(light_e, 99.9) / max(float(np.median(light_e)), 1e-9))
-
-
-def _still_row(taken: _Taken) -> list[Image]:
-    tone = fitted("log", taken.truth)
-    return [
-        Image(tone(taken.truth), "truth"),
-        Image(tone(taken.usual_light), "always open", _mu(taken, taken.usual_light)),
-        Image(taken.coded, "coded frame"),
-        Image(tone(taken.made), "decoded", _mu(taken, taken.made)),
-    ]
-
-
-def _clip_rows(taken: _Taken) -> list[list[Image]]:
-    tone = fitted("srgb", taken.truth)
-    moments = np.linspace(0, len(taken.truth) - 1, _MOMENTS).round().astype(int)
-    scores = finite_mean(
-        psnr(tone(a) / 255.0, tone(b) / 255.0, 1.0)
-        for a, b in zip(taken.truth, taken.made, strict=True)
-    )
-    return [
-        [Image(taken.usual, "always open"), Image(taken.coded, "coded frame")],
-        [Image(tone(taken.truth[k]), f"truth, frame {k + 1}") for k in moments],
-        [
-            Image(tone(taken.made[k]), f"decoded, frame {k + 1}",
-                  f"PSNR {scores:.1f} dB over all frames" if k == 0 else "")
-            for k in moments
-        ],
-    ]  # fmt: skip
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
@@ -200,34 +202,3 @@ def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
             row.append(Image(np.kron(grey, np.ones((_ZOOM, _ZOOM), np.uint8)), title, note))
         rows.append(row)
     return rows
-
-
-def _exposures(taken: _Taken) -> list[list[Image]]:
-    """What cameras of three exposures would have made of the truth, of always open pixels' light
-    and of the decoded: linear light, cut at white, on a screen."""
-    white = max(float(np.median(taken.truth)), 1e-9) / _GREY
-    rows = []
-    for name, light in _lights(taken):
-        tones = {stop: fitted("srgb", taken.truth, white / gain) for stop, gain in _STOPS.items()}
-        rows.append(
-            [Image(tone(light), f"{name}, {stop} exposure") for stop, tone in tones.items()]
-        )
-    return rows
-
-
-def _tones(taken: _Taken) -> list[list[Image]]:
-    """The same three by every curve, each fitted to the truth."""
-    curves: Sequence[Tone] = [fitted(name, taken.truth) for name in TONES if name != "linear"]
-    return [
-        [Image(curve(light), f"{name}, {curve.name}") for curve in curves]
-        for name, light in _lights(taken)
-    ]
-
-
-def _lights(taken: _Taken) -> tuple[tuple[str, Field], ...]:
-    return ("truth", taken.truth), ("always open", taken.usual_light), ("decoded", taken.made)
-
-
-def _mu(taken: _Taken, light: Field) -> str:
-    peak = float(np.percentile(taken.truth, 99.9)) or 1.0
-    return f"PSNR-mu {mu_psnr(taken.truth, light, peak):.1f} dB"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import math
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -14,88 +13,101 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import read_whole
 from nscc_training.measures import number, stamp
+from nscc_training.metrics import finite_mean
+from nscc_training.protocol_scenes.files import scenes_in
+from nscc_training.protocol_scenes.scene import Item, Scene, Unusable
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import labels
 from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
+_MEANS = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
+"""Metrics of hdr-v1 that are reported at other shares of saturated pixels, too."""
 _MOST_REASONS = 5
 
 Array = NDArray[Any]
 
 
-@dataclass(frozen=True)
-class Item:
-    """One scored picture or frame: where it is from, and its metrics as JSON values."""
-
-    file: str
-    crop: list[int] | None
-    frame: int | None
-    metrics: dict[str, Any]
-
-    def as_json(self) -> dict[str, Any]:
-        """The item as one flat object."""
-        return {"file": self.file, "crop": self.crop, "frame": self.frame, **self.metrics}
-
-
 class Scored(NamedTuple):
-    """An item, its reconstruction and truth (float32), and the seconds that decoding took."""
+    """A scene with its items, its reconstruction as it is scored, and the seconds of decoding."""
 
-    item: Item
+    scene: Scene
+    items: list[Item]
     made: Array
-    truth: Array
     seconds: float
 
 
-class Scene(ABC):
-    """A scene as a protocol exposes it; `light_e` in electrons."""
+def usable_scenes(
+    every: Iterable[Scene | Unusable], protocol: Protocol
+) -> tuple[list[Scene | None], list[dict[str, Any]]]:
+    """Return the scenes that can be used, and what a result says of the others.
 
-    light_e: Array
-
-    @property
-    def truth_e(self) -> Array:
-        """What a perfect decoder would make of it, in electrons: by default the light itself."""
-        return self.light_e
-
-    @abstractmethod
-    def scores(self, result_e: Array) -> dict[str, Any]:
-        """The protocol's metrics of what was made of it, as JSON values."""
-
-    @abstractmethod
-    def item(self, result_e: Array) -> Item:
-        """The same as an item of a result."""
-
-
-@dataclass(frozen=True)
-class Unusable:
-    """A scene that cannot be exposed as the protocol says: its file, its place there, and why."""
-
-    file: str
-    place: Mapping[str, Any]
-    reason: str
-
-    def as_json(self) -> dict[str, Any]:
-        """What a result says of it."""
-        return {"file": self.file, **self.place, "reason": self.reason}
+    A scene's noise follows from its number: under hdr-v1 only scenes that can be used count, under
+    the other protocols None stands in the place of those that cannot.
+    """
+    scenes: list[Scene | None] = []
+    left_out = []
+    for scene in every:
+        if isinstance(scene, Scene):
+            scenes.append(scene)
+            continue
+        left_out.append(scene.as_json())
+        if not protocol.still:
+            scenes.append(None)
+    return scenes, left_out
 
 
 def scored(
-    scenes: Iterable[Scene | Unusable],
-    decode: Callable[[Scene, int], tuple[Array, float]],
-    left_out: list[dict[str, Any]],
+    scenes: Iterable[Scene | Unusable | None], decode: Callable[[Scene, int], tuple[Array, float]]
 ) -> Iterator[Scored]:
-    """Every scene that can be used, decoded and scored; the others go into `left_out`.
+    """Decode and score every scene; `decode` gives electrons and seconds.
 
-    `decode` gives electrons and seconds; it is told the scene's number, for noise of its own.
+    It is told the scene's number, for noise of its own. Rejected (NS0804) for a reconstruction
+    with values that are not finite.
     """
     for index, scene in enumerate(scenes):
-        if isinstance(scene, Unusable):
-            left_out.append(scene.as_json())
-            continue
-        made, seconds = decode(scene, index)
-        truth = scene.truth_e.astype(np.float32)
-        yield Scored(scene.item(made), made.astype(np.float32), truth, seconds)
+        if isinstance(scene, Scene):
+            result_e, seconds = decode(scene, index)
+            check_finite(result_e, scene.file.name)
+            made = scene.result(result_e).astype(np.float32)
+            yield Scored(scene, scene.items(result_e), made, seconds)
+
+
+def mean_score(every: Sequence[Scored], metric: str) -> float:
+    """Return the mean of a metric in dB; -inf if there is no item."""
+    scores = [number(item.metrics[metric]) for each in every for item in each.items]
+    return finite_mean(scores) if scores else -math.inf
+
+
+def also_saturated(
+    files: Sequence[Path], protocol: Protocol, decoded: Callable[[list[Scene | None]], list[Scored]]
+) -> dict[str, Any]:
+    """Return means at the other shares of saturated pixels that hdr-v1 has; else nothing."""
+    found = []
+    for fraction in protocol.values.get("also_saturated", ()):
+        usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
+        every = decoded(usable)
+        means = {f"mean_{name}": mean_score(every, name) for name in _MEANS}
+        found.append({
+            "saturated_fraction": fraction, "crops": len(usable), "crops_left_out": len(left_out),
+            **{name: value if math.isfinite(value) else None for name, value in means.items()},
+        })  # fmt: skip
+    return {"also_saturated": found} if found else {}
+
+
+def check_finite(result: Array, name: str) -> None:
+    """Rejected (NS0804) for a reconstruction with values that are not finite: it has no score."""
+    bad = int(np.count_nonzero(~np.isfinite(result)))
+    if bad:
+        raise rejected(
+            "NS0804",
+            f"{bad} of {result.size} values of the reconstruction of '{name}' are not finite",
+            notes=("PSNR and SSIM of such values mean nothing",),
+            helps=("look at the decoder and its weights: NaN and infinity come from there",),
+            data={"count": bad},
+        )
 
 
 @dataclass(frozen=True)
@@ -165,20 +177,23 @@ def with_arrays(
 ) -> tuple[dict[str, Any], dict[str, Array]]:
     """The same of what was scored, and what `--save` writes of every item, by name: the
     reconstruction, an `image` or a `video`, and the truth."""
-    found = result(protocol, subject, files, [each.item for each in every], left_out, **more)
+    items = [item for each in every for item in each.items]
+    found = result(protocol, subject, files, items, left_out, **more)
     called, arrays = labels(files), {}
-    for item, made, truth, _ in every:
-        place = [item.frame] if item.crop is None else item.crop
-        label = "_".join([called[item.file], *map(str, place)])
+    for scene, _, made, _ in every:
+        place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]
+        label = "_".join([called.get(scene.file.name, scene.file.name), *map(str, place)])
+        truth = scene.truth_e
         kind = "image" if truth.ndim == 2 else "video"
-        arrays[f"{label}_{kind}"], arrays[f"{label}_truth"] = made, truth
+        arrays[f"{label}_{kind}"] = made
+        arrays[f"{label}_truth"] = truth if truth.dtype == np.uint8 else truth.astype(np.float32)
     return found, arrays
 
 
 def read_result(path: Path) -> dict[str, Any]:
     """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
     try:
-        found = json.loads(path.read_text(encoding="utf-8"))
+        found = json.loads(read_whole(path))
         if isinstance(found, dict) and found.get("schema") == SCHEMA:
             if not isinstance(found.get("mean"), int | float | None):
                 raise ValueError("its mean is no number")

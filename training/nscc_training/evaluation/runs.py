@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import partial
+from collections.abc import Callable, Sequence
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
@@ -12,51 +11,35 @@ from typing import Any
 import numpy as np
 import torch
 from numpy.typing import NDArray
-from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
+from nscc.files import file_sha256
 from nscc.program.problems import counted
-from nscc.words.container import Container
-from nscc_runtime.light import Light
-from nscc_runtime.looked_light import OPEN
-from nscc_runtime.simulate import Request, simulate
-from nscc_training import programs
+from nscc_runtime.sensor import load_sensor
+from nscc_training.data import load_scenes
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.make import flops, parameter_count
-from nscc_training.emulated import captures_on
 from nscc_training.encoders.looks import LOOKS
-from nscc_training.evaluation import deblur, hdr, several_frames, video
-from nscc_training.evaluation.results import Item, Scene, Scored, Subject, scored, with_arrays
-from nscc_training.evaluation.sci8 import read_sci_clip, sci_clips
-from nscc_training.looking_model import looked
-from nscc_training.measures import frame_scores
+from nscc_training.evaluation.results import (
+    Scored,
+    Subject,
+    also_saturated,
+    scored,
+    usable_scenes,
+    with_arrays,
+)
+from nscc_training.loop.validation import by_chip, by_model, validation_scenes
 from nscc_training.problems import listed
+from nscc_training.programs import SENSOR_FILE
+from nscc_training.protocol_scenes.files import files_of, scenes_in
+from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.sci import SciClip
 from nscc_training.protocols import Protocol
-from nscc_training.reconstruct import decoded_frame
 from nscc_training.run_folder import RunFolder
-from nscc_training.sensor_model import frame_of, laid, shared_out
-from nscc_training.settings import Settings
 
+DecodeScene = Callable[[Scene, int], tuple[NDArray[Any], float]]
 _SIZE = (256, 256)
 """Rows and columns of what protocols expose."""
-
-Key = tuple[str, str, str]
-"""What rows of tables know runs by: decoder, class, and what became of the codes: learned, words,
-random, quad or fixed."""
-
-
-def key_of(settings: Settings) -> Key:
-    """The key of a run's settings."""
-    shutter = settings.shutter
-    codes = "learned"
-    if not shutter.learn:
-        codes = shutter.init if shutter.init in ("random", "quad") else "fixed"
-    elif shutter.words_weight > 0:
-        codes = "words"
-    decoder = settings.decoder
-    # Narrower decoders are none of the tables' rows.
-    name = decoder.name if decoder.width == 1 else f"{decoder.name} x {decoder.width:g}"
-    return name, shutter.kind, codes
 
 
 def evaluate_run(
@@ -67,57 +50,99 @@ def evaluate_run(
     *,
     skip_seen: bool = False,
     effects: str = "",
+    changes: Sequence[str] = (),
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """The result of a run, with its hard shutters, and the arrays it made, by name.
+    """Return the result of a run, with its hard shutters, and the arrays it made, by name.
 
     With `skip_seen`, files that the run has seen are left out, and the result says so. With
     `effects`, as `nscc run --effects` takes them, scenes are exposed by the emulated chip, another
-    one for each `seed`, instead of the sensor that the protocol fixes. Raises Rejected: NS0756 for
-    effects that there are not, NS0841 under sci8, whose measurements no chip made, NS0820 where the
-    run has seen a file of `data`, or with `skip_seen` all of them, NS0821 where it was trained for
-    something else than the protocol exposes, NS0811 for a folder without data.
+    one for each `seed`, instead of the sensor that the protocol fixes; `changes` are numbers of
+    its sensor, as `nscc run --sensor-set` takes them. Raises Rejected: NS0756 for effects that do
+    not exist, NS0841 under sci8, whose measurements no chip made, NS0820 if the run has seen a file
+    of `data`, or with `skip_seen` all of them, NS0821 if it was trained for something else than the
+    protocol exposes, NS0811 for a folder without data.
     """
     _check_kind(folder, protocol)
-    find = {
-        "hdr-v1": hdr.panoramas,
-        "video-v1": video.clips_of,
-        "sci8": sci_clips,
-        "deblur-v1": deblur.panoramas,
-        "two-bucket-v1": video.clips_of,
-    }
-    files = find[protocol.name](data)
+    files = files_of(protocol, data)
     seen = seen_of(folder, files)
     if not (skip_seen and len(seen) < len(files)):
         check_unseen(folder, files)
     files = [path for path in files if path not in seen]
-    left_out: list[dict[str, Any]] = [
-        {"file": path.name, "reason": "the run has seen it"} for path in seen
-    ]
-    more: dict[str, Any] = {}
-    decode = partial(_made, folder, seed)
-    if effects:
-        if protocol.name == "sci8":
-            raise rejected(
-                "NS0841", "sci8 brings its own measurements, which no chip has made",
-                helps=("leave --effects out, or take video-v1",),
-            )  # fmt: skip
-        decode = partial(made_by_chip, folder, seed, container_of(folder), effects)
-    if protocol.name == "hdr-v1":
-        crops, unusable = hdr.parted(files, protocol)
-        left_out += [crop.as_json() for crop in unusable]
-        every = list(scored(crops, decode, left_out))
-        more["also_saturated"] = hdr.also_saturated(
-            files, protocol, lambda others: [each.item for each in scored(others, decode, [])]
-        )
-    elif protocol.name in ("video-v1", "two-bucket-v1"):
-        every = list(scored(video.windows(files, protocol), decode, left_out))
-    elif protocol.name == "deblur-v1":
-        every = list(scored(deblur.moments(files, protocol), decode, left_out))
-    else:
-        every = list(_sci(folder, files, protocol))
+    if effects and protocol.name == "sci8":
+        raise rejected(
+            "NS0841", "sci8 brings its own measurements, which no chip has made",
+            helps=("leave --effects out, or take video-v1",),
+        )  # fmt: skip
+    decode = (
+        _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, seed, effects, changes)
+    )
+    scenes, unusable = usable_scenes(scenes_in(files, protocol), protocol)
+    left_out = [{"file": path.name, "reason": "the run has seen it"} for path in seen] + unusable
+    every = list(scored(scenes, decode))
+    others = also_saturated(files, protocol, lambda shown: list(scored(shown, decode)))
     subject = _subject(folder, every, seed, effects)
-    more["flops_size"] = [*_SIZE]
-    return with_arrays(protocol, subject, files, every, left_out, **more)
+    more = {"sensor_changes": [*changes]} if changes else {}
+    return with_arrays(
+        protocol, subject, files, every, left_out, **others, **more, flops_size=[*_SIZE]
+    )
+
+
+def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Return the result of a run on the scenes that it was chosen by, with the run's own effects.
+
+    Its mean is the PSNR of the step whose state the run has kept, in `metrics.csv`. Rejected
+    (NS0811) if the scenes of its configuration are not there, or are others.
+    """
+    settings = folder.parts.settings
+    scenes = load_scenes(settings.data, folder.parts.still, folder.parts.slots, settings.train.seed)
+    if not {scene.sha256 for scene in scenes.val} <= folder.seen:
+        raise rejected(
+            "NS0811", f"'{folder.path}' was validated on other scenes than those of its "
+            "configuration today",
+            notes=("split.json has the digests of those that it was chosen by",),
+            helps=("give [data] val the files that it had",),
+        )  # fmt: skip
+    shown = validation_scenes(folder.parts, scenes)
+    effects = settings.sensor.effects
+    every = list(scored(shown, _by_run(folder, 0, effects, ())))
+    subject = _subject(folder, every, 0, effects)
+    protocol = shown[0].protocol
+    return with_arrays(protocol, subject, [], every, [], split="val", flops_size=[*_SIZE])
+
+
+def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
+    """Return what captures a scene as the run was trained, or by the emulated chip, and decodes."""
+    file = folder.path / SENSOR_FILE
+    own = file if folder.parts.settings.sensor.file and file.is_file() else None
+    sensor = load_sensor(folder.parts.target, own, changes) if changes else None
+    if effects:
+        decode = by_chip(folder.parts, effects, sensor, seed)
+    else:
+        decode = by_model(folder.parts, seed=seed)
+    return lambda scene, index: decode(scene.light_e, index)
+
+
+def _by_mask(folder: RunFolder) -> DecodeScene:
+    """Return what decodes a benchmark clip behind its own mask, without noise or quantisation.
+
+    As in training a full well is the 99th percentile of what an always open pixel would gather: of
+    a measurement, the light of open slots scaled up to all of them.
+    """
+    parts = folder.parts
+
+    @torch.no_grad()
+    def decode(scene: Scene, _index: int) -> tuple[NDArray[Any], float]:
+        assert isinstance(scene, SciClip)
+        share = scene.mask.mean(axis=0)
+        gathered = scene.measurement[share > 0] / share[share > 0]
+        level = max(float(np.percentile(gathered, 99)), 1e-6)
+        frame = torch.from_numpy((scene.measurement / level).astype(np.float32)).clamp(max=1)
+        begin = perf_counter()
+        mask = torch.from_numpy(scene.mask).to(parts.device)
+        made = parts.decoder(frame[None].to(parts.device), mask)[0].float().cpu().numpy()
+        return made.astype(np.float64) * (level / len(scene.mask)), perf_counter() - begin
+
+    return decode
 
 
 def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str) -> Subject:
@@ -127,13 +152,13 @@ def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
-            "row": list(key_of(settings)),
             "buckets": parts.buckets,
             "size": settings.decoder.sized,
             "steps": settings.train.steps,
             "train_seed": settings.train.seed,
             "places": folder.result.get("codes", {}).get("places"),
             "moved": folder.result.get("codes", {}).get("moved"),
+            "words_per_slot": folder.result.get("words_per_slot"),
             "program_sha256": sha256(folder.program.encode()).hexdigest(),
             "config_sha256": folder.result.get("config_sha256"),
             "effects": effects,
@@ -153,11 +178,11 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
         raise rejected(
             "NS0821",
             f"'{folder.path}' was trained for one exposure; protocol {protocol.name} has several",
-            helps=(f"its rows are {', '.join(several_frames.ROWS[protocol.name])}",),
+            helps=("its rows are those of `nscc evaluate --help`",),
         )
     kind = parts.encoder.spec.kind
     have = f"{'stills' if parts.still else 'clips'} of {parts.slots} slots, class {kind}"
-    if protocol.name == "hdr-v1":
+    if protocol.still:
         want = f"stills of {protocol['slots']} slots, class {protocol['class']}"
         known = kind in (protocol["class"], LOOKS)
         good = parts.still and parts.slots == protocol["slots"] and known
@@ -186,7 +211,7 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
 
 def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
     """Those of the files that the run learned from or was chosen by."""
-    return [path for path in files if sha256(path.read_bytes()).hexdigest() in folder.seen]
+    return [path for path in files if file_sha256(path) in folder.seen]
 
 
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:
@@ -206,92 +231,3 @@ def check_unseen(folder: RunFolder, files: list[Path]) -> None:
             ),
             data={"files": shared},
         )
-
-
-@torch.no_grad()
-def _decoded(folder: RunFolder, frame: Tensor, shutters: Tensor) -> tuple[NDArray[Any], float]:
-    """What the decoder makes of a frame ([2,] rows, cols), 1 where saturated, and its seconds."""
-    parts = folder.parts
-    begin = perf_counter()
-    made = parts.decoder(frame[None].to(parts.device), shutters.to(parts.device))
-    found = made[0].float().cpu().numpy().astype(np.float64)
-    return found, perf_counter() - begin
-
-
-def _made(folder: RunFolder, seed: int, scene: Scene, index: int) -> tuple[NDArray[Any], float]:
-    """Electrons over the frame, or a slot, of a scene's capture with noise; the seconds."""
-    parts = folder.parts
-    tile = parts.encoder.hard().cpu()
-    if parts.encoder.spec.kind == LOOKS:
-        return _looked(folder, scene, 1000 * seed + index)
-    opened = shared_out(tile, parts.buckets)
-    codes = frame_of(scene.light_e, opened, parts.model, 1000 * seed + index)
-    made, seconds = _decoded(folder, parts.model.relative(codes), laid(tile, *codes.shape[-2:]))
-    return made * (parts.model.full_e / (1 if parts.still else parts.slots)), seconds
-
-
-def container_of(folder: RunFolder) -> Container:
-    """A run's program, compiled."""
-    """A run's program, compiled."""
-    chip = folder.parts.chip
-    found = programs.compiled(programs.program_of(folder.parts.encoder, chip), chip).container
-    assert found is not None
-    return found
-
-
-def made_by_chip(
-    folder: RunFolder, seed: int, container: Container, effects: str, scene: Scene, index: int
-) -> tuple[NDArray[Any], float]:
-    """The same from a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make it."""
-    size, array = scene.light_e.shape[-2:], (container.target.rows, container.target.cols)
-    margins = [(0, 0)] * (scene.light_e.ndim - 2) + [
-        (0, most - side) for most, side in zip(array, size, strict=True)
-    ]
-    light_e = np.pad(scene.light_e.astype(np.float32), margins, mode="edge")
-    slots = folder.parts.slots
-    still = folder.parts.still
-    light = Light.of_still(light_e, np.full(slots, 1 / slots)) if still else Light.of_clip(light_e)
-    chosen = Request.of(
-        effects=effects, seed=1000 * seed + index, device_seed=seed,
-        torch_device=captures_on(folder.parts.device),
-    )  # fmt: skip
-    frame = simulate(container, light, folder.parts.sensor, chosen).frame
-    begin = perf_counter()
-    opened = frame.told.get(OPEN)
-    share = None if opened is None else (opened[0] / slots).astype(np.float32)
-    one = 0 if folder.parts.buckets == 1 else ...
-    made = decoded_frame(folder, frame.frame[one], frame.saturated[one], share)
-    seconds = perf_counter() - begin
-    return made[..., : size[0], : size[1]].astype(np.float64), seconds
-
-
-def _looked(folder: RunFolder, scene: Scene, seed: int) -> tuple[NDArray[Any], float]:
-    """The same of pixels that look."""
-    parts, generator = folder.parts, torch.Generator().manual_seed(seed)
-    light = torch.as_tensor(scene.light_e, dtype=torch.float32)[None]
-    fields, step_e = parts.encoder.hard().cpu(), parts.target.electrons_per_step
-    codes, share = looked(light, fields, parts.slots, step_e, parts.model, generator)
-    frame = parts.model.relative(codes[0] - parts.model.adc_offset_lsb)
-    made, seconds = _decoded(folder, frame, share)
-    return made * parts.model.full_e, seconds
-
-
-def _sci(folder: RunFolder, files: list[Path], protocol: Protocol) -> Iterator[Scored]:
-    """The mask of the file instead of the run's shutters; neither noise nor quantisation.
-
-    As in training a full well is the 99th percentile of what an always open pixel would gather; of
-    a measurement, the light of open slots scaled up to all of them.
-    """
-    top = float(protocol["data_range"])
-    for path in files:
-        clip = read_sci_clip(path, protocol)
-        mask = torch.from_numpy(clip.mask)
-        share = clip.mask.mean(axis=0)
-        gathered = clip.measurement[share > 0] / share[share > 0]
-        level = max(float(np.percentile(gathered, 99)), 1e-6)
-        frame = torch.from_numpy((clip.measurement / level).astype(np.float32))
-        made, seconds = _decoded(folder, frame.clamp(max=1), mask)
-        scaled = np.clip(made * (level / len(clip.mask)), 0, 1) * top
-        for k, (frame_made, truth) in enumerate(zip(scaled, clip.orig, strict=True)):
-            item = Item(path.name, None, k, frame_scores(truth, frame_made, top))
-            yield Scored(item, frame_made.astype(np.float32), truth.astype(np.float32), seconds)

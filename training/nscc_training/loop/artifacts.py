@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import platform
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from hashlib import sha256
 from typing import Any
@@ -15,21 +15,19 @@ import torch
 from nscc import __version__
 from nscc.prove.shutters import shutters_of_pixels
 from nscc.words.container import Container
-from nscc_runtime.emulator import expose
-from nscc_runtime.light import Light
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.config import config_toml
-from nscc_training.data import Batches, Scenes
+from nscc_training.data import Scenes
 from nscc_training.decoders.make import flops, parameter_count
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.least_squares import solve
-from nscc_training.loop.looks import looking_codes, looking_stages
+from nscc_training.loop.decoding import scene_by_words
 from nscc_training.loop.setup import Parts, started_encoder
-from nscc_training.loop.steps import scored
+from nscc_training.loop.validation import as_trained, by_model, validated
 from nscc_training.measures import decibels
-from nscc_training.metrics import finite_mean, psnr
 from nscc_training.programs import CODES_FILE, compiled, program_of, words_per_slot
-from nscc_training.sensor_model import laid, read_out, shared_out
+from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.sensor_model import shared_out
 from nscc_training.settings import Settings
 
 _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
@@ -43,16 +41,17 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
     ("exposure x 2", {}, 2.0),
 )
 """Names, and factors: of the sensor's values, and of the exposure."""
-_FEW_CHIPS = 2
-"""Chips that stand for all where a sensor that is off is emulated."""
 
 
-def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict[str, bytes]:
-    """The files of a run by name; the parts are in their best state, reached at `step`."""
+def artifacts(parts: Parts, shown: Sequence[Scene], scenes: Scenes, step: int) -> dict[str, bytes]:
+    """The files of a run by name; the parts are in their best state, reached at `step`.
+
+    All scores are the protocol's, of the validation scenes that are `shown`.
+    """
     from safetensors.torch import save
 
-    container_of = compiled(program_of(parts.encoder, parts.chip), parts.chip)
-    assert container_of.container is not None
+    found = compiled(program_of(parts.encoder, parts.chip), parts.chip)
+    assert found.container is not None
     remark = (
         f"Shutters of class {parts.encoder.spec.kind}, learned by nscc train with the decoder "
         f"beside them\n(step {step}, seed {parts.settings.train.seed}, "
@@ -67,24 +66,22 @@ def artifacts(parts: Parts, batches: Batches, scenes: Scenes, step: int) -> dict
         files[CODES_FILE] = program.codes
     files |= parts.files
     files["capture.toml"] = capture_toml(parts).encode()
-    val = batches.val()
-    side, count = parts.settings.data.patch, sum(len(batch.peak) for batch in val)
-    stages, codes = _stages(parts, batches, container_of.container), _codes_report(parts, batches)
-    robustness = _robustness(parts, batches)
+    side = parts.settings.data.patch
+    robustness = _robustness(parts, shown)
     result = {
-        "schema": "nscc-run-1",
-        "headline": _headline(parts, batches, robustness[0]),
+        "schema": "nscc-run-2",
+        "headline": _headline(parts, shown, robustness[0]),
         "protocol": parts.protocol.name,
         "protocol_sha256": parts.protocol.sha256,
         "config_sha256": config_digest(parts.settings),
         "split_sha256": split_digest(scenes),
         "step": step,
-        "stages": stages,
-        "stages_note": f"mean PSNR in dB of {count} validation patches of {side} x {side}, "
-        "data range the patch's peak, without noise",
+        "stages": _stages(parts, shown, found.container),
+        "stages_note": f"PSNR in dB of {len(shown)} validation scenes, as the protocol counts it, "
+        "without noise",
         "robustness": robustness,
-        "words_per_slot": words_per_slot(container_of),
-        "codes": codes,
+        "words_per_slot": words_per_slot(found),
+        "codes": _codes_report(parts, shown),
         "parameters": parameter_count(parts.decoder),
         "flops": flops(parts.decoder, parts.slots, side, side, parts.buckets),
         "flops_size": [side, side],
@@ -154,98 +151,76 @@ def _exposure(parts: Parts) -> str:
     return f"the median of the all-open sum is {grey_e:.0f} e"
 
 
-def _stages(parts: Parts, batches: Batches, container: Container) -> dict[str, Any]:
-    """PSNR with soft, hard, compiled and emulated shutters on the same patches."""
-    ideal, seed = parts.model.noiseless(), parts.settings.train.seed
-    val = batches.val()
-    if parts.encoder.spec.kind == LOOKS:
-        return looking_stages(parts, val, container)
-    with torch.no_grad():
-        soft = parts.encoder.shutters(None, soft=True)
-    found: dict[str, Any] = {}
-    rows, cols = parts.encoder.spec.tile
-    packed = shutters_of_pixels(container)["shutter"][:, :rows, :cols]
-    opened = np.unpackbits(packed, axis=-1, count=parts.slots, bitorder="little")
-    words = torch.from_numpy(opened.astype(np.float32).transpose(0, 3, 1, 2).copy())
-    hard = parts.encoder.hard()
-    for name, shutters in (("soft", soft), ("hard", hard), ("compiled", words[0])):
-        found[name] = decibels(scored(parts, val, shutters, ideal, seed).psnr_db)
-    found["emulated"] = decibels(_emulated(parts, batches, container))
-    wanted = shared_out(hard.cpu(), parts.buckets).reshape(words.shape)
-    found["compiled_equals_hard"] = bool(torch.equal(words, wanted))
-    return found
+def _stages(parts: Parts, shown: Sequence[Scene], container: Container) -> dict[str, Any]:
+    """PSNR with soft, hard, compiled and emulated shutters on the same scenes, without noise."""
+    ideal, kind = parts.model.noiseless(), parts.encoder.spec.kind
+    hard = parts.encoder.hard().cpu()
+    if kind == LOOKS:
+        machine = container.machine
+        assert machine is not None
+        codes = parts.encoder.codes()
+        asked = [(each.boundary, each.level) for each in machine.comparisons]
+        same = asked == [*zip(codes["at"][0].tolist(), codes["level"][0].tolist(), strict=True)]
+        tiles = {"soft": hard, "hard": hard, **({"compiled": hard} if same else {})}
+    else:
+        with torch.no_grad():
+            soft = parts.encoder.shutters(None, soft=True)
+        rows, cols = parts.encoder.spec.tile
+        packed = shutters_of_pixels(container)["shutter"][:, :rows, :cols]
+        opened = np.unpackbits(packed, axis=-1, count=parts.slots, bitorder="little")
+        words = torch.from_numpy(opened.astype(np.float32).transpose(0, 3, 1, 2).copy())
+        same = torch.equal(words, shared_out(hard, parts.buckets).reshape(words.shape))
+        tiles = {"soft": soft, "hard": hard, "compiled": words[0]}
+    found: dict[str, Any] = dict.fromkeys(("soft", "hard", "compiled"))
+    for name, tile in tiles.items():
+        scores = validated(parts, shown, by_model(parts, tile, ideal))
+        found[name] = decibels(scores.psnr_db)
+    emulated = validated(parts, shown, lambda light_e, _: scene_by_words(parts, container, light_e))
+    return found | {"emulated": decibels(emulated.psnr_db), "compiled_equals_hard": bool(same)}
 
 
-@torch.no_grad()
-def _emulated(parts: Parts, batches: Batches, container: Container) -> float:
-    """PSNR from frames that the emulator exposed: the words, on the whole array.
-
-    Of patches larger than the array the part that it holds.
-    """
-    rows, cols = container.target.rows, container.target.cols
-    values = []
-    tile, ideal = parts.encoder.hard(), parts.model.noiseless()
-    patches = (batch.part(k, k + 1) for batch in batches.val() for k in range(len(batch.peak)))
-    for batch in patches:
-        patch = batch.light[0, ..., :rows, :cols].numpy()
-        down, across = patch.shape[-2:]
-        whole = np.zeros((*patch.shape[:-2], rows, cols), np.float32)
-        whole[..., :down, :across] = patch
-        if parts.still:
-            light = Light.of_still(whole, np.full(parts.slots, 1.0 / parts.slots))
-        else:
-            light = Light.of_clip(whole)
-        exposure = torch.from_numpy(expose(container, light).exposure_e[:, :down, :across].copy())
-        if parts.buckets > 1:
-            exposure = exposure[None]
-        frame = ideal.relative(read_out(exposure, ideal) - ideal.adc_offset_lsb)
-        shutters = laid(tile[:, :down, :across], down, across).to(parts.device)
-        prediction = parts.decoder(frame.to(parts.device), shutters).float()
-        truth, peak = batch.truth[0, ..., :rows, :cols], batch.peak.item()
-        pair = [np.clip(x.cpu().numpy() / peak, 0, 1) for x in (truth, prediction[0])]
-        values.append(psnr(pair[0], pair[1], 1.0))
-    return finite_mean(values)
-
-
-def _headline(parts: Parts, batches: Batches, trained: dict[str, Any]) -> dict[str, Any]:
+def _headline(parts: Parts, shown: Sequence[Scene], trained: dict[str, Any]) -> dict[str, Any]:
     """What a run is worth on the sensor that it was `trained` under, and beside effects without."""
     effects = parts.settings.sensor.effects
     found = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
     if effects:
-        settings = parts.settings
-        bare = replace(settings, sensor=replace(settings.sensor, effects=""))
-        alone = scored(replace(parts, settings=bare), batches.val(), parts.encoder.hard(),
-                       parts.model, settings.train.seed)  # fmt: skip
+        alone = validated(parts, shown, by_model(parts))
         found |= {"noise_alone_psnr_db": decibels(alone.psnr_db), "noise_alone_ssim": alone.ssim}
     return found
 
 
-def _robustness(parts: Parts, batches: Batches) -> list[dict[str, Any]]:
-    """PSNR under a sensor and an exposure that are not those of training."""
-    val, hard, seed = batches.val(), parts.encoder.hard(), parts.settings.train.seed
+def _robustness(parts: Parts, shown: Sequence[Scene]) -> list[dict[str, Any]]:
+    """Scores under a sensor and an exposure that are not those of training."""
     found = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(parts.model, key) * factor for key, factor in factors.items()}
         others = {key: value for key, value in values.items() if key in parts.sensor.values}
-        where = parts
-        if others and parts.settings.sensor.effects:
-            where = replace(parts, sensor=parts.sensor.changed(**others), chips=_FEW_CHIPS)
-        scores = scored(where, val, hard, replace(parts.model, **values), seed, exposure)
+        if parts.settings.sensor.effects:
+            decode = as_trained(parts, parts.sensor.changed(**others))
+        else:
+            decode = by_model(parts, model=replace(parts.model, **values))
+        scores = validated(parts, shown, decode, exposure)
         found.append({"change": name, "psnr_db": decibels(scores.psnr_db), "ssim": scores.ssim})
     return found
 
 
-def _codes_report(parts: Parts, batches: Batches) -> dict[str, Any]:
+def _codes_report(parts: Parts, shown: Sequence[Scene]) -> dict[str, Any]:
     """How many shutters there are, how far from dependent they are, at how many places of the tile
     they are not those that the run began with, and what these alone are worth to the decoder."""
-    if parts.encoder.spec.kind == LOOKS:
-        return looking_codes(parts)
     chosen = parts.settings.shutter
-    seed = parts.settings.train.seed
-    start = started_encoder(chosen, parts.chip, parts.target, seed)
-    moved = (start.hard() != parts.encoder.hard().cpu()).any(dim=0)
-    alone = scored(parts, batches.val(), start.hard(), parts.model, seed)
-    shutters = parts.encoder.hard().reshape(parts.slots, -1).T.double().cpu().numpy()
+    start = started_encoder(chosen, parts.chip, parts.target, parts.settings.train.seed)
+    if parts.encoder.spec.kind == LOOKS:
+        codes, begun = parts.encoder.codes(), start.codes()
+        moved = (codes["at"] != begun["at"]) | (codes["level"] != begun["level"])
+        return {
+            "places": int(moved.size), "start": chosen.init, "moved": int(moved.sum()),
+            "shutters": int(moved.size) + 1, "at": codes["at"][0].tolist(),
+            "steps": codes["level"][0].tolist(),
+        }  # fmt: skip
+    hard = parts.encoder.hard().cpu()
+    moved = (start.hard() != hard).any(dim=0)
+    alone = validated(parts, shown, by_model(parts, start.hard()))
+    shutters = hard.reshape(parts.slots, -1).T.double().numpy()
     distinct = np.unique(shutters, axis=0)
     system = solve(distinct, np.zeros(len(distinct)))
     unused = getattr(parts.encoder, "unused_share", None)
@@ -266,14 +241,15 @@ def _headline_text(found: dict[str, Any], db: Callable[[float | str], str]) -> s
     score = f"{db(found['psnr_db'])} dB, SSIM {found['ssim']:.4f}"
     if not found["effects"]:
         return (
-            f"**{score}** on validation patches under photon noise, readout noise and converter "
-            "alone. It knows no other\neffects of a chip: `nscc evaluate RUN --effects all` says "
-            "what they cost it."
+            f"**{score}** on its validation scenes under photon noise, readout noise and "
+            "converter alone. It knows\nno other effects of a chip: `nscc evaluate RUN --effects "
+            "all` says what they cost it."
         )
     alone = f"{db(found['noise_alone_psnr_db'])} dB, SSIM {found['noise_alone_ssim']:.4f}"
     return (
-        f"**{score}** on validation patches under the emulated chip's effects (`{found['effects']}`"
-        f"), which it was trained\nunder; {alone} under photon noise, readout noise and converter "
+        f"**{score}** on its validation scenes under the emulated chip's effects "
+        f"(`{found['effects']}`), which it was\ntrained under; {alone} under photon noise, "
+        "readout noise and converter "
         "alone."
     )
 
@@ -291,7 +267,10 @@ def _card(parts: Parts, scenes: Scenes, result: dict[str, Any]) -> str:
         alone = (f"\nBehind this decoder the start alone gives "
                  f"{db(result['codes']['start_alone_psnr_db'])} dB where these shutters give "
                  f"{db(result['robustness'][0]['psnr_db'])}.")  # fmt: skip
-    stages = " | ".join(db(result["stages"][k]) for k in ("soft", "hard", "compiled", "emulated"))
+    stages = " | ".join(
+        "-" if result["stages"][k] is None else db(result["stages"][k])
+        for k in ("soft", "hard", "compiled", "emulated")
+    )
     rows = "\n".join(f"| {r['change']} | {db(r['psnr_db'])} |" for r in result["robustness"])
     return f"""# Model card
 
@@ -312,7 +291,8 @@ and shutters of class {settings.shutter.kind} for `{settings.shutter.target}`: \
 (`split.json`).
 * **Not** measured here: other scenes than those of validation. `nscc evaluate` does that.
 
-PSNR in dB of the validation patches without noise, with the shutters of four stages:
+PSNR in dB of the validation scenes without noise, as the protocol counts it, with the shutters of
+four stages:
 
 | soft | hard | compiled | emulated |
 |---|---|---|---|

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import importlib
 import os
-from collections.abc import Iterable
 from datetime import timedelta
 
 import torch
-from torch import Tensor, distributed
+from torch import distributed, nn
+from torch.nn.parallel import DistributedDataParallel
 
 LONGEST_WAIT = timedelta(hours=6)
 """How long a process waits for the one that writes: it validates and makes artifacts alone."""
@@ -26,6 +26,8 @@ class Ranks:
             # imported later (by an optimiser) would keep ours, and with it gloo's threads, alive.
             importlib.import_module("torch.distributed.nn.functional")
             backend = "nccl" if torch.cuda.is_available() else "gloo"
+            if backend == "nccl":
+                torch.cuda.set_device(int(os.environ.get("LOCAL_RANK", "0")))
             distributed.init_process_group(backend, timeout=LONGEST_WAIT)
 
     @property
@@ -37,13 +39,16 @@ class Ranks:
         """Which patches of a batch are this process's: from, to."""
         return self.rank * size // self.count, (self.rank + 1) * size // self.count
 
-    def average(self, gradients: Iterable[Tensor], share: float) -> None:
-        """Replace gradients by their mean over processes, each weighted with its share."""
+    def parallel(self, module: nn.Module) -> nn.Module:
+        """The module, its gradients averaged over all processes where there are several."""
         if self.count == 1:
-            return
-        for gradient in gradients:
-            gradient.mul_(share)
-            distributed.all_reduce(gradient)
+            return module
+        return DistributedDataParallel(module, find_unused_parameters=True)
+
+    def weight(self, size: int) -> float:
+        """What a loss counts here, so that all patches count alike in the mean of gradients."""
+        first, last = self.part(size)
+        return (last - first) * self.count / size
 
     def meet(self) -> None:
         """Wait until all are here: the one that writes is done, too."""
@@ -53,7 +58,7 @@ class Ranks:
     def close(self) -> None:
         """Leave the group, if it was entered here.
 
-        Gloo's threads end with it. They may still hold gradients of the last `average`, and an
+        Gloo's threads end with it. They may still hold gradients of the last step, and an
         interpreter that ends under them aborts.
         """
         if self._ours:

@@ -15,9 +15,10 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.data import Batch
+from nscc_training.draws import generator_of
 from nscc_training.encoders.base import Codes
 from nscc_training.loop.setup import Parts
-from nscc_training.loop.steps import compared, decoded, generator_of, window
+from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.search import Motion, moved, told_db
 from nscc_training.sensor_model import SensorModel
@@ -124,11 +125,10 @@ def _losses(parts: Parts, codes: Codes, batch: Batch, step: int) -> NDArray[np.f
     parts.encoder.load_codes(codes)
     rows, cols = batch.light.shape[-2:]
     shutters = window(parts.encoder.hard(), rows, cols, (seed, 7, step)).to(parts.device)
-    noise = generator_of(seed, 10, step)
+    noise = generator_of(parts.device, seed, 10, step)
     made = decoded(parts, batch.light, shutters, parts.model, noise)
-    losses = [
-        parts.loss(*compared(made[k : k + 1], batch.part(k, k + 1))).item()
-        for k in range(len(made))
-    ]
+    losses = torch.stack([
+        parts.loss(*compared(made[k : k + 1], batch.part(k, k + 1))) for k in range(len(made))
+    ])  # fmt: skip
     words = (_words(parts, codes) or 0.0) if weight else 0.0
-    return np.array(losses) + weight * words
+    return losses.double().cpu().numpy() + weight * words

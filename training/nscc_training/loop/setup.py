@@ -12,11 +12,13 @@ import torch
 from torch import Tensor, nn
 
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import check_size
 from nscc.target.load import load_target, parse_target, read_target
 from nscc.target.target import Target
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs
+from nscc_training.any_code.decoder import AnyCode
 from nscc_training.code_choices import STARTS
 from nscc_training.codes_files import load_codes
 from nscc_training.decoders.declared import Task
@@ -67,6 +69,11 @@ class Parts:
         return self.encoder.spec.slots
 
     @property
+    def unit_e(self) -> float:
+        """Electrons, over the frame or a slot, of what decoders call 1."""
+        return self.model.full_e / (1 if self.still else self.slots)
+
+    @property
     def buckets(self) -> int:
         """How many frames an exposure gives."""
         return self.encoder.spec.buckets
@@ -106,13 +113,13 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         target = parse_target(files[programs.TARGET_FILE], chip.file)
         chip = replace(chip, table=target)
     protocol = load_protocol(settings.data.protocol)
-    still = protocol.name == "hdr-v1"
+    still = protocol.still
     encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
         raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
-    _check_learning(chosen)
+    _check_learning(settings)
     if chosen.kind == LOOKS:
         _check_looks(settings, still)
     if chosen.buckets > 1:
@@ -132,6 +139,8 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         try:
             made = settings.decoder
             decoder = make_decoder(made.name, made.size, task, made.width)
+            if isinstance(decoder, AnyCode) and made.lessons and not made.init:
+                decoder.begin_anew()
         except ValueError as error:
             raise _wrong("decoder.name", error) from error
     if made.init:
@@ -226,14 +235,22 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
     path = run_path(Path(run)) / WEIGHTS
     try:
+        check_size(path.stat().st_size)
         decoder.load_state_dict(load_file(str(path)))
     except Exception as error:  # safetensors raises its own type and several others
         reason = f"the weights of '{run[:200]}' do not fit: {said(error, 150)}"
         raise _wrong("decoder.init", reason) from error
 
 
-def _check_learning(chosen: ShutterSettings) -> None:
+def _check_learning(settings: Settings) -> None:
     """Rejected (NS0815) for what no codes can learn by, or not at all."""
+    chosen = settings.shutter
+    if settings.decoder.lessons:
+        if settings.decoder.name != "any":
+            raise _wrong("decoder.lessons", "they are for the decoder `any`")
+        if chosen.learn:
+            raise _wrong("shutter.learn", "lessons have codes of every kind, and the run's own do "
+                         "not learn: set it to false")  # fmt: skip
     if chosen.most_words and chosen.relaxation != "search":
         raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
                      "`search`, or weigh them by `words_weight`")  # fmt: skip

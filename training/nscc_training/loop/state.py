@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import torch
 from torch import Tensor
+from torch.optim.swa_utils import AveragedModel
 
 from nscc.diagnostics.rejection import rejected
+from nscc.npy import check_size
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
+from nscc_training.loop.optimizers import Muon
 from nscc_training.loop.setup import Parts
+from nscc_training.settings import Settings
 
 CHECKPOINT = "checkpoint.safetensors"
+_KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
+"""What an optimizer keeps of a parameter, by whether it is Muon."""
 
 
 @dataclass
@@ -32,14 +39,44 @@ class Progress:
     best: dict[str, Tensor] | None = None
 
 
-def _file_digests(parts: Parts) -> dict[str, str]:
-    return {name: sha256(data).hexdigest() for name, data in sorted(parts.files.items())}
+@dataclass(frozen=True, eq=False)
+class State:
+    """All tensors that a run's steps depend on and change."""
+
+    parts: Parts
+    optimizers: list[torch.optim.Optimizer]
+    average: AveragedModel | None
+
+    def tensors(self) -> dict[str, Tensor]:
+        """Copies of all of them by name."""
+        found = tensors_of(self.parts)
+        if self.average is not None:
+            found |= {f"average.{k}": _copied(v) for k, v in self.average.state_dict().items()}
+        for number, optimizer in enumerate(self.optimizers):
+            for index, entry in optimizer.state_dict()["state"].items():
+                for key, value in entry.items():
+                    name = f"optimizer.{number}.{index}.{key}"
+                    found[name] = _copied(torch.as_tensor(value))
+        return found
+
+    def set(self, tensors: dict[str, Tensor]) -> None:
+        """The reverse of `tensors`; KeyError, RuntimeError or ValueError if they are another's."""
+        set_tensors(self.parts, tensors)
+        if self.average is not None:
+            self.average.load_state_dict(_below("average.", tensors))
+        for number, optimizer in enumerate(self.optimizers):
+            _set_optimizer(optimizer, _below(f"optimizer.{number}.", tensors))
+
+
+def _other_settings_digest(settings: Settings) -> str:
+    """The digest of all settings but `train.steps`: a run may be given more of these."""
+    return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
 def tensors_of(parts: Parts) -> dict[str, Tensor]:
     """Copies of the parameters of encoder and decoder, by name."""
     return {
-        f"{name}.{key}": value.detach().clone().contiguous()
+        f"{name}.{key}": _copied(value)
         for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder))
         for key, value in module.state_dict().items()
     }
@@ -47,53 +84,53 @@ def tensors_of(parts: Parts) -> dict[str, Tensor]:
 
 def set_tensors(parts: Parts, tensors: dict[str, Tensor]) -> None:
     """The reverse of `tensors_of`; KeyError or RuntimeError where they are another network's."""
-    for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder)):
-        start = f"{name}."
-        module.load_state_dict(
-            {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}
-        )
+    parts.encoder.load_state_dict(_below("encoder.", tensors))
+    parts.decoder.load_state_dict(_below("decoder.", tensors))
 
 
-def packed(
-    parts: Parts, scenes: Scenes, optimiser: torch.optim.Optimizer, progress: Progress
-) -> bytes:
+def packed(state: State, scenes: Scenes, progress: Progress) -> bytes:
     """The checkpoint as bytes."""
     from safetensors.torch import save
 
-    tensors = tensors_of(parts)
+    tensors = state.tensors()
     tensors |= {f"best.{k}": v for k, v in (progress.best or {}).items()}
-    for index, entry in optimiser.state_dict()["state"].items():
-        for key, value in entry.items():
-            tensors[f"optimiser.{index}.{key}"] = torch.as_tensor(value).clone().contiguous()
     about = {
         "step": progress.step,
         "best_loss": repr(progress.best_loss),
         "best_step": progress.best_step,
-        "config_sha256": config_digest(parts.settings),
-        "files": _file_digests(parts),
+        "config_sha256": config_digest(state.parts.settings),
+        "steps": state.parts.settings.train.steps,
+        "other_settings_sha256": _other_settings_digest(state.parts.settings),
+        "files": _file_digests(state.parts),
         "split_sha256": split_digest(scenes),
     }
     # One entry: several would be written in an order of the moment.
     return save(tensors, metadata={"nscc": json.dumps(about)})
 
 
-def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Optimizer) -> Progress:
+def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
     """Set everything to a checkpoint.
 
-    Rejected (NS0816) if it is damaged, of another run, or one that has seen other scenes.
+    The run may have more steps than the checkpoint's. Rejected (NS0816) if the checkpoint is
+    damaged, of another run, or one that has seen other scenes.
     """
     from safetensors import safe_open
 
     try:
+        check_size(path.stat().st_size)
         with safe_open(str(path), framework="pt", device="cpu") as file:
             about = dict(json.loads(file.metadata()["nscc"]))
             tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
         found = Progress(int(about["step"]), float(about["best_loss"]), int(about["best_step"]))
     except Exception as error:  # safetensors raises its own type and several others
         raise _refused(path, f"it cannot be read: {' '.join(str(error).split())[:100]}") from error
-    if about.get("config_sha256") != config_digest(parts.settings):
+    settings = state.parts.settings
+    if about.get("config_sha256") != config_digest(settings) and not (
+        about.get("other_settings_sha256") == _other_settings_digest(settings)
+        and about.get("steps", np.inf) < settings.train.steps
+    ):
         raise _refused(path, "it was made with another configuration")
-    changed = [name for name, digest in _file_digests(parts).items()
+    changed = [name for name, digest in _file_digests(state.parts).items()
                if about.get("files", {}).get(name) != digest]  # fmt: skip
     if changed:
         names = " and the ".join(changed)
@@ -102,30 +139,41 @@ def unpack(path: Path, parts: Parts, scenes: Scenes, optimiser: torch.optim.Opti
     if about.get("split_sha256") != split_digest(scenes):
         raise _refused(path, "it was made with other scenes: the files of [data] have changed")
     try:
-        best = {k.removeprefix("best."): v for k, v in tensors.items() if k.startswith("best.")}
+        best = _below("best.", tensors)
         if best:
-            set_tensors(parts, best)
-        set_tensors(parts, tensors)
-        _set_optimiser(optimiser, tensors)
+            set_tensors(state.parts, best)
+        state.set(tensors)
     except (KeyError, RuntimeError, ValueError) as error:
         raise _refused(path, f"it lacks something: {' '.join(str(error).split())[:100]}") from error
     found.best = best or None
     return found
 
 
-def _set_optimiser(optimiser: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
+def _copied(value: Tensor) -> Tensor:
+    return value.detach().clone().contiguous()
+
+
+def _below(start: str, tensors: dict[str, Tensor]) -> dict[str, Tensor]:
+    """Those whose names begin so, by the rest of their names."""
+    return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}
+
+
+def _file_digests(parts: Parts) -> dict[str, str]:
+    return {name: sha256(data).hexdigest() for name, data in sorted(parts.files.items())}
+
+
+def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
     state: dict[int, dict[str, Any]] = {}
     for name, value in tensors.items():
-        kind, _, rest = name.partition(".")
-        if kind == "optimiser":
-            index, _, key = rest.partition(".")
-            state.setdefault(int(index), {})[key] = value
-    if any(set(entry) != {"step", "exp_avg", "exp_avg_sq"} for entry in state.values()):
+        index, _, key = name.partition(".")
+        state.setdefault(int(index), {})[key] = value
+    kept = _KEPT[isinstance(optimizer, Muon)]
+    if any(set(entry) != kept for entry in state.values()):
         raise ValueError("the moments of a parameter")
-    optimiser.load_state_dict({**optimiser.state_dict(), "state": state})
+    optimizer.load_state_dict({**optimizer.state_dict(), "state": state})
     # A checkpoint keeps values, not the order in memory that a parameter has; fused updates go
     # through memory, parameter and state alike.
-    for parameter, held in optimiser.state.items():
+    for parameter, held in optimizer.state.items():
         for key, value in held.items():
             if value.shape == parameter.shape:
                 held[key] = torch.empty_like(parameter).copy_(value)

@@ -1,37 +1,17 @@
-"""One step of training, and a validation: capture, decode, score."""
+"""One step of training: capture, decode, and what the loss makes of it."""
 
 from __future__ import annotations
-
-import math
-from collections.abc import Iterable
-from dataclasses import dataclass
 
 import numpy as np
 import torch
 from torch import Tensor
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training import metrics
 from nscc_training.data import Batch
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.looking_model import looked
 from nscc_training.loop.setup import Parts
 from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, shared_out
-
-
-@dataclass(frozen=True)
-class Scores:
-    """Means over patches: the loss, PSNR in dB on 0..1 of the peak, SSIM."""
-
-    loss: float
-    psnr_db: float
-    ssim: float
-
-
-def generator_of(*numbers: int) -> torch.Generator:
-    """A generator whose stream depends on all the numbers."""
-    state = np.random.SeedSequence(list(numbers)).generate_state(1, np.uint64)[0]
-    return torch.Generator().manual_seed(int(state) >> 1)
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
@@ -80,9 +60,8 @@ def _decoded_looks(
         frame = parts.model.relative(codes - model.adc_offset_lsb)
     mixed = parts.settings.train.dtype == "bf16"
     with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
-        # Each patch has open times of its own, and a decoder takes one map of them.
-        made = [parts.decoder(f[None], s[None]) for f, s in zip(frame, share, strict=True)]
-    return torch.cat(made).float()
+        made: Tensor = parts.decoder(frame, share.unsqueeze(1))
+    return made.float()
 
 
 def loss_of(parts: Parts, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
@@ -105,10 +84,10 @@ def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
     As in metrics, light above the peak counts as the peak, wherever the truth is above it.
     """
     made = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
-    return made if batch.most is None else made.clamp(max=batch.most), batch.goal
+    return torch.minimum(made, batch.most), batch.goal
 
 
-def finite_norm(loss: Tensor, parts: Parts, batch: Batch, step: int) -> Tensor:
+def finite_norm(loss: Tensor, parts: Parts, names: tuple[str, ...], step: int) -> Tensor:
     """The norm of the decoder's gradients, all taken together.
 
     Rejected (NS0817, status 3) where the loss or a gradient, the codes' included, is not finite;
@@ -119,10 +98,11 @@ def finite_norm(loss: Tensor, parts: Parts, batch: Batch, step: int) -> Tensor:
         for module in (parts.decoder, parts.encoder)
     )
     norms = [torch.nn.utils.get_total_norm(grads.values()) for grads in (decoder, codes)]
-    if all(map(math.isfinite, (loss.item(), *(norm.item() for norm in norms)))):
+    told = torch.stack([loss.detach().double(), *(norm.to(loss.device).double() for norm in norms)])
+    if bool(torch.isfinite(told).all()):
         return norms[0]
     wrong = "the loss"
-    if math.isfinite(loss.item()):
+    if bool(torch.isfinite(told[0])):
         named = {f"decoder.{k}": v for k, v in decoder.items()}
         named |= {f"codes.{k}": v for k, v in codes.items()}
         bad = (name for name, grad in named.items() if not bool(torch.isfinite(grad).all()))
@@ -130,32 +110,8 @@ def finite_norm(loss: Tensor, parts: Parts, batch: Batch, step: int) -> Tensor:
     raise rejected(
         "NS0817",
         f"{wrong} is not finite in step {step}",
-        notes=("the batch: " + "; ".join(batch.names),),
+        notes=("the batch: " + "; ".join(names),),
         helps=("look at these scenes, lower [train] rate, or use the dtype f32",),
-        data={"step": step, "batch": list(batch.names)},
+        data={"step": step, "batch": list(names)},
         status=3,
     )
-
-
-@torch.no_grad()
-def scored(
-    parts: Parts, batches: Iterable[Batch], shutters: Tensor, model: SensorModel, seed: int,
-    exposure: float = 1.0,
-) -> Scores:  # fmt: skip
-    """Scores of the decoder on batches, with shutters of the tile or the array.
-
-    `exposure` makes all light so many times brighter than the decoder expects; the truth with it.
-    """
-    losses, values, similar = [], [], []
-    for index, given in enumerate(batches):
-        batch = given.to(parts.device)
-        rows, cols = batch.light.shape[-2:]
-        laid_out = window(shutters, rows, cols, (seed, 8, index)).to(parts.device)
-        generator = generator_of(seed, 9, index)
-        prediction = decoded(parts, batch.light * exposure, laid_out, model, generator) / exposure
-        losses.append(loss_of(parts, prediction, batch, laid_out).item())
-        for made, truth, peak in zip(prediction, batch.truth, batch.peak, strict=True):
-            pair = [np.clip((x / peak).cpu().numpy(), 0, 1) for x in (truth, made)]
-            values.append(metrics.psnr(pair[0], pair[1], 1.0))
-            similar.append(metrics.ssim(pair[0], pair[1], 1.0))
-    return Scores(float(np.mean(losses)), metrics.finite_mean(values), float(np.mean(similar)))

@@ -2,47 +2,64 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
-from contextlib import suppress
-from dataclasses import dataclass, field
-from functools import partial
+import os
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import nullcontext, suppress
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import torch
+from torch import Tensor, nn
+from torch.optim.swa_utils import AveragedModel, get_ema_multi_avg_fn
+from torch.utils.data import DataLoader, Dataset
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_together
 from nscc_runtime.progress import Progress as Track
 from nscc_runtime.progress import unseen
+from nscc_training.any_code.lessons import Lesson, LessonSet
 from nscc_training.config import config_toml
-from nscc_training.data import Ahead, Batch, Batches, Scenes, load_scenes
+from nscc_training.data import Batch, Exposures, ExposureSet, Scenes, cut_batch, load_scenes
+from nscc_training.data.moving import shown_picture
+from nscc_training.draws import generator_of
 from nscc_training.loop.artifacts import artifacts, environment, lines_of
+from nscc_training.loop.folder_lock import locked_folder
+from nscc_training.loop.lesson_losses import lesson_losses
+from nscc_training.loop.log import METRICS, Log
+from nscc_training.loop.optimizers import optimizers_of, set_rates
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.searching import search, within
 from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.loop.state import CHECKPOINT, Progress, packed, set_tensors, tensors_of, unpack
-from nscc_training.loop.steps import decoded, finite_norm, generator_of, loss_of, scored, window
+from nscc_training.loop.state import CHECKPOINT, Progress, State, packed, set_tensors, tensors_of
+from nscc_training.loop.state import unpack as unpacked
+from nscc_training.loop.steps import decoded, finite_norm, loss_of, window
 from nscc_training.loop.trials import pull, trial_of
+from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
+from nscc_training.protocol_scenes.scene import Scene
 from nscc_training.settings import Settings
-
-COLUMNS = ("step", "split", "loss", "psnr_db", "ssim", "words_per_slot", "dead_share")
-METRICS = "metrics.csv"
 
 
 @dataclass
 class Run:
-    """A run while it goes on. `rows` are the lines of metrics.csv, without their ends."""
+    """A run while it goes on: `dataset` has what is drawn for each step, `shown` is what it is
+    validated on."""
 
-    parts: Parts
-    batches: Batches
+    state: State
+    dataset: Dataset[Any]
     scenes: Scenes
-    optimiser: torch.optim.Optimizer
+    shown: list[Scene]
     ranks: Ranks
     progress: Progress
-    rows: list[str] = field(default_factory=lambda: [",".join(COLUMNS)])
+    log: Log
+    step_loss: nn.Module
+
+    @property
+    def parts(self) -> Parts:
+        """Its encoder, decoder and sensor."""
+        return self.state.parts
 
 
 def train(
@@ -61,23 +78,20 @@ def train(
     both in the process that writes. With `stop_after` the run ends after that step, as if
     interrupted, but with a checkpoint.
     """
+    is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
+    with locked_folder(out) if is_first else nullcontext():
+        _train(settings, out, resume, track, report, stop_after)
+
+
+def _train(
+    settings: Settings, out: Path, resume: str, track: Track, report: Callable[[str], None],
+    stop_after: int | None,
+) -> None:  # fmt: skip
     ranks = Ranks()
     try:
-        if settings.train.batch < ranks.count:
-            raise rejected(
-                "NS0815",
-                f"train.batch is {settings.train.batch}, and {ranks.count} processes share it",
-                notes=("every process takes its part of each batch, a patch at least",),
-                helps=("raise [train] batch, or start fewer processes",),
-            )
-        if ranks.count > 1 and settings.shutter.learn and settings.shutter.relaxation == "search":
-            raise rejected(
-                "NS0815", f"codes are searched by one process, and here are {ranks.count}",
-                notes=("processes would judge other patches, and choose other codes",),
-                helps=("start one: `nscc train` without torchrun",),
-            )  # fmt: skip
+        _check_ranks(settings, ranks)
         checkpoint = _checkpoint(out, resume)
-        run = _start(settings, checkpoint, ranks)
+        run = start(settings, checkpoint, ranks, out, report)
         if ranks.first:
             # A checkpoint and a log of another folder become this one's: else what is in it would
             # be of two runs, or could not be gone on with.
@@ -89,32 +103,70 @@ def train(
                 out / "split.json": lines_of(run.scenes.split()),
                 out / "environment.json": lines_of(environment(run.parts)),
                 **{out / name: data for name, data in run.parts.files.items()},
-                **(_so_far(run, out) if brought else {}),
+                **(_so_far(run) if brought else {}),
             })  # fmt: skip
-        _steps(run, out, track if ranks.first else unseen, report, stop_after)
+        _steps(run, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out)
             chip = "" if run.parts.chip.file is None else f" --target {out / TARGET_FILE}"
             report(f"{out}: model_card.md says what it is worth; "
                    f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
+        run.log.close()
         ranks.meet()
     finally:
         ranks.close()
 
 
-def _start(settings: Settings, checkpoint: Path | None, ranks: Ranks) -> Run:
+def start(
+    settings: Settings, checkpoint: Path | None, ranks: Ranks, out: Path,
+    report: Callable[[str], None] = lambda _text: None,
+) -> Run:  # fmt: skip
     """Everything at the first step, or at a checkpoint's."""
     parts = make_parts(settings)
-    scenes = load_scenes(settings.data, parts.still, parts.slots, settings.train.seed)
-    batches = Batches(
-        scenes, settings.data, slots=parts.slots, full_well_e=parts.model.full_e,
-        batch=settings.train.batch, seed=settings.train.seed,
-    )  # fmt: skip
-    run = Run(parts, batches, scenes, _optimiser(parts), ranks, Progress())
+    lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
+    tell: Callable[[str], object] = report if ranks.first else str
+    scenes = load_scenes(data, parts.still, parts.slots, seed, pictures=bool(lessons), tell=tell)
+    dataset: Dataset[Any]
+    if lessons:
+        lights = [scene.light for scene in scenes.train]
+        pictures = lights if parts.still else [shown_picture(light) for light in lights]
+        dataset = LessonSet(pictures, settings)
+    else:
+        dataset = ExposureSet(
+            scenes, data, slots=parts.slots, batch=settings.train.batch, seed=seed
+        )
+    if settings.train.compile:
+        parts.decoder.compile()
+    average = None
+    if settings.train.average:
+        decay = get_ema_multi_avg_fn(settings.train.average)  # type: ignore[no-untyped-call]
+        average = AveragedModel(parts.decoder, multi_avg_fn=decay, use_buffers=True)
+    state = State(parts, optimizers_of(parts), average)
+    progress, log = Progress(), Log(out)
     if checkpoint is not None:
-        run.progress = unpack(checkpoint, parts, scenes, run.optimiser)
-        run.rows = _rows(checkpoint.parent / METRICS, run.progress.step) or run.rows
-    return run
+        progress = unpacked(checkpoint, state, scenes)
+        log = Log.of_checkpoint(checkpoint.parent, progress.step, out)
+    loss = ranks.parallel(StepLoss(parts, ranks))
+    shown = validation_scenes(parts, scenes) if ranks.first else []
+    return Run(state, dataset, scenes, shown, ranks, progress, log, loss)
+
+
+def _check_ranks(settings: Settings, ranks: Ranks) -> None:
+    """NS0815 for what several processes cannot share."""
+    if settings.train.batch < ranks.count:
+        raise rejected(
+            "NS0815",
+            f"train.batch is {settings.train.batch}, and {ranks.count} processes share it",
+            notes=("every process takes its part of each batch, a patch at least",),
+            helps=("raise [train] batch, or start fewer processes",),
+        )
+    searched = settings.shutter.learn and settings.shutter.relaxation == "search"
+    if ranks.count > 1 and (searched or settings.decoder.lessons):
+        what = "codes are searched" if searched else "lessons are learned"
+        raise rejected(
+            "NS0815", f"{what} by one process, and here are {ranks.count}",
+            helps=("start one: `nscc train` without torchrun",),
+        )  # fmt: skip
 
 
 def _checkpoint(out: Path, resume: str) -> Path | None:
@@ -134,115 +186,134 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
     return found
 
 
-def _rows(path: Path, step: int) -> list[str]:
-    """The lines of metrics.csv up to a step: what came after the checkpoint is done again."""
-    if not path.is_file():
-        return []
-    try:
-        head, *rest = path.read_text(encoding="utf-8").splitlines()
-        return [head, *(row for row in rest if int(row.partition(",")[0]) <= step)]
-    except ValueError:
-        raise rejected(
-            "NS0816",
-            f"training cannot go on from '{path.parent}'",
-            notes=(f"{path.name} is damaged: its lines do not begin with a step",),
-            helps=("without that file the run goes on, and its log begins there",),
-        ) from None
+def loader_of(run: Run, first: int, last: int) -> Iterable[Any]:
+    """What is drawn for these steps, in order; by processes of their own if `train.workers` are
+    asked for."""
+    workers, device = run.parts.settings.train.workers, run.parts.device
+    return DataLoader(
+        run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
+        pin_memory=device.type == "cuda", multiprocessing_context="spawn" if workers else None,
+    )  # fmt: skip
 
 
-def _optimiser(parts: Parts) -> torch.optim.Optimizer:
-    settings = parts.settings
-    groups = [(list(parts.decoder.parameters()), settings.train.rate)]
-    if settings.shutter.learn:
-        spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
-        for parameter in parts.encoder.parameters():
-            span = spans.get(id(parameter), 1.0)
-            groups.append(([parameter], settings.train.code_rate * span))
-    else:
-        parts.encoder.requires_grad_(False)
-    made = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
-    return torch.optim.Adam(made, fused=True)
-
-
-def _steps(
-    run: Run, out: Path, track: Track, report: Callable[[str], None],
-    stop_after: int | None,
-) -> None:  # fmt: skip
+def _steps(run: Run, track: Track, report: Callable[[str], None], stop_after: int | None) -> None:
     total, every = run.parts.settings.train.steps, run.parts.settings.train.validate_every
-    losses: list[float] = []
-    with Ahead(partial(batch_of, run), total) as ahead:
-        for step in track(range(run.progress.step, total), "training", total - run.progress.step):
-            losses.append(_update(run, step, ahead))
-            run.progress.step = step + 1
-            due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
-            if due and run.ranks.first:
-                _validate(run, losses, report)
-                write_together(_so_far(run, out))
-            if due:
-                losses.clear()
-            if step + 1 == stop_after:
-                return
+    losses: list[Tensor] = []
+    first = run.progress.step
+    loader = loader_of(run, first, total)
+    for step, drawn in enumerate(track(loader, "training", total - first), start=first):
+        losses.append(update(run, step, drawn))
+        run.progress.step = step + 1
+        due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
+        if due and run.ranks.first:
+            _validate(run, float(torch.stack(losses).mean()), report)
+            write_together(_so_far(run))
+        if due:
+            losses.clear()
+        if step + 1 == stop_after:
+            return
 
 
-def _so_far(run: Run, out: Path) -> dict[Path, bytes]:
-    """What a run goes on from: its log and its checkpoint, by their files in `out`."""
+def _so_far(run: Run) -> dict[Path, bytes]:
+    """What a run goes on from: its log and its checkpoint, by their files."""
     return {
-        out / METRICS: ("\n".join(run.rows) + "\n").encode(),
-        out / CHECKPOINT: packed(run.parts, run.scenes, run.optimiser, run.progress),
+        run.log.out / METRICS: run.log.csv(),
+        run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
     }
 
 
-def batch_of(run: Run, step: int) -> Batch:
-    """This process's part of a step's batch, with what losses need of it."""
-    batch = run.batches.train(step).part(*run.ranks.part(run.batches.batch))
-    return batch.to(run.parts.device).prepared()
+def batch_of(run: Run, drawn: Exposures) -> Batch:
+    """This process's part of a step's batch, on the run's device."""
+    parts, settings = run.parts, run.parts.settings
+    batch = cut_batch(drawn, settings.data, parts.model.full_e, parts.device)
+    return batch.part(*run.ranks.part(settings.train.batch))
 
 
-def _update(run: Run, step: int, ahead: Ahead) -> float:
-    """One step; returns its loss on this process's part of the batch."""
+def update(run: Run, step: int, drawn: Any) -> Tensor:
+    """One step; returns its mean loss on this process's part of the batch."""
     parts, settings = run.parts, run.parts.settings
     anneal(parts, step)
-    set_rates(run, step)
-    seed, size = settings.train.seed, settings.train.batch
-    first, last = run.ranks.part(size)
-    batch = ahead.take(step)
+    set_rates(run.state.optimizers, settings.train, step)
     parts.decoder.train()
-    run.optimiser.zero_grad(set_to_none=True)
-    rows, cols = batch.light.shape[-2:]
-    place = (seed, 7, step)
-    trial = None
+    searches = parts.encoder.relaxation == "search"
     learns = codes_learn(settings, step)
-    if parts.encoder.relaxation == "search" and codes_learn(settings, step - 1) and not learns:
+    if searches and codes_learn(settings, step - 1) and not learns:
         take_best(run)
-    if learns and parts.encoder.relaxation == "search":
-        ahead.begin(step + 1)
-        return search(parts, batch, step)
-    if learns and parts.encoder.relaxation == "tried":
-        trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, run.ranks.rank), place)
-        shutters = trial.shutters[0]
-    elif learns:
-        # The codes' noise is the same in every process, the sensor's is not.
-        shutters = window(parts.encoder(generator_of(seed, 6, step)), rows, cols, place)
+    if searches and learns:
+        return torch.tensor(search(parts, batch_of(run, drawn), step))
+    names = drawn.names
+    losses = [_learn(run, loss, names, step) for loss in _losses(run, step, drawn)]
+    return torch.stack(losses).mean()
+
+
+def _losses(run: Run, step: int, drawn: Any) -> Iterator[Tensor]:
+    """The losses of a step, each after the update by the one before: one, unless it is a lesson."""
+    parts = run.parts
+    if isinstance(drawn, Lesson):
+        on_device = drawn._replace(
+            light=drawn.light.to(parts.device), mask=drawn.mask.to(parts.device)
+        )
+        seed = parts.settings.train.seed
+        yield from lesson_losses(parts, on_device, generator_of(parts.device, seed, 13, step))
     else:
-        shutters = window(parts.encoder.hard(), rows, cols, place)
-    shutters = shutters.to(parts.device)
-    noise = (seed, 10, step, run.ranks.rank)
-    prediction = decoded(parts, batch.light, shutters, parts.model, generator_of(*noise))
-    loss = loss_of(parts, prediction, batch, shutters)
-    if trial is not None:
-        loss = loss + pull(parts, batch, trial, prediction, generator_of(*noise))
-    # Here and not before: nobody else needs the interpreter while gradients are computed.
-    ahead.begin(step + 1)
+        yield run.step_loss(batch_of(run, drawn), step)
+
+
+def _learn(run: Run, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
+    """An update by a loss, which is given back."""
+    parts, clip, state = run.parts, run.parts.settings.train.clip, run.state
+    for optimizer in state.optimizers:
+        optimizer.zero_grad(set_to_none=True)
+    parts.encoder.zero_grad(set_to_none=True)
+    parts.decoder.zero_grad(set_to_none=True)
     if loss.requires_grad:  # or neither the decoder learns nor, in this step, the codes
         loss.backward()  # type: ignore[no-untyped-call]
-    learned = [p for group in run.optimiser.param_groups for p in group["params"]]
-    run.ranks.average((p.grad for p in learned if p.grad is not None), (last - first) / size)
-    norm = finite_norm(loss, parts, batch, step)
-    if 0 < settings.train.clip < norm:
-        torch.nn.utils.clip_grads_with_norm_(parts.decoder.parameters(), settings.train.clip, norm)
-    run.optimiser.step()
+    norm = finite_norm(loss, parts, names, step)
+    if clip > 0:
+        torch.nn.utils.clip_grads_with_norm_(parts.decoder.parameters(), clip, norm)
+    for optimizer in state.optimizers:
+        optimizer.step()
     parts.encoder.project()
-    return loss.item()
+    if state.average is not None:
+        state.average.update_parameters(parts.decoder)
+    return loss.detach() / run.ranks.weight(parts.settings.train.batch)
+
+
+class StepLoss(nn.Module):
+    """The loss of a batch in a step: shutters, capture, decoder, and the trial of other codes.
+
+    A module, so that gradients of several processes are averaged as they come.
+    """
+
+    def __init__(self, parts: Parts, ranks: Ranks) -> None:
+        super().__init__()
+        self.encoder, self.decoder = parts.encoder, parts.decoder
+        self._parts, self._ranks = parts, ranks
+
+    def forward(self, batch: Batch, step: int) -> Tensor:
+        parts, settings, rank = self._parts, self._parts.settings, self._ranks.rank
+        seed, device = settings.train.seed, parts.device
+        rows, cols = batch.light.shape[-2:]
+        place = (seed, 7, step)
+        trial = None
+        learns = codes_learn(settings, step)
+        if learns and parts.encoder.relaxation == "tried":
+            trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, rank), place)
+            shutters = trial.shutters[0]
+        elif learns:
+            # The codes' noise is the same in every process, the sensor's is not.
+            tile = parts.encoder(generator_of(device, seed, 6, step))
+            shutters = window(tile, rows, cols, place)
+        else:
+            shutters = window(parts.encoder.hard(), rows, cols, place)
+        noise = (seed, 10, step, rank)
+        prediction = decoded(
+            parts, batch.light, shutters, parts.model, generator_of(device, *noise)
+        )
+        loss = loss_of(parts, prediction, batch, shutters)
+        if trial is not None:
+            loss = loss + pull(parts, batch, trial, prediction, generator_of(device, *noise))
+        return loss * self._ranks.weight(settings.train.batch)
 
 
 def codes_learn(settings: Settings, step: int) -> bool:
@@ -253,7 +324,7 @@ def codes_learn(settings: Settings, step: int) -> bool:
 
 
 def anneal(parts: Parts, step: int) -> None:
-    """Temperature and noise of the codes at a step; both rates follow in the optimiser."""
+    """Temperature and noise of the codes at a step; both rates follow in the optimizer."""
     settings = parts.settings
     done = step / max(1, settings.train.steps - 1)
     warm, cold = settings.shutter.temperature
@@ -261,36 +332,37 @@ def anneal(parts: Parts, step: int) -> None:
     parts.encoder.noise = settings.shutter.noise * (1 - done)
 
 
-def set_rates(run: Run, step: int) -> None:
-    """The learning rates of a step."""
-    settings = run.parts.settings.train
-    cosine = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
-    for group in run.optimiser.param_groups:
-        group["lr"] = group["base"] * (cosine if settings.schedule == "cosine" else 1.0)
+def _validate(run: Run, loss: float, report: Callable[[str], None]) -> None:
+    """Score the hard shutters, log, and remember the best state whose shutters compile.
 
-
-def _validate(run: Run, losses: list[float], report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and remember the best state whose shutters compile."""
+    With a moving average of the decoder it is this average that is scored and remembered.
+    """
     parts, step = run.parts, run.progress.step
-    parts.decoder.eval()
     settings = parts.settings
     dead = parts.encoder.dead_share() if codes_learn(settings, step - 1) else None
-    run.rows.append(row(step, "train", sum(losses) / len(losses), None, None, None, dead))
+    run.log.add(step, "train", loss=loss, dead_share=dead)
     words = None
     with suppress(Rejected):
         words = words_per_slot(compiled(
             program_of(parts.encoder, parts.chip), parts.chip,
             every_code=settings.shutter.codes == "open",
         ))  # fmt: skip
-    found = scored(parts, run.batches.val(), parts.encoder.hard(), parts.model,
-                   settings.train.seed)  # fmt: skip
-    run.rows.append(row(step, "val", found.loss, found.psnr_db, found.ssim, words, dead))
-    report(f"step {step}: loss {found.loss:.5f}, {found.psnr_db:.2f} dB, SSIM {found.ssim:.4f}"
+    learned = tensors_of(parts) if run.state.average is not None else None
+    if run.state.average is not None:
+        parts.decoder.load_state_dict(run.state.average.module.state_dict())
+    parts.decoder.eval()
+    found = validated(parts, run.shown)
+    run.log.add(step, "val", loss=found.loss, psnr_db=found.psnr_db, ssim=found.ssim,
+                words_per_slot=words, dead_share=dead)  # fmt: skip
+    report(f"step {step}: loss {found.loss:.5f}, {found.psnr_db:.2f} dB, SSIM {found.ssim:.4f} "
+           f"({parts.protocol.name}, {len(run.shown)} scenes of validation)"
            + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
     counts = words is not None and within(settings.shutter, words)
     if counts and found.loss < run.progress.best_loss:
         run.progress.best_loss, run.progress.best_step = found.loss, step
         run.progress.best = tensors_of(parts)
+    if learned is not None:
+        set_tensors(parts, learned)
 
 
 def take_best(run: Run) -> None:
@@ -311,11 +383,6 @@ def take_best(run: Run) -> None:
         )  # fmt: skip
 
 
-def row(step: int, split: str, *values: float | None) -> str:
-    """A line of metrics.csv; what is not known stays empty."""
-    return ",".join([str(step), split, *("" if v is None else repr(float(v)) for v in values)])
-
-
 def _finish(run: Run, out: Path) -> None:
     """Take the best state and write what it is worth."""
     progress = run.progress
@@ -323,5 +390,5 @@ def _finish(run: Run, out: Path) -> None:
     anneal(run.parts, run.parts.settings.train.steps - 1)
     take_best(run)
     run.parts.decoder.eval()
-    made = artifacts(run.parts, run.batches, run.scenes, progress.best_step)
+    made = artifacts(run.parts, run.shown, run.scenes, progress.best_step)
     write_together({out / name: data for name, data in made.items()})

@@ -18,9 +18,10 @@ from torch import Tensor
 from torch.nn import functional
 
 from nscc_training.data import Batch
+from nscc_training.draws import generator_of
 from nscc_training.encoders import Encoder, Trial
 from nscc_training.loop.setup import Parts
-from nscc_training.loop.steps import changes_of, compared, decoded, generator_of, window
+from nscc_training.loop.steps import changes_of, compared, decoded, window
 from nscc_training.sensor_model import laid
 
 
@@ -32,7 +33,7 @@ def trial_of(
     def over(tile: Tensor) -> Tensor:
         return laid(window(tile, rows, cols, place), rows, cols)
 
-    return encoder.trial(over, generator_of(*seed))
+    return encoder.trial(over, generator_of(next(encoder.parameters()).device, *seed))
 
 
 def pull(

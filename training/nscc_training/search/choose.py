@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Literal, get_args
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,6 @@ from nscc_training.search.expected import Motion, told_db
 from nscc_training.search.scene_motion import speeds_of, texture_of
 
 Kind = Literal["slow", "fast", "scene"]
-KINDS: tuple[Kind, ...] = get_args(Kind)
 SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 32.0, 64.0)}
 """Pixels over the whole frame."""
 

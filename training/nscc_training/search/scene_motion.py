@@ -63,7 +63,7 @@ def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
     def median(gap: int) -> float:
         shifts = [
             np.hypot(*cv2.phaseCorrelate(one, other, window)[0])
-            for one, other in zip(block, block[gap:], strict=False)
+            for one, other in zip(block[:-gap], block[gap:], strict=True)
         ]
         return float(np.median(shifts)) / gap
 

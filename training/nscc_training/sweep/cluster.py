@@ -6,6 +6,9 @@ import logging
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from itertools import islice
+from multiprocessing import resource_tracker
+from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
@@ -21,6 +24,8 @@ _TRIES = 2
 _POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
 """What tells libraries how many threads to start, before they are imported."""
 _PATIENCE_S = 10
+_AHEAD = 2
+"""Points for each worker that are sent to the scheduler ahead."""
 
 
 @contextmanager
@@ -38,10 +43,19 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
         "distributed.worker.profile.enabled": False,
         "distributed.admin.tick.limit": "1h",
     }
-    with dask.config.set(settings), LocalCluster(
-        n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
-        silence_logs=logging.CRITICAL,
-    ) as cluster, Client(cluster) as client:  # fmt: skip
+    with dask.config.set(settings):
+        # A terminal interrupts workers, too: they leave that to the main thread, which ends them.
+        # Whoever starts Python's tracker of resources is open to interrupts after it.
+        resource_tracker.ensure_running()
+        before = pthread_sigmask(SIG_BLOCK, {SIGINT})
+        try:
+            cluster = LocalCluster(
+                n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None,
+                silence_logs=logging.CRITICAL,
+            )  # fmt: skip
+        finally:
+            pthread_sigmask(SIG_SETMASK, before)
+    with dask.config.set(settings), cluster, Client(cluster) as client:
         yield lambda tasks: _computed(client, tasks)
 
 
@@ -81,8 +95,10 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
         running[future] = task
         return future
 
-    futures = [start(task) for task in tasks]
-    queue = as_completed(futures, loop=client.loop)
+    # Few at a time: other sweeps may claim what this one has not begun.
+    waiting = iter(tasks)
+    at_once = _AHEAD * max(1, len(client.scheduler_info(n_workers=-1)["workers"]))
+    queue = as_completed([start(task) for task in islice(waiting, at_once)], loop=client.loop)
     for future in queue:
         task = running.pop(future)
         done = _done(future, task)
@@ -91,6 +107,8 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
             queue.add(start(task))
         else:
             yield done
+            for following in islice(waiting, 1):
+                queue.add(start(following))
 
 
 def _done(future: Future, task: Task) -> Done:

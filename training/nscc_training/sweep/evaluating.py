@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +10,8 @@ from nscc.files import write_whole
 from nscc.toml.kinds import Flag, Integer, Number, Text
 from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES
+from nscc_training.scene_files import folders_of
+from nscc_training.sweep.light import sensor_changes, sensor_keys
 from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
 from nscc_training.sweep.programs import axis
 
@@ -26,6 +28,7 @@ def _keys() -> tuple[Key, ...]:
         axis("seed", Integer(0, 2**31 - 1), "of random codes and noise", 0),
         axis("shutter", Text(), "other codes of a baseline that takes any, as --shutter", ""),
         axis("effects", Text(), "of the emulated chip that exposes a run's scenes", ""),
+        *(key for key in sensor_keys() if key.name != "sensor.file"),
         axis("skip_seen", Flag(), "leave out files that a run has seen", False),
         axis("iterations", Integer(1, 10000), "of a method", 40),
         axis("weight", Number(0, 10, low_excluded=True), "of total variation", 0.1),
@@ -42,51 +45,62 @@ def _fault(values: Values, _named: Collection[str]) -> Fault | None:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    return [Path(values["data"]), *([Path(values["subject"])] if "subject" in values else [])]
+    named = [values.get("subject", ""), values["shutter"]]
+    return [*folders_of(values["data"]), *(Path(name) for name in named if name)]
 
 
 def _evaluate(values: Values, place: Place) -> Figures:
     import torch
 
     from nscc_training.evaluation.result_text import result_json
-    from nscc_training.statistics import summary
 
     torch.set_num_threads(place.threads)
-    found = _result(values, place)
+    found = _result(values)
     write_whole(place.files, result_json(found).encode())
     items = found["items"]
-    means = {
-        name: summary([float(item[name]) for item in items], [item["file"] for item in items])
-        for name, value in items[0].items()
-        if name not in ("file", "crop", "frame") and isinstance(value, int | float | str)
-    }
     low, high = found["ci95"] or (None, None)
     return {
         "method": found["method"],
         "items": len(items),
-        **{name: each["mean"] for name, each in means.items()},
+        **means_of(items),
         "ci95_low": low,
         "ci95_high": high,
         "parameters": found["parameters"],
     }
 
 
-def _result(values: Values, place: Place) -> dict[str, Any]:
-    from nscc_training.evaluation.methods import METHODS
-    from nscc_training.evaluation.sci8 import evaluate_sci8, sci_clips
+def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
+    """Return the mean of each score over the items that have it, which not
+    all do: a crop without dark pixels has no score of dark pixels."""
+    from nscc_training.statistics import summary
+
+    means = {}
+    for name in dict.fromkeys(name for item in items for name in item):
+        scored = [item for item in items if isinstance(item.get(name), int | float | str)]
+        if scored and name not in ("file", "crop", "frame"):
+            scores = [float(item[name]) for item in scored]
+            means[name] = summary(scores, [item["file"] for item in scored])["mean"]
+    return means
+
+
+def _result(values: Values) -> dict[str, Any]:
+    from nscc_training.evaluation.baselines import evaluate_sci8
+    from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.subjects import evaluate
+    from nscc_training.protocol_scenes.files import files_of
+    from nscc_training.protocols import load_protocol
 
     data, subject = Path(values["data"]), values.get("subject", "")
-    if values["protocol"] == "sci8" and subject in METHODS:
+    if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
-        return evaluate_sci8(sci_clips(data), subject, count, weight)[0]
-    # The run of a point is of this grid, whose configuration names its code.
-    name = subject if place.run is None else str(place.run)
+        return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
+    # A run of this grid executes the code that its configuration names.
     chosen = {
-        "trust_code": place.run is not None, "skip_seen": values["skip_seen"],
+        "trust_code": RUN in values, "skip_seen": values["skip_seen"],
         "codes": values["shutter"], "effects": values["effects"],
+        "changes": sensor_changes(values),
     }  # fmt: skip
-    return evaluate(name, data, values["protocol"], values["seed"], **chosen)[0]
+    return evaluate(subject, data, values["protocol"], values["seed"], **chosen)[0]
 
 
 EVALUATE = PointKind(

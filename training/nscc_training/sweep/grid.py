@@ -13,6 +13,7 @@ their own say so with `kind`; a table `[plot]` says what is drawn.
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import MISSING, dataclass, replace
 from itertools import product
@@ -21,6 +22,7 @@ from pathlib import Path
 from typing import Any
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
 from nscc.toml.files import file_bytes, file_table, file_text
@@ -28,7 +30,7 @@ from nscc.toml.kinds import Axis, Several, Text
 from nscc.toml.schema import Codes, Key, Schema
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.point import Fault, Point, Values
+from nscc_training.sweep.point import OF_RUN, Fault, Point, Values
 
 MOST_POINTS = 100_000
 
@@ -41,10 +43,13 @@ _NAME, _NAME_SAID = r"[A-Za-z0-9_-]{1,60}", "take letters, digits, `-` and `_`"
 _VALUE = re.compile(r"\{([^{}]+)\}")
 _PLOT = "plot"
 _CALLED = Key(
-    "", "name", Text(pattern=r"([A-Za-z0-9_.+-]|\{[^{}]+\})+", said='a name, "{KEY}" in it for a '
-    'value'), "what its points are called, instead of part and axes", "",
+    "", "name", Text(
+        pattern=r"(?!(.*/)?\.{0,2}(/|$))([A-Za-z0-9_.+/-]|\{[^{}]+\})+",
+        said='a name, "{KEY}" in it for a value',
+    ), "what its points are called, instead of part and axes", "",
 )  # fmt: skip
-_OF_PART = (_KIND.name, _CALLED.name)
+_LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has none", "")
+_OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are no axes."""
 _PLOT_KEYS = (
     Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
@@ -89,7 +94,19 @@ def read_grid(path: Path) -> Grid:
     """
     head = _schema({})
     tables, source = file_table(head, file_bytes(head, path), str(path))
-    parts = {name: _flat(value) for name, value in tables.items() if _is_part(name, value)}
+    parts: dict[str, dict[str, Any]] = {}
+    wrong = []
+    for name, value in tables.items():
+        if not _is_part(name, value):
+            continue
+        own = _flat(value)
+        like = own.get(_LIKE.name)
+        if like is not None and like not in parts:
+            message = f"[{name}]: there is no part {str(like)[:60]!a} above"
+            wrong.append(head.problem(_CODES.wrong, message, name, _LIKE.name, source, _START))
+        parts[name] = {**parts.get(str(like), {}), **own}
+    if wrong:
+        raise Rejected(wrong, status=2)
     kinds = _kinds(tables, parts, source)
     schema = _schema(kinds)
     found, problems = schema.read({**tables, **parts}, source)
@@ -106,6 +123,27 @@ def read_grid(path: Path) -> Grid:
     axes = tuple(n for n in columns if any(len(keys.get(n, ())) > 1 for keys in given.values()))
     plot = Plot(**{key.name: found[key.path] for key in _PLOT_KEYS if key.path in found})
     return Grid(path.stem, path.parent, points, columns, axes, plot, source.text)
+
+
+def of_parts(grid: Grid, parts: Sequence[str]) -> Grid:
+    """Return the grid with the points of these parts alone, by default all, and with the runs that
+    they name. Rejected (NS0832) for a part that the grid does not have."""
+    every = tuple(dict.fromkeys(point.part for point in grid.points))
+    for part in parts:
+        if part not in every:
+            hint = meant(part, every, f"the parts are {', '.join(every)}")
+            raise rejected("NS0832", f"the grid has no part '{part[:60]}'", helps=hint)
+    points: dict[Point, None] = {}
+
+    def take(point: Point) -> None:
+        for run in point.after:
+            take(run)
+        points[point] = None
+
+    for point in grid.points:
+        if not parts or point.part in parts:
+            take(point)
+    return replace(grid, points=tuple(points))
 
 
 def part_text(kind: str) -> str:
@@ -176,7 +214,7 @@ def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
     keys = [
         replace(key, section=part, heading=part)
         for part, kind in kinds.items()
-        for key in (_KIND, _CALLED, *KINDS[kind].takes())
+        for key in (_KIND, _CALLED, _LIKE, *KINDS[kind].takes())
     ]
     headings = dict.fromkeys(("", _PLOT, *kinds), "")
     return Schema("grid", (_KIND, *_PLOT_KEYS, *keys), headings, _CODES, _START)
@@ -221,7 +259,46 @@ def _points(
             made[part] += (_about(point, run, given[part], called[part]) for run in runs)
     if wrong:
         raise Rejected([*wrong.values()], status=2)
-    return tuple(point for part in given for point in made[part])
+    every = [point for part in given for point in made[part]]
+    return _linked(every, schema, source)
+
+
+def _linked(points: Sequence[Point], schema: Schema[Key], source: Source) -> tuple[Point, ...]:
+    """Return the points, each knowing those whose runs its values name: `run:NAME`.
+
+    Rejected (NS0832) unless one point of kind train has the name, and for points that name each
+    other in a circle.
+    """
+    trained = [point for point in points if point.kind == "train"]
+    runs = {point.name: point for point in trained}
+    count = Counter(point.name for point in trained)
+    linked: dict[int, Point] = {}
+
+    def problem(point: Point, message: str, key: str) -> Rejected:
+        help_text = "name a point of kind train, with what stands in its `name`"
+        return Rejected(
+            schema.problem(_CODES.wrong, message, point.part, key, source, help_text), status=2
+        )
+
+    def link(point: Point, above: tuple[str, ...] = ()) -> Point:
+        if id(point) in linked:
+            return linked[id(point)]
+        after = list(point.after)
+        for key, value in point.values.items():
+            if not (isinstance(value, str) and value.startswith(OF_RUN)):
+                continue
+            name = value.removeprefix(OF_RUN)
+            if count[name] != 1:
+                found = f"{count[name] or 'no'} run{'s' if count[name] else ''}"
+                raise problem(point, f"[{point.part}]: {found} called '{name[:80]}'", key)
+            circle = (*above, point.name) if point.kind == "train" else above
+            if name in circle:
+                raise problem(point, f"[{point.part}]: run '{name[:80]}' depends on itself", key)
+            after.append(link(runs[name], circle))
+        linked[id(point)] = replace(point, after=tuple(after))
+        return linked[id(point)]
+
+    return tuple(link(point) for point in points)
 
 
 def _of_part(
@@ -239,8 +316,15 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """A name with values in the place of their keys."""
-    return _VALUE.sub(lambda found: _spelled(values.get(found[1])), called)
+    """A name with values in the place of their keys; of a path the folders that it goes down."""
+
+    def spelled(value: Any) -> str:
+        if not isinstance(value, str):
+            return _spelled(value)
+        parts = (_spelled(part) for part in value.split("/") if part not in ("", ".", ".."))
+        return "/".join(parts)
+
+    return _VALUE.sub(lambda found: spelled(values.get(found[1])), called)
 
 
 def _name_fault(called: str, point: Point) -> Fault | None:
@@ -254,11 +338,10 @@ def _name_fault(called: str, point: Point) -> Fault | None:
 
 def _about(point: Point, run: Point, given: Mapping[str, tuple[Any, ...]], called: str) -> Point:
     """The evaluation of a run: known by its run's name, and by its own axes."""
-    if called:
-        return replace(point, after=run)
     own = [name for name, values in given.items() if len(values) > 1 and name != RUN]
     name = "_".join([run.name, *(_spelled(point.values[axis]) for axis in own)])
-    return replace(point, name=name, after=run)
+    values = {**point.values, "subject": f"{OF_RUN}{run.name}"}
+    return replace(point, name=f"{called}/{run.name}" if called else name, values=values)
 
 
 def _spelled(value: Any) -> str:

@@ -1,16 +1,62 @@
-"""What a point of a grid can be."""
+"""What a point of a grid can be, and what its result is known by: a digest of all that decides."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from functools import cache
+from importlib import metadata
 
+from nscc import __version__
+from nscc.cache.contents import content
+from nscc.cache.digest import digest, package_digest, version_digest
 from nscc_training.sweep.compiling import COMPILE, LIMITS
 from nscc_training.sweep.designing import DESIGN
 from nscc_training.sweep.emulating import EMULATE
 from nscc_training.sweep.evaluating import EVALUATE
-from nscc_training.sweep.point import PointKind
+from nscc_training.sweep.point import Point, PointKind
 from nscc_training.sweep.training import TRAIN
 
 KINDS: Mapping[str, PointKind] = {
     kind.name: kind for kind in (COMPILE, LIMITS, EMULATE, TRAIN, EVALUATE, DESIGN)
 }
+
+_SCHEMA = "nscc-point-1"
+
+
+def key_of(point: Point, threads: int) -> str:
+    """The key of a point: 64 hexadecimal digits. Paths are relative to the current folder.
+
+    Its values count, the content of every file that they name, the sources of the packages that
+    compute it, and the versions of those that do it for them. Where torch computes, the number of
+    `threads` counts as well: sums of floats depend on it. Raises Rejected for a program that cannot
+    be read.
+    """
+    kind = KINDS[point.kind]
+    after = [key_of(each, threads) for each in point.after]
+    given = {name: kind_plain(value) for name, value in sorted(point.values.items())}
+    return digest((
+        _SCHEMA, kind.name, given, [content(path) for path in kind.reads(point.values)],
+        versions(kind.packages, kind.distributions),
+        threads if "torch" in kind.distributions else 0, *after,
+    ))  # fmt: skip
+
+
+def kind_plain(value: object) -> object:
+    """A value as it counts: 1 and 1.0 are the same number."""
+    if isinstance(value, float) and value.is_integer():
+        return int(value)
+    return value
+
+
+@cache
+def versions(packages: Sequence[str], distributions: Sequence[str]) -> tuple[str, ...]:
+    """What computes: the digests of our own packages, then the versions of others."""
+    own = (version_digest() if name == "nscc" else package_digest(name) for name in packages)
+    return (*(each or __version__ for each in own), *map(_version, distributions))
+
+
+def _version(distribution: str) -> str:
+    try:
+        return metadata.version(distribution)
+    except metadata.PackageNotFoundError:
+        return ""

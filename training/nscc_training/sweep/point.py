@@ -12,6 +12,9 @@ from nscc.toml.schema import Key
 Values = Mapping[str, Any]
 """A point's values by the names of its kind's keys; what has no value and no default is absent."""
 
+OF_RUN = "run:"
+"""Begins a value that names the run of another point of the grid."""
+
 Figures = dict[str, Any]
 """What was found, by names: text, numbers, true, false or None."""
 
@@ -29,12 +32,11 @@ class Fault:
 class Place:
     """Where a point is computed: files that it leaves begin with the path `files`.
 
-    `threads` are what it may use. `run` is the run folder of the point that it depends on.
+    `threads` are what it may use.
     """
 
     files: Path
     threads: int
-    run: Path | None = None
 
 
 @dataclass(frozen=True)
@@ -55,7 +57,7 @@ class PointKind:
     compute: Callable[[Values, Place], Figures]
     drawn: tuple[str, ...]
     reads: Callable[[Values], Sequence[Path]]
-    fault: Callable[[Values, Collection[str]], Fault | None]
+    fault: Callable[[Values, Collection[str]], Fault | None] = lambda _values, _named: None
     packages: tuple[str, ...] = ("nscc",)
     distributions: tuple[str, ...] = ("lark", "networkx")
     leaves: str | None = None
@@ -65,15 +67,15 @@ class PointKind:
 class Point:
     """One combination of a part's values.
 
-    `name` tells it apart from the others of its grid. `after` is the point, of kind train, whose
-    run it is about.
+    `name` tells it apart from the others of its grid. `after` are the points whose runs its values
+    name: `run:NAME` stands for a run's folder.
     """
 
     part: str
     kind: str
     name: str
     values: Values = field(hash=False)
-    after: Point | None = None
+    after: tuple[Point, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -6,25 +6,27 @@ import os
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, chdir, nullcontext
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
+from time import sleep
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
+from nscc.experiment_store import ExperimentStore
 from nscc.files import Product, write_together
 from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
-from nscc_training.sweep.grid import Grid
-from nscc_training.sweep.keys import key_of
-from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.point import Point, Row
-from nscc_training.sweep.store import Store
+from nscc_training.sweep.grid import Grid, of_parts
+from nscc_training.sweep.kinds import KINDS, key_of
+from nscc_training.sweep.point import OF_RUN, Point, Row
+from nscc_training.sweep.store import POINTS, TIMES, put_row, rows_in, store_in, times_csv
 from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
 from nscc_training.sweep.work import FAILED, Done, Task, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 _POINTS = "points"
 _MOST_REASONS = 5
+_POLL_S = 0.2
 _NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
 """Folders in which what points leave has their names."""
 
@@ -45,11 +47,10 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """A sweep that is done: its table, how many of its points were `computed` now, have a message
-    instead of figures (`misfits`), and `failed`; the files that were written."""
+    """A sweep that is done: its table, how many of its points have a message instead of figures
+    (`misfits`), and `failed`; the files that were written."""
 
     table: Table
-    computed: int
     misfits: int
     failed: int
     files: tuple[Path, ...]
@@ -60,40 +61,51 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
-    with Store(out) as store:
-        found = (_is_known(store, key, how, _left(out, p, key)) for p, key in keys.items())
-        return len(keys), sum(found)
+    with store_in(out) as store:
+        rows = rows_in(store)
+    found = (_is_known(rows.get(key), how, _left(out, p, key)) for p, key in keys.items())
+    return len(keys), sum(found)
 
 
 def sweep(
-    grid: Grid, out: Path, how: How, *, parquet: bool = False, track: Progress = unseen,
-    report: Callable[[str], None] = lambda _text: None,
+    grid: Grid, out: Path, how: How, *, parts: Sequence[str] = (), parquet: bool = False,
+    track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
 ) -> Swept:  # fmt: skip
-    """Compute what is not known of a grid, and write table, report and diagram into `out`.
+    """Compute what is not known of a grid, or of `parts` of it, and write table, report and diagram
+    of all that is known into `out`.
 
-    Rows are kept as they are found: killed and started again it goes on. Paths in the grid, and in
-    what it names, are relative to its folder. `track` draws progress, `report` is told what there
-    is to do. Raises Rejected: NS0834 where another sweep is at work in `out`, NS0835 without the
-    scheduler, NS0836 where workers have other files or another nscc.
+    Rows are kept as they are found: killed and started again it goes on, and two sweeps with one
+    `out` share the work. Paths in the grid, and in what it names, are relative to its folder.
+    `track` draws progress, `report` is told what there is to do. Raises Rejected: NS0834 for a
+    damaged store in `out`, NS0835 without the scheduler, NS0836 where workers have other files or
+    another nscc.
     """
     keys = _keys(grid, how.threads)
-    with Store(out) as store:
+    wanted = of_parts(grid, parts).points
+    with store_in(out) as store:
+        rows = rows_in(store)
         todo = {
-            key: point
-            for point, key in keys.items()
-            if not _is_known(store, key, how, _left(out, point, key))
+            keys[point]: point
+            for point in dict.fromkeys(wanted)
+            if not _is_known(rows.get(keys[point]), how, _left(out, point, keys[point]))
         }
-        report(f"{len(keys)} points: {len(keys) - len(todo)} known, {len(todo)} to compute")
+        count = len({keys[point] for point in wanted})
+        report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
+        for key in todo.keys() & rows.keys():  # failed before, or lost what they left
+            store.forget(POINTS, key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
             _compute(tasks, keys, store, how, track)
-        rows = [(point, store.rows[key]) for point, key in keys.items()]
-    table = table_of(grid, rows)
-    files = _write(grid, table, out, parquet=parquet)
+        rows, times = rows_in(store), times_csv(store)
+    keys = {point: key for point, key in keys.items() if key in rows}
+    found = [(point, rows[key]) for point, key in keys.items()]
+    grid = replace(grid, points=tuple(keys))
+    table = table_of(grid, found)
+    files = _write(grid, table, out, times, parquet=parquet)
     _name(out, keys)
-    codes = [row.code for _, row in rows if row.code]
+    codes = [row.code for _, row in found if row.code]
     failed = codes.count(FAILED)
-    return Swept(table, len(tasks), len(codes) - failed, failed, files)
+    return Swept(table, len(codes) - failed, failed, files)
 
 
 def told(swept: Swept) -> list[str]:
@@ -134,19 +146,18 @@ def _keys(grid: Grid, threads: int) -> dict[Point, str]:
         return {point: key_of(point, threads) for point in grid.points}
 
 
-def _is_known(store: Store, key: str, how: How, left: Path | None) -> bool:
+def _is_known(row: Row | None, how: How, left: Path | None) -> bool:
     """Whether a point has a row, and what it `left` is still there."""
-    row = store.rows.get(key)
     if row is None or (row.code == FAILED and how.again):
         return False
     return bool(row.code) or left is None or left.exists()
 
 
 def _task(point: Point, keys: Mapping[Point, str], grid: Grid, out: Path, how: How) -> Task:
-    after, key = point.after, keys[point]
-    run = None if after is None else _left(out, after, keys[after])
+    key = keys[point]
+    runs = {f"{OF_RUN}{run.name}": _left(out, run, keys[run]) for run in point.after}
     files = _left(out, point, key) or out.resolve() / _POINTS / key
-    return Task(point, key, grid.folder.resolve(), files, how.threads, run)
+    return Task(point, key, grid.folder.resolve(), files, how.threads, runs)
 
 
 def _left(out: Path, point: Point, key: str) -> Path | None:
@@ -156,40 +167,77 @@ def _left(out: Path, point: Point, key: str) -> Path | None:
 
 
 def _compute(
-    tasks: Sequence[Task], keys: Mapping[Point, str], store: Store, how: How, track: Progress
-) -> None:
-    """Runs first, then what is about them: a run that came to nothing is not to be evaluated."""
+    tasks: Sequence[Task], keys: Mapping[Point, str], store: ExperimentStore, how: How,
+    track: Progress,
+) -> None:  # fmt: skip
+    """Compute the tasks, those first whose runs others name."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
     with _executor(how, len(tasks)) as execute:
 
         def every() -> Iterator[Done]:
-            yield from execute([task for task in tasks if task.run is None])
-            ready = []
-            for task in (task for task in tasks if task.run is not None):
-                without = _without_run(task, keys, store)
-                if without is None:
-                    ready.append(task)
-                else:
-                    yield without
-            yield from execute(ready)
+            pending = {task.key: task for task in tasks}
+            while pending:
+                # What the point names is computed before: one round for each step of the way.
+                ready = [
+                    task for task in pending.values()
+                    if not any(keys[run] in pending for run in task.point.after)
+                ]  # fmt: skip
+                able = []
+                for task in ready:
+                    without = _without_run(task, keys, store)
+                    able += [] if without else [task]
+                    yield from [without] if without else []
+                yield from _shared(store, able, execute)
+                for task in ready:
+                    del pending[task.key]
 
         for done in track(every(), "computing points", len(tasks)):
             if done.other_key:
                 raise _differs(done)
-            store.add(done.row, done.task.point.name, done.seconds, done.worker)
+            put_row(store, done.row, done.task.point.name, done.seconds, done.worker)
 
 
-def _without_run(task: Task, keys: Mapping[Point, str], store: Store) -> Done | None:
-    """What comes of a task whose run came to nothing; None where there is a run."""
-    after = task.point.after
-    assert after is not None
-    row = store.rows[keys[after]]
-    if not row.code:
-        return None
-    error = f"its run {after.name} has none: {row.error}"
-    return Done(task, Row(task.key, code=row.code, error=error), 0.0, "")
+def _shared(
+    store: ExperimentStore, tasks: Sequence[Task], execute: Callable[..., Iterator[Done]]
+) -> Iterator[Done]:
+    """Yield what comes of tasks; those that another process computes are waited for.
+
+    A task whose process ended without a result is taken over.
+    """
+    left = [*tasks]
+    while left:
+        taken: list[Task] = []
+
+        def claimed(taken: list[Task] = taken, left: Sequence[Task] = left) -> Iterator[Task]:
+            for task in left:
+                if store.claim(POINTS, task.key):
+                    taken.append(task)
+                    if store.get(POINTS, task.key) is None:
+                        yield task
+
+        for done in execute(claimed()):
+            yield done
+            store.release(POINTS, done.task.key)
+        for task in taken:
+            store.release(POINTS, task.key)
+        mine = {task.key for task in taken}
+        others = (task for task in left if task.key not in mine)
+        left = [task for task in others if store.get(POINTS, task.key) is None]
+        if left:
+            sleep(_POLL_S)
+
+
+def _without_run(task: Task, keys: Mapping[Point, str], store: ExperimentStore) -> Done | None:
+    """What comes of a task if a run that it names came to nothing; None where there are all."""
+    for run in task.point.after:
+        row = store.get(POINTS, keys[run])
+        assert row is not None  # runs are computed first
+        if row["code"]:
+            error = f"its run {run.name} has none: {row['error']}"
+            return Done(task, Row(task.key, code=row["code"], error=error), 0.0, "")
+    return None
 
 
 def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
@@ -217,7 +265,7 @@ def _differs(done: Done) -> Rejected:
     )
 
 
-def _write(grid: Grid, table: Table, out: Path, *, parquet: bool) -> tuple[Path, ...]:
+def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
     """The products, all or none."""
     from nscc_training.sweep.report import diagram_of, report_html
 
@@ -228,25 +276,23 @@ def _write(grid: Grid, table: Table, out: Path, *, parquet: bool) -> tuple[Path,
     if diagram is not None:
         products[out / DIAGRAM] = diagram
     products[out / REPORT] = report_html(grid, table, diagram).encode()
-    write_together(products)
+    write_together({**products, out / TIMES: times.encode()})
     return tuple(products)
 
 
 def _name(out: Path, keys: Mapping[Point, str]) -> None:
     """Links to what the grid's points left, by their names; those of another grid go."""
     for name in _NAMED.values():
-        for old in (out / name).glob("*"):
-            if old.is_symlink():
-                old.unlink()
+        for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
+            old.unlink()
     taken: set[Path] = set()
     for point, key in keys.items():
         left = _left(out, point, key)
         if left is None or not left.exists():
             continue
-        folder = out / _NAMED[point.kind]
-        folder.mkdir(exist_ok=True)
-        link = folder / (point.name + left.suffix)
+        link = out / _NAMED[point.kind] / (point.name + left.suffix)
         if link in taken:
-            link = folder / f"{point.name}_{key[:8]}{left.suffix}"
+            link = link.with_name(f"{link.stem}_{key[:8]}{left.suffix}")
         taken.add(link)
-        os.symlink(Path("..") / _POINTS / left.name, link)
+        link.parent.mkdir(parents=True, exist_ok=True)
+        os.symlink(os.path.relpath(left, link.parent.resolve()), link)

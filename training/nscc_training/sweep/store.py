@@ -1,84 +1,55 @@
-"""Where results are kept: a line for each, whole or not there, whatever kills the process.
-
-`rows.jsonl` holds what was found: the same lines wherever points are computed, in whatever order.
-`times.csv` holds how long that took whom, and when it ended, in seconds since the sweep began.
-"""
+"""The rows of a sweep in its experiment store, and how long each took."""
 
 from __future__ import annotations
 
-import json
+import csv
+import io
 from pathlib import Path
-from time import monotonic
-from types import TracebackType
-from typing import Any, Self
 
 from nscc.diagnostics.rejection import rejected
-from nscc.lines import Lines
+from nscc.experiment_store import STORE, ExperimentStore
 from nscc_training.sweep.point import Row
 
-ROWS, TIMES = "rows.jsonl", "times.csv"
-_TIMES_HEAD = "key,name,seconds,ended_s,worker\n"
+TIMES = "times.csv"
+POINTS = "points"
+"""The experiment that a point's row belongs to: its key says everything else."""
 
 
-class Store:
-    """The results in a folder, which is made. One process at a time has it open, to the end of a
-    `with`.
+def store_in(folder: Path) -> ExperimentStore:
+    """Return the store of a folder, which is made.
 
-    `rows` are those that can be read, by key. Raises Rejected: NS0834 where another process has
-    the folder, NS0784 where it cannot be written.
+    Rejected (NS0784) if the folder cannot be written, and as `ExperimentStore`.
     """
-
-    def __init__(self, folder: Path) -> None:
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            self._rows = Lines(folder / ROWS)
-            self._times = Lines(folder / TIMES)
-        except BlockingIOError:
-            raise rejected(
-                "NS0834",
-                f"another sweep is at work in '{folder}'",
-                helps=("wait for it, end it, or give --out another folder",),
-            ) from None
-        except OSError as error:
-            raise rejected(
-                "NS0784",
-                f"cannot write into '{folder}': {error.strerror or error}",
-                helps=("give --out a folder that you may write",),
-            ) from error
-        if not self._times.lines:
-            self._times.add(_TIMES_HEAD)
-        self._begin = monotonic()
-        self.rows: dict[str, Row] = {}
-        for line in self._rows.lines:
-            row = _row(line)
-            if row is not None:
-                self.rows[row.key] = row
-
-    def add(self, row: Row, name: str, seconds: float, worker: str) -> None:
-        """Keeps a row, which took a worker so many seconds; it is on the disk when this returns."""
-        values = {"key": row.key, "figures": row.figures, "code": row.code, "error": row.error}
-        ended_s = monotonic() - self._begin
-        self._times.add(f"{row.key[:12]},{name},{seconds:.3f},{ended_s:.3f},{worker}\n")
-        self._rows.add(json.dumps(values, allow_nan=False) + "\n", sync=True)
-        self.rows[row.key] = row
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(
-        self, _type: type[BaseException] | None, _value: BaseException | None,
-        _trace: TracebackType | None,
-    ) -> None:  # fmt: skip
-        self._rows.close()
-        self._times.close()
-
-
-def _row(line: str) -> Row | None:
-    """The row of a line; None for one that is none: its point is computed again."""
     try:
-        held: dict[str, Any] = json.loads(line)
-        row = Row(held["key"], held["figures"], held["code"], held["error"])
-    except (ValueError, KeyError, TypeError, RecursionError):
-        return None
-    kinds = (row.key, str), (row.figures, dict), (row.code, str), (row.error, str)
-    return row if all(isinstance(value, kind) for value, kind in kinds) else None
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        message = f"cannot write into '{folder}': {error.strerror or error}"
+        help_text = "give --out a folder that you may write"
+        raise rejected("NS0784", message, helps=(help_text,)) from error
+    return ExperimentStore(folder / STORE)
+
+
+def rows_in(store: ExperimentStore) -> dict[str, Row]:
+    """Return all rows by key."""
+    return {key: Row(key, **value) for key, value in store.values(POINTS).items()}
+
+
+def put_row(store: ExperimentStore, row: Row, name: str, seconds: float, worker: str) -> None:
+    """Keep a row, which took a worker so many seconds; it is on the disk when this returns."""
+    value = {"figures": row.figures, "code": row.code, "error": row.error}
+    store.put(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
+
+
+def times_csv(store: ExperimentStore) -> str:
+    """Return how long each point took, and where; the first one began at 0 s."""
+    timings = store.timings(POINTS)
+    begin = min((each.ended - each.seconds for each in timings), default=0.0)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(("key", "name", "seconds", "ended_s", "worker"))
+    writer.writerows(
+        (each.name[:12], each.label, f"{each.seconds:.3f}", f"{each.ended - begin:.3f}",
+         each.worker)
+        for each in timings
+    )  # fmt: skip
+    return text.getvalue()

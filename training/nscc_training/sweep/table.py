@@ -47,10 +47,10 @@ def table_of(grid: Grid, rows: Sequence[tuple[Point, Row]]) -> Table:
 
 
 def _input(point: Point, name: str) -> Any:
-    """What a point, or the run that it is about, has for a key."""
+    """What a point, or the first run that it names, has for a key."""
     if name in point.values:
         return plain(point.values[name])
-    return None if point.after is None else _input(point.after, name)
+    return _input(point.after[0], name) if point.after else None
 
 
 def plain(value: Any) -> Any:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Sequence
 from dataclasses import MISSING
 from functools import cache
 from pathlib import Path
@@ -10,11 +10,12 @@ from pathlib import Path
 from nscc.toml.kinds import Axis, Text
 from nscc.toml.schema import Key
 from nscc.toml.text import written
-from nscc_training.config import load_config
+from nscc_training.config import load_config, settings_of
 from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path
+from nscc_training.scene_files import folders_of
 from nscc_training.settings import SCHEMA, Settings
-from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
+from nscc_training.sweep.point import Figures, Place, PointKind, Values
 from nscc_training.sweep.programs import axis, text_files
 
 _CONFIG = "config"
@@ -24,40 +25,43 @@ _STAGES = ("soft", "hard", "compiled", "emulated")
 @cache
 def _keys() -> tuple[Key, ...]:
     settings = (Key("", key.path, Axis(key.kind), key.meaning, MISSING) for key in SCHEMA.keys)
-    return (axis(_CONFIG, Text(), "a configuration of nscc train"), *settings)
-
-
-def _fault(values: Values, _named: Collection[str]) -> Fault | None:
-    if _CONFIG in values:
-        return None
-    message = "the key config is missing: a configuration of nscc train"
-    return Fault("", message, "`nscc train --schema > config.toml` writes one")
+    return (axis(_CONFIG, Text(), "a configuration of nscc train, else its defaults"), *settings)
 
 
 def _settings(values: Values) -> Settings:
-    """What the configuration says, changed by the point; Rejected as `load_config`."""
+    """Return the settings of the configuration, or the defaults, as the point changes them.
+
+    Raises Rejected as `load_config`.
+    """
     changes = [
         f"{key.path} = {written(key.kind.plain(values[key.path]))}"
         for key in SCHEMA.keys
         if key.path in values
     ]
-    return load_config(Path(values[_CONFIG]), changes)
+    config = values.get(_CONFIG)
+    return settings_of({}, changes) if config is None else load_config(Path(config), changes)
 
 
 def _reads(values: Values) -> Sequence[Path]:
     """The configuration, the data and what else it names. Of code of one's own the module."""
     settings = _settings(values)
     named = [
-        settings.data.train, settings.data.val, settings.shutter.target, settings.sensor.file,
-        settings.decoder.name, *settings.loss.name.split("+"),
+        settings.shutter.target, settings.sensor.file, settings.decoder.name,
+        *settings.loss.name.split("+"),
     ]  # fmt: skip
+    data = [
+        folder for text in (settings.data.train, settings.data.val)
+        if text and not is_import_path(text) for folder in folders_of(text)
+    ]  # fmt: skip
+    named += [text for text in (settings.data.train, settings.data.val) if is_import_path(text)]
     files = [
         f"{n.partition(':')[0].replace('.', '/')}.py" if is_import_path(n) else n for n in named
     ]
     begun = (settings.shutter.init, settings.decoder.init)
     return [
-        Path(values[_CONFIG]),
+        *([Path(values[_CONFIG])] if _CONFIG in values else []),
         *(Path(name) for name in files if name),
+        *data,
         *(path for name in begun if name for path in _begun_with(run_path(Path(name)))),
     ]
 
@@ -91,7 +95,7 @@ def _train(values: Values, place: Place) -> Figures:
 
 TRAIN = PointKind(
     "train", "a run of nscc train; its validation, and its folder under runs", _keys, _train,
-    ("psnr_db",), _reads, _fault, packages=("nscc", "nscc_runtime", "nscc_training"),
+    ("psnr_db",), _reads, packages=("nscc", "nscc_runtime", "nscc_training"),
     distributions=("lark", "networkx", "numba", "opencv-python-headless", "scipy", "torch"),
     leaves="",
 )  # fmt: skip

@@ -6,16 +6,15 @@ import math
 import os
 import socket
 import warnings
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import chdir
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
 from time import perf_counter
 
 from nscc.diagnostics.diagnostic import Rejected, Severity
-from nscc_training.sweep.keys import key_of
-from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import Figures, Place, Point, Row
 
 FAILED = "NS0833"
@@ -30,14 +29,14 @@ point at a time."""
 @dataclass(frozen=True)
 class Task:
     """A point to compute: paths that it names are relative to `folder`, and what it leaves begins
-    with `files`. `run` is the run folder that it needs."""
+    with `files`. `runs` are the run folders that its values name, by the value."""
 
     point: Point
     key: str
     folder: Path
     files: Path
     threads: int
-    run: Path | None = None
+    runs: Mapping[str, Path | None] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -80,9 +79,13 @@ def failure(task: Task, why: str) -> Row:
 
 def _row(task: Task) -> tuple[Row, bool]:
     kind = KINDS[task.point.kind]
-    place = Place(task.files, task.threads, task.run)
+    place = Place(task.files, task.threads)
+    values = {
+        name: str(task.runs[value]) if isinstance(value, str) and value in task.runs else value
+        for name, value in task.point.values.items()
+    }
     try:
-        found = kind.compute(task.point.values, place)
+        found = kind.compute(values, place)
     except Rejected as rejected:
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         first = next((d for d in errors if d.data.get("proved")), errors[0])

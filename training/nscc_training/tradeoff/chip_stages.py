@@ -14,32 +14,30 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import Compiled, run_passes
 from nscc.source import Source
-from nscc.tradeoff.points import Point
+from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us
 from nscc.tradeoff.synthesis import DOES_NOT_FIT
 from nscc.words.container import Container
 from nscc_training.tradeoff.bench import Bench, scaled, whole_ticks
-from nscc_training.tradeoff.stages import PERCENT, Found, Misfit
+from nscc_training.tradeoff.stages import PERCENT, Found, misfit
 
 JOINED = {1: "all", 2: "halves", 4: "quarters"}
 """Slots that are taken together as one, and what that leaves of them."""
 LENGTHS = (0.25, 0.5, 1.0, 2.0)
 """Frames as parts of the program's own."""
-_COMPILED = Misfit(
-    "", "", "NS0743", "the program is compiled already: give its text, FILE.nsl, to compare these"
-)
+_COMPILED = "the program is compiled already: give its text, FILE.nsl, to compare these"
 
 
 def compiling(bench: Bench) -> Found:
     """Levels of -O: seconds to compile, from text to proof and without the cache."""
     if bench.source is None:
-        return Found((), (replace(_COMPILED, stage="compile"),))
+        return Found((), (Refused("compile", "", "", "NS0743", _COMPILED),))
     points, misfits = [], []
     for level in bench.asked.levels:
         setting = f"-O{level}"
         made = _compiled(bench, bench.source, level=level)
         if isinstance(made, Diagnostic):
-            misfits.append(Misfit.of("compile", setting, made))
+            misfits.append(misfit("compile", setting, made))
             continue
         container = _laid(bench, made)
 
@@ -47,34 +45,31 @@ def compiling(bench: Bench) -> Found:
         again = partial(_compiled, bench, bench.source, level=level)
         timed = partial(bench.watch.times_ms, bench.asked.repeats, "compile", level, again)
         took = bench.once(f"compile {level}", timed)
-        points.append(_point(
-            "compile", container.notes.get("lowering", ""),
-            f"{setting} ({container.words_per_frame} words)",
-            bench.error_percent(container), tuple(took),
-        ))  # fmt: skip
+        words = f"{setting} ({container.words_per_frame} words)"
+        way, error = container.notes.get("lowering", ""), bench.error_percent(container)
+        points.append(Point("compile", way, words, error, PERCENT, tuple(took)))
     return Found(tuple(points), tuple(misfits))
 
 
 def lowering(bench: Bench) -> Found:
     """Ways to gather exposures: the shortest frame that their words allow."""
     if bench.source is None:
-        return Found((), (replace(_COMPILED, stage="lowering"),))
+        return Found((), (Refused("lowering", "", "", "NS0743", _COMPILED),))
     if bench.container.machine is not None or bench.container.target.streamed:
         what = "pixels that look" if bench.container.machine is not None else "a chip without logic"
         reason = f"there is one way for {what}"
-        return Found((), (Misfit("lowering", "", "", reason),))
+        return Found((), (Refused("lowering", "", "", "", reason),))
     points, misfits = [], []
     for name in LOWERINGS:
         made = _compiled(bench, bench.source, lowering=name)
         if isinstance(made, Diagnostic):
-            misfits.append(Misfit.of("lowering", name, made))
+            misfits.append(misfit("lowering", name, made))
             continue
         container = _laid(bench, made)
         frame_ms = made.shortest_slot_us * container.slots / 1e3
         setting = f"{container.words_per_frame} words"
-        points.append(
-            _point("lowering", name, setting, bench.error_percent(container), (frame_ms,))
-        )
+        error = bench.error_percent(container)
+        points.append(Point("lowering", name, setting, error, PERCENT, (frame_ms,)))
     return Found(tuple(points), tuple(misfits))
 
 
@@ -86,19 +81,22 @@ def slots(bench: Bench) -> Found:
     what the given one would see in a frame as long.
     """
     if bench.source is None:
-        return Found((), (replace(_COMPILED, stage="slots"),))
+        return Found((), (Refused("slots", "", "", "NS0743", _COMPILED),))
     points, misfits, seen = [], [], set[tuple[int, float]]()
     frame_us = sum(bench.container.slot_us)
     for join in JOINED:
+        source, codes, own = bench.source, None, bench.container
         try:
-            source, own, codes = _program(bench, join)
+            if join > 1:
+                text, ids = in_fewer(own, join)
+                source, codes = Source(bench.source.name, text), {"id": ids}
         except NotJoined as why:
-            misfits.append(Misfit("slots", JOINED[join], "", str(why)))
+            misfits.append(Refused("slots", "", JOINED[join], "", str(why)))
             continue
         count = own.slots // join
         shortest = _compiled(bench, source)
         if isinstance(shortest, Diagnostic):
-            misfits.append(Misfit.of("slots", f"{count} slots", shortest))
+            misfits.append(misfit("slots", f"{count} slots", shortest))
             continue
         least_us = whole_ticks(shortest.shortest_slot_us) * count
         for whole_us in (least_us, *(frame_us * part for part in LENGTHS)):
@@ -111,22 +109,13 @@ def slots(bench: Bench) -> Found:
             uneven = not np.allclose(slot_us, slot_us[0])
             setting = f"{whole_us / count:.5g} us" + " in the mean" * uneven
             if isinstance(made, Diagnostic):
-                misfits.append(Misfit.of("slots", f"{count} x {setting}", made))
+                misfits.append(misfit("slots", f"{count} x {setting}", made))
                 continue
             container = _laid(bench, made, codes)
             error = bench.error_percent(container, timed)
-            points.append(_point("slots", f"{count} slots", setting, error, (whole_us / 1e3,)))
+            method, frame_ms = f"{count} slots", whole_us / 1e3
+            points.append(Point("slots", method, setting, error, PERCENT, (frame_ms,)))
     return Found(tuple(points), tuple(misfits))
-
-
-def _program(bench: Bench, join: int) -> tuple[Source, Container, Any]:
-    """The program in fewer slots, the given one, and the codes of its pixels; raises NotJoined."""
-    assert bench.source is not None
-    own = bench.container
-    if join == 1:
-        return bench.source, own, None
-    text, codes = in_fewer(own, join)
-    return Source(bench.source.name, text), own, {"id": codes}
 
 
 def _compiled(bench: Bench, source: Source, **changes: Any) -> Compiled | Diagnostic:
@@ -148,9 +137,3 @@ def _laid(bench: Bench, made: Compiled, codes: Any = None) -> Container:
     assert made.container is not None
     given = bench.asked.pixels if codes is None else codes
     return with_pixels(made.container, Path(bench.asked.program), given)
-
-
-def _point(
-    stage: str, method: str, setting: str, error: float, taken_ms: tuple[float, ...]
-) -> Point:
-    return Point(stage, method, setting, error, PERCENT, taken_ms)

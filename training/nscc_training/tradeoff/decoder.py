@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from copy import copy
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -16,22 +17,33 @@ from nscc.diagnostics.rejection import rejected
 from nscc.tradeoff.points import Point
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.stopwatch import Stopwatch
+from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
+from nscc_training.evaluation.captured import Captured, captured
+from nscc_training.evaluation.methods import CLIPS, STILLS, Light
 from nscc_training.evaluation.runs import check_unseen
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
+from nscc_training.protocol_scenes.files import (
+    KINDS,
+    Kind,
+    files_of,
+    kinds_in,
+    protocol_of,
+    some_scenes,
+)
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
-from nscc_training.sensor_model import SensorModel, frame_of, laid
-from nscc_training.tradeoff.scenes import KINDS, Kind, files_of, kinds_in, protocol_of, scenes
-from nscc_training.tradeoff.ways import Light, Taken, Way, baselines, names_of, networks
+from nscc_training.sensor_model import SensorModel
 
 UNITS = ("psnr_db", "ssim")
 _WARM = 32
 """Pixels a side of the part of a capture that every method is run on once, untimed."""
 _FRAMES = 16
 _STOPS = 256
+_OVERLAPS = {1: (False, False), 2: (True, False), 4: (True, True)}
+"""Which directions FC-net's blocks overlap in, by how many of them then hold a pixel."""
 
 
 @dataclass(frozen=True)
@@ -48,11 +60,26 @@ class Settings:
 
 
 @dataclass(frozen=True, eq=False)
+class Way:
+    """A decoder with its settings; `run` gives electrons, over the frame or a slot.
+
+    `device`: where that is not the processor. `loads` tells settings apart that do not load and
+    compile the same things.
+    """
+
+    method: str
+    setting: str
+    run: Callable[[Captured], Light]
+    device: str = ""
+    loads: str = ""
+
+
+@dataclass(frozen=True, eq=False)
 class Case:
     """Captures with one code, and the decoders that they are for."""
 
     name: str
-    taken: tuple[Taken, ...]
+    captures: tuple[Captured, ...]
     ways: tuple[Way, ...]
 
 
@@ -61,11 +88,11 @@ Progress = Callable[[Sequence[Turn]], Iterable[Turn]]
 
 
 def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
-    """The codes of the runs, those with the same code together; without runs random bits for
-    clips and the 2 x 2 pattern for stills.
+    """Return the codes of the runs, those with the same code together; without runs random bits
+    for clips and the 2 x 2 pattern for stills.
 
-    Raises Rejected: NS0811 for a folder without scenes, NS0820 where a run has seen one, NS0821 for
-    a run with two buckets: the methods beside it take one.
+    Raises Rejected: NS0811 for a folder without scenes, NS0820 if a run has seen one, NS0821 for a
+    run with two buckets: the methods beside it take one.
     """
     for run in runs:
         if run.parts.buckets > 1:
@@ -77,26 +104,26 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
     if not runs:
         kinds = KINDS if settings.data is None else kinds_in(settings.data)
         return [_fixed(kind, settings) for kind in kinds]
-    found: dict[Any, list[RunFolder]] = {}
+    by_code: dict[Any, list[RunFolder]] = {}
     for run in runs:
         tile = run.parts.encoder.hard().cpu()
         key = (run.parts.still, run.parts.model, tuple(tile.shape), tile.numpy().tobytes())
-        found.setdefault(key, []).append(run)
+        by_code.setdefault(key, []).append(run)
     # The shortest names that tell folders apart.
-    paths = [together[0].path for together in found.values()]
+    paths = [together[0].path for together in by_code.values()]
     names = [path.resolve().name for path in paths]
     if len(set(names)) < len(names):
         names = [path.as_posix() for path in paths]
     return [
         _learned(together, name, settings)
-        for together, name in zip(found.values(), names, strict=True)
+        for together, name in zip(by_code.values(), names, strict=True)
     ]
 
 
 def measure(
     todo: Sequence[Case], settings: Settings, progress: Progress = iter, rows: Rows | None = None
 ) -> tuple[list[Point], int]:
-    """Two points for each decoder of each case, and how often everything was timed.
+    """Return two points for each decoder of each case, and how often everything was timed.
 
     A time is that of one scene, the mean over the scenes; the repeats go round all decoders. What
     `rows` knows is not decoded again.
@@ -104,60 +131,111 @@ def measure(
     rows = rows or Rows()
     watch = Stopwatch()
     turns = [(case, way) for case in todo for way in case.ways]
-    found: list[list[dict[str, Any]]] = [[] for _ in turns]
+    timed: list[list[dict[str, Any]]] = [[] for _ in turns]
     begin = perf_counter()
     for turn in range(settings.repeats):
         before = perf_counter()
         for index, (case, way) in enumerate(progress(turns)):
             name = f"{case.name}, {way.method}, {way.setting}, {turn}"
-            found[index].append(
+            timed[index].append(
                 rows.once(name, partial(_timed, watch, case, way, scores=turn == 0))
             )
         now = perf_counter()
         if now - begin + (now - before) > settings.budget_s:
             break
-    points = []
-    for (case, way), timed in zip(turns, found, strict=True):
-        times_ms = tuple(each["ms"] for each in timed)
-        for unit, score in zip(UNITS, timed[0]["scores"], strict=True):
-            points.append(Point(
-                case.name, way.method, way.setting, score, unit, times_ms,
-                more_is_better=True, device=way.device,
-            ))  # fmt: skip
-    return points, len(found[0]) if turns else 0
+    points = [
+        Point(
+            case.name, way.method, way.setting, score, unit, tuple(each["ms"] for each in runs),
+            more_is_better=True, device=way.device,
+        )
+        for (case, way), runs in zip(turns, timed, strict=True)
+        for unit, score in zip(UNITS, runs[0]["scores"], strict=True)
+    ]  # fmt: skip
+    return points, len(timed[0]) if turns else 0
 
 
 def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str, Any]:
-    """How long a decoder takes for one scene, and where they are asked for its scores."""
+    """Return how long a decoder takes for one scene and, if they are asked for, its scores."""
 
     def every() -> list[Light]:
-        return [way.run(taken) for taken in case.taken]
+        return [way.run(frames) for frames in case.captures]
 
-    corner = partial(way.run, case.taken[0].corner(_WARM))
+    corner = partial(way.run, case.captures[0].corner(_WARM))
     lights, taken_ms = watch.ms((case.name, way.method, way.loads), way.setting, every, corner)
     return {"ms": taken_ms / len(lights), "scores": scored(case, lights) if scores else None}
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
-    """PSNR in dB and SSIM, their means over the scenes, as the protocol counts them.
+    """Return PSNR in dB and SSIM, means over the scenes, as the protocol counts them.
 
-    Scenes without any error count for SSIM alone, unless there are no others.
+    Scenes without any error count for SSIM alone, unless all are such.
     """
-    found = [taken.scene.scores(made) for taken, made in zip(case.taken, lights, strict=True)]
+    pairs = zip(case.captures, lights, strict=True)
+    found = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in found)
     return psnr_db, float(np.mean([scores["ssim"] for scores in found]))
+
+
+def ways_of(kind: Kind) -> list[Way]:
+    """Return the decoders that need no training."""
+    return [
+        Way(name, setting, partial(method.decode, **options))
+        for name, method in (CLIPS if kind == "clips" else STILLS).items()
+        for setting, options in (method.settings or {}).items()
+    ]
+
+
+def networks(folder: RunFolder, name: str) -> list[Way]:
+    """Return a run's decoder in both number formats, FC-net also with fewer blocks."""
+    parts = folder.parts
+    method = f"{parts.settings.decoder.name} {parts.settings.decoder.sized}{name}"
+    device = torch.cuda.get_device_name(parts.device) if parts.device.type == "cuda" else ""
+    found = []
+    for dtype in ("f32", "bf16"):
+        if not isinstance(parts.decoder, BlockNet):
+            run = _network(folder, parts.decoder, dtype)
+            found.append(Way(method, dtype, run, device, loads=dtype))
+            continue
+        for blocks, overlapping in _OVERLAPS.items():
+            net = copy(parts.decoder)
+            net.overlapping = overlapping
+            setting = f"x{blocks} {dtype}"
+            found.append(Way(method, setting, _network(folder, net, dtype), device, loads=setting))
+    return found
+
+
+def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[Captured], Light]:
+    parts = folder.parts
+
+    @torch.no_grad()
+    def run(frames: Captured) -> Light:
+        frame = parts.model.relative(torch.from_numpy(frames.codes))
+        shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
+        with torch.autocast(parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
+            light = net(frame.to(parts.device), shutters.to(parts.device))
+        return np.asarray(light[0].float().cpu().numpy().astype(np.float64) * parts.unit_e)
+
+    return run
+
+
+def names_of(folders: Sequence[RunFolder]) -> list[str]:
+    """Return what tells runs apart whose decoders have one name and size: their folders' names."""
+    kinds = [(f.parts.settings.decoder.name, f.parts.settings.decoder.sized) for f in folders]
+    return [
+        f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
+        for folder, kind in zip(folders, kinds, strict=True)
+    ]
 
 
 def _fixed(kind: Kind, settings: Settings) -> Case:
     protocol = protocol_of(kind, settings.size, _FRAMES)
     if kind == "clips":
-        name = "clips, random bits"
-        encoder = make_encoder(ShutterSpec("e", _FRAMES, (8, 8)), "random", settings.seed)
+        name, spec, start = "clips, random bits", ShutterSpec("e", _FRAMES, (8, 8)), "random"
     else:
-        name = "stills, 2 x 2 stops"
-        encoder = make_encoder(ShutterSpec("b", _STOPS, (2, 2)), "quad", settings.seed)
-    taken = _captured(kind, protocol, encoder.hard(), SensorModel.of_protocol(protocol), settings)
-    return Case(name, taken, tuple(baselines(kind)))
+        name, spec, start = "stills, 2 x 2 stops", ShutterSpec("b", _STOPS, (2, 2)), "quad"
+    tile = make_encoder(spec, start, settings.seed).hard()
+    frames = _captures(protocol, tile, SensorModel.of_protocol(protocol), settings)
+    return Case(name, frames, tuple(ways_of(kind)))
 
 
 def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
@@ -166,28 +244,25 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
     protocol = protocol_of(kind, settings.size, parts.slots)
     if settings.data is not None:
         for run in runs:
-            check_unseen(run, files_of(kind, settings.data))
-    taken = _captured(kind, protocol, parts.encoder.hard().cpu(), parts.model, settings)
+            check_unseen(run, files_of(protocol, settings.data))
+    frames = _captures(protocol, parts.encoder.hard().cpu(), parts.model, settings)
     apart = names_of(runs)
     ways = [way for run, tail in zip(runs, apart, strict=True) for way in networks(run, tail)]
-    return Case(f"{kind}, code of {name}", taken, (*baselines(kind), *ways))
+    return Case(f"{kind}, code of {name}", frames, (*ways_of(kind), *ways))
 
 
-def _captured(
-    kind: Kind, protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: Settings
-) -> tuple[Taken, ...]:
-    """The scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
-    found = []
-    chosen = scenes(kind, protocol, settings.data, settings.count, settings.seed)
-    for index, scene in enumerate(chosen):
-        frame = frame_of(scene.light_e, tile, model, 1000 * settings.seed + index).numpy()
-        mask = laid(tile, *frame.shape).numpy().astype(np.float32)
-        found.append(Taken(scene, frame, frame >= model.full_code, mask, model))
-    return tuple(found)
+def _captures(
+    protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: Settings
+) -> tuple[Captured, ...]:
+    """Return the scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
+    scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)
+    return tuple(
+        captured(scene, tile, model, 1000 * settings.seed + k) for k, scene in enumerate(scenes)
+    )
 
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
-    """Networks that no run was given of: without training their pictures mean nothing."""
+    """Return a line for the networks that no run was named of: untrained, they decode nothing."""
     have = {folder.parts.settings.decoder.name for folder in folders}
     names = [name for name in DECODERS if name not in have and not DECODERS[name].given]
     if not names:

@@ -47,26 +47,23 @@ def decoding(bench: Bench) -> Found:
     taken = bench.taken
     container = bench.container
     notes: list[str] = []
-    if container.machine is not None:
-        ways = list(_of_looks(bench, taken))
-    else:
-        ways = list(_of_codes(bench, taken, notes))
+    looks = container.machine is not None
+    ways = _of_looks(bench, taken) if looks else _of_codes(bench, taken, notes)
+
+    def timed(way: _Way) -> dict[str, Any]:
+        kind = way.method, way.loads
+        found, taken_ms = bench.watch.made_and_ms(bench.asked.repeats, kind, way.setting, way.run)
+        made, truth = np.asarray(found, np.float64), np.asarray(way.truth, np.float64)
+        known = np.isfinite(made)
+        error = rms_percent(made[None], truth[None], known[None], float(truth.mean()))
+        return {"error": error, "ms": taken_ms}
+
     points = []
-    for way in ways:
-        values = bench.once(f"decoder {way.method} {way.setting}", partial(_timed, bench, way))
-        points.append(
-            Point("decoder", way.method, way.setting, values["error"], PERCENT, tuple(values["ms"]))
-        )
+    for way in list(ways):
+        values = bench.once(f"decoder {way.method} {way.setting}", partial(timed, way))
+        error, taken_ms = values["error"], tuple(values["ms"])
+        points.append(Point("decoder", way.method, way.setting, error, PERCENT, taken_ms))
     return Found(tuple(points), notes=tuple(notes))
-
-
-def _timed(bench: Bench, way: _Way) -> dict[str, Any]:
-    kind = way.method, way.loads
-    found, taken_ms = bench.watch.made_and_ms(bench.asked.repeats, kind, way.setting, way.run)
-    made, truth = np.asarray(found, np.float64), np.asarray(way.truth, np.float64)
-    known = np.isfinite(made)
-    error = rms_percent(made[None], truth[None], known[None], float(truth.mean()))
-    return {"error": error, "ms": taken_ms}
 
 
 def _of_looks(bench: Bench, taken: Simulated) -> Iterator[_Way]:
@@ -74,10 +71,10 @@ def _of_looks(bench: Bench, taken: Simulated) -> Iterator[_Way]:
     told = taken.frame.told
     truth = np.asarray(bench.light.total_e())[None]
 
-    def merged() -> Values:
+    def run() -> Values:
         return merged_image(told[LIGHT], told[DEVIATION])[None] * frame_s
 
-    yield _Way("exposure over time", "", merged, truth)
+    yield _Way("exposure over time", "", run, truth)
     yield from _of_run(bench, taken, truth)
 
 
@@ -158,7 +155,7 @@ def _of_run(
         return
     import torch
 
-    from nscc_training.reconstruct import decoded_frame
+    from nscc_training.loop.decoding import decoded_frame
     from nscc_training.run_folder import load_run
 
     folder = load_run(bench.asked.run, trust_code=bench.asked.trust_code)
@@ -170,7 +167,9 @@ def _of_run(
 
     def run(dtype: str) -> Values:
         with torch.autocast(folder.parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
-            made = decoded_frame(folder, codes, full, share, (rows.start or 0, cols.start or 0))
+            made = decoded_frame(
+                folder.parts, codes, full, share, (rows.start or 0, cols.start or 0)
+            )
         return made[None] if folder.parts.still else made
 
     for dtype in ("f32", "bf16"):

@@ -1,17 +1,19 @@
-"""The pictures of what decoding time and slots buy."""
+"""The pictures of what time and slots buy."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import groupby
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+    from nscc_training.tradeoff.joint import Joint
     from nscc_training.tradeoff.sensor import Measured
 
 TITLES = {"psnr_db": "PSNR, dB", "ssim": "SSIM"}
@@ -57,5 +59,32 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
         Reading(
             "shortest slot, us", 1e3, lambda point: names(point)[1],
             lambda point: point.method.partition("-")[2] or point.setting.split()[0], linear=True,
+        ),
+    )  # fmt: skip
+
+
+def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
+    """Return every point of every stage on one axis of error and one of time, a line a stage, whose
+    name says which setting is advised; the point of that setting is marked."""
+    advised = {id(each.point) for each in joint.advice}
+    names = {
+        each.stage: f"{each.stage}: {', '.join(filter(None, (point.method, point.setting)))}"
+        for each in joint.advice for point in [each.point] if point is not None
+    }  # fmt: skip
+    guides = (
+        Guide(f"target, {joint.target}", "--", error=joint.target_percent),
+        Guide("the light's own noise", ":", error=joint.shot_percent),
+    )
+    points = sorted(joint.points, key=lambda point: (joint.stages.index(point.case), point.time_ms))
+    times = "one run" if repeats == 1 else f"medians of {repeats} runs"
+    return precision_diagram(
+        [Panel("", "RMS error, % of the mean signal", points, guides)],
+        f"{joint.program} on {Path(joint.scene).name}: what each stage's time buys",
+        "compile, lowering, slots: the chip's frame against the light that fell; effects: against "
+        "the reference; decoder: against the scene's light (names: the advised setting; hollow: "
+        f"dominated within its stage; pointing down: no error); {times} on {device}",
+        Reading(
+            "time, s", 1e-3, lambda point: names[point.case],
+            lambda point: "advised" if id(point) in advised else "",
         ),
     )  # fmt: skip

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.tradeoff.points import Point, dominated
+from nscc.tradeoff.points import Point, Refused, table_text
 from nscc.tradeoff.rows import Rows
 from nscc_training.tradeoff.bench import Asked, Bench
 from nscc_training.tradeoff.chip_stages import compiling, lowering, slots
 from nscc_training.tradeoff.decoder_stage import decoding
 from nscc_training.tradeoff.frame_stages import effects
-from nscc_training.tradeoff.stages import Found, Misfit
+from nscc_training.tradeoff.stages import Found, misfit
 
 NEAR = 1.05
 """Where no setting is within the target, the fastest one of at most so many times the least error
@@ -58,7 +58,7 @@ class Joint:
     signal_e: float
     points: tuple[Point, ...]
     largest: tuple[tuple[str, float], ...]
-    misfits: tuple[Misfit, ...]
+    misfits: tuple[Refused, ...]
     notes: tuple[str, ...]
 
     @property
@@ -88,13 +88,13 @@ def measure(
     bench = Bench(asked, rows or Rows(), said)
     target = bench.target
     points: list[Point] = []
-    misfits: list[Misfit] = []
+    misfits: list[Refused] = []
     notes: list[str] = []
     for name in progress(asked.stages):
         try:
             found = STAGES[name][2](bench)
         except (Rejected, ModuleNotFoundError) as why:
-            misfits.append(Misfit.of(name, "", why))
+            misfits.append(misfit(name, "", why))
             continue
         points += found.points
         misfits += found.misfits
@@ -130,41 +130,21 @@ def joint_text(joint: Joint) -> str:
             rows.append((each.stage, "none", "", "", time_of, error_of, "not measured: see below"))
             continue
         point = each.point
-        rows.append((
-            each.stage, _setting(point), si_seconds(point.time_ms), f"{point.error:.3g}", time_of,
-            error_of, "" if each.reached else "above the target: the best there is",
-        ))  # fmt: skip
+        setting = ", ".join(filter(None, (point.method, point.setting)))
+        remark = "" if each.reached else "above the target: the best there is"
+        taken, error = si_seconds(point.time_ms), f"{point.error:.3g}"
+        rows.append((each.stage, setting, taken, error, time_of, error_of, remark))
     if joint.largest:
         named = ", ".join(f"{name} {percent:.3g} %" for name, percent in joint.largest)
         head += f"\nthe largest errors of the chip's frame: {named} (`nscc effects NAME` says more)"
-    parts = [head, columns(rows, left=(0, 1, 4, 5, 6)), _points_text(joint.points)]
-    parts += ["\n".join(_misfit_lines(joint.misfits))] if joint.misfits else []
-    parts += ["\n".join(joint.notes)] if joint.notes else []
-    return "\n\n".join(parts)
-
-
-def _points_text(points: Sequence[Point]) -> str:
-    rows = [("stage", "method", "setting", "time", "error %", "")]
-    before = ("", "")
-    for point, beaten in zip(points, dominated(points), strict=True):
-        here = (point.case, point.method)
-        rows.append((
-            point.case if point.case != before[0] else "", point.method if here != before else "",
-            point.setting, si_seconds(point.time_ms), f"{point.error:.3g}",
-            "dominated" if beaten else "",
-        ))  # fmt: skip
-        before = here
-    return columns(rows, left=(0, 1, 2, 5))
-
-
-def _misfit_lines(misfits: Sequence[Misfit]) -> Iterator[str]:
-    for each in misfits:
-        where = ", ".join(filter(None, (each.stage, each.setting)))
-        yield f"{where}: {each.reason}" + (f" ({each.code})" if each.code else "")
-
-
-def _setting(point: Point) -> str:
-    return f"{point.method}, {point.setting}" if point.setting else point.method
+    misfits = [
+        f"{', '.join(filter(None, (each.case, each.setting)))}: {each.reason}"
+        + (f" ({each.code})" if each.code else "")
+        for each in joint.misfits
+    ]
+    points = table_text(joint.points, ("method", "setting", "error %"))
+    parts = [head, columns(rows, left=(0, 1, 4, 5, 6)), points]
+    return "\n\n".join([*parts, *("\n".join(told) for told in (misfits, joint.notes) if told)])
 
 
 def si_seconds(time_ms: float) -> str:

@@ -9,7 +9,7 @@ from functools import partial
 from hashlib import sha256
 from itertools import product
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -27,28 +27,23 @@ from nscc.words.container import Container
 from nscc_runtime.light import Light
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Request, simulate
-from nscc_training.baselines.sci import gap_tv
 from nscc_training.design.chip import Chip as DesignChip
+from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.scene import histogram
+from nscc_training.design.text import looking_text
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
-from nscc_training.evaluation import hdr
-from nscc_training.evaluation.hdr_looks import SLOTS
+from nscc_training.evaluation.captured import Captured
+from nscc_training.evaluation.looks import ROWS as LOOKING_ROWS
+from nscc_training.evaluation.looks import SLOTS, looked_light, row_of
+from nscc_training.evaluation.methods import CLIPS, STILLS
 from nscc_training.measures import number
+from nscc_training.metrics import finite_mean
 from nscc_training.programs import Chip, program_of
-from nscc_training.sensor_model import SensorModel, laid
-from nscc_training.tradeoff.looks import (
-    Looking,
-    looked_psnr_db,
-    looking_kinds,
-    looking_source,
-    schedule_of,
-)
-from nscc_training.tradeoff.scenes import Kind, Scene, kinds_in, protocol_of, scenes
-from nscc_training.tradeoff.ways import Taken, clip_light, merged_still
+from nscc_training.protocol_scenes.files import Kind, kinds_in, protocol_of, some_scenes
+from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.sensor_model import SensorModel
 
-CLASSES = ("b", "c", "d", "e", "codebook")
-TILE = (8, 8)
-ROWS = 64
 _LONG_US = 1000.0
 _ITERATIONS = 20
 _TICK_US = 0.01
@@ -86,15 +81,14 @@ class Settings:
     tile: tuple[int, int] | None = None
     init: str | None = None
     length: int | None = None
-    rows: int = ROWS
+    rows: int = 64
 
 
 @dataclass(frozen=True)
 class Configuration:
-    """One shutter, one way to compile it.
+    """One shutter, one way to compile it; `exposures` are those of a pixel that looks.
 
-    `exposures` are those of a pixel that looks, None of one that does not; such programs have one
-    code and one lowering.
+    Programs of pixels that look have one code and one lowering.
     """
 
     kind: Kind
@@ -125,7 +119,7 @@ Progress = Callable[[Sequence[Configuration]], Iterable[Configuration]]
 
 
 def configurations(settings: Settings) -> list[Configuration]:
-    """Every class, number of slots, way to take codes, and lowering."""
+    """Return every class, number of slots, way to take codes, and lowering."""
     kinds = ("clips", "stills") if settings.data is None else kinds_in(settings.data)
     shapes: list[tuple[Kind, str, int]] = []
     if "clips" in kinds:
@@ -138,28 +132,30 @@ def configurations(settings: Settings) -> list[Configuration]:
         for codes, lowering in product(settings.codes, settings.lowerings)
     ]
     if "stills" in kinds:
+        known = [k for k in settings.looks if f"looks-{k}" in LOOKING_ROWS]
+        looking = [("looks", k) for k in known] + [("designed", k) for k in settings.looks]
         found += [
-            Configuration("stills", kind, SLOTS, "open", "edges", exposures)
-            for kind, exposures in looking_kinds(settings.looks)
+            Configuration("stills", name, SLOTS, "open", "edges", exposures)
+            for name, exposures in looking
         ]
     return found
 
 
 def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = None) -> Measured:
-    """Compiles each configuration, and captures and decodes the scenes with its words.
+    """Compile each configuration, and capture and decode the scenes with its words.
 
-    The time of a point is the shortest slot. What `rows` knows is not made again. Raises Rejected
-    for data that does not serve, and for a target that does not exist.
+    The time of a point is the shortest slot. What `rows` knows is not measured again. Raises
+    Rejected for data that does not serve, and for a target that does not exist.
     """
     target = load_target(settings.target, Path())
     todo = configurations(settings)
-    benches = {kind: _bench(kind, target, settings) for kind in {each.kind for each in todo}}
+    benches = {kind: Bench.of(kind, target, settings) for kind in {each.kind for each in todo}}
     points: list[Point] = []
     refused: list[Refused] = []
     rows = rows or Rows()
     for each in progress(todo):
         name = f"{each.kind}, {each.method}, {each.slots}"
-        found = rows.once(name, partial(_row, each, benches[each.kind], settings))
+        found = rows.once(name, partial(_row, each, benches[each.kind]))
         if "code" in found:
             refused.append(Refused(**found))
         else:
@@ -167,74 +163,52 @@ def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = N
     return Measured(tuple(points), tuple(refused), target.name)
 
 
-def _row(each: Configuration, bench: _Bench, settings: Settings) -> dict[str, Any]:
-    """The fields of a configuration's Point, or of what Refused says of it."""
-    setting, shutters = f"{each.slots} slots", _shutters(each, bench, settings)
-    found = compiled_for(each, shutters, settings)
+def _row(each: Configuration, bench: Bench) -> dict[str, Any]:
+    """Return the fields of a configuration's Point, or of what Refused says of it."""
+    setting = f"{each.slots} slots"
+    shutters = _encoder(each, bench.settings) if each.exposures is None else bench.schedule(each)
+    found = compiled_for(each, shutters, bench)
     if isinstance(found, Diagnostic):
         return asdict(Refused(each.kind, each.method, setting, found.code, found.message))
     assert found.container is not None
     words = f"{setting}, {found.container.words_per_frame} words"
-    psnr_db, slot_ms = shutters.psnr_db(found.container), found.shortest_slot_us / 1e3
+    psnr_db, slot_ms = bench.psnr_db(found.container, shutters), found.shortest_slot_us / 1e3
     return asdict(
         Point(each.kind, each.method, words, psnr_db, "psnr_db", (slot_ms,), more_is_better=True)
     )
 
 
 def compiled_for(
-    each: Configuration, shutters: _Shutters, settings: Settings
+    each: Configuration, shutters: Encoder | Schedule, bench: Bench
 ) -> Compiled | Diagnostic:
-    """The configuration compiled for the slots that it is captured with, or why it does not fit.
+    """Return the configuration compiled for the slots that it is captured with, or why not.
 
     Words do not depend on the slot's length but for refresh, which shorter slots need less of.
     """
+    settings = bench.settings
+
+    def compiled(slot_us: float) -> Compiled | Diagnostic:
+        chip = Chip(settings.target, slot_us)
+        if isinstance(shutters, Schedule):
+            named = chip.target if chip.file is None else None
+            text = looking_text(shutters, SLOTS, slot_us, bench.target, named, "")
+        else:
+            text = program_of(shutters, chip).text
+        source = Source("shutter.nsl", text)
+        case = Case(each.method, source, Path(), each.codes, chip.file)
+        return compiled_or_not(Way(case, each.lowering, settings.level))
+
     if settings.slot_us is not None:
-        return _compiled(each, shutters, settings.slot_us, settings)
-    found = _compiled(each, shutters, _LONG_US, settings)
+        return compiled(settings.slot_us)
+    found = compiled(_LONG_US)
     if isinstance(found, Diagnostic):
         return found
-    ticks = math.ceil(found.shortest_slot_us / _TICK_US - 1e-6)
-    return _compiled(each, shutters, max(1, ticks) * _TICK_US, settings)
-
-
-def _compiled(
-    each: Configuration, shutters: _Shutters, slot_us: float, settings: Settings
-) -> Compiled | Diagnostic:
-    chip = Chip(settings.target, slot_us)
-    source = Source("shutter.nsl", shutters.text(chip))
-    case = Case(each.method, source, Path(), each.codes, chip.file)
-    return compiled_or_not(Way(case, each.lowering, settings.level))
-
-
-class _Shutters(NamedTuple):
-    """Shutters of a configuration: their program on a chip, and what its captures are worth."""
-
-    text: Callable[[Chip], str]
-    psnr_db: Callable[[Container], float]
-
-
-def _shutters(each: Configuration, bench: _Bench, settings: Settings) -> _Shutters:
-    if each.exposures is None:
-        encoder = _encoder(each, settings)
-        return _Shutters(
-            lambda chip: program_of(encoder, chip).text,
-            lambda container: bench.psnr_db(container, encoder, settings),
-        )
-    known = DesignChip.of(bench.target, bench.sensor)
-    crops = [scene for scene in bench.shown if isinstance(scene, hdr.Crop)]
-    kind: Looking = "looks" if each.shutters == "looks" else "designed"
-    schedule = schedule_of(kind, each.exposures, known, crops)
-    return _Shutters(
-        lambda chip: looking_source(
-            schedule, known, chip.slot_us, chip.target if chip.file is None else None
-        ),
-        lambda container: bench.looked_psnr_db(container, crops, settings),
-    )
+    return compiled(max(1, math.ceil(found.shortest_slot_us / _TICK_US - 1e-6)) * _TICK_US)
 
 
 def _encoder(each: Configuration, settings: Settings) -> Encoder:
-    """The codes that a configuration is captured with."""
-    tile, start = ((2, 2), "quad") if each.kind == "stills" else (TILE, "random")
+    """Return the codes that a configuration is captured with."""
+    tile, start = ((2, 2), "quad") if each.kind == "stills" else ((8, 8), "random")
     length = settings.length or max(1, each.slots // 4)
     spec = ShutterSpec(
         each.shutters, each.slots, settings.tile or tile,
@@ -245,68 +219,76 @@ def _encoder(each: Configuration, settings: Settings) -> Encoder:
 
 
 @dataclass(frozen=True, eq=False)
-class _Bench:
+class Bench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
-    shown: tuple[Scene, ...]
+    scenes: tuple[Scene, ...]
     target: Target
     sensor: Sensor
     model: SensorModel
+    settings: Settings
     known: dict[bytes, float] = field(default_factory=dict)
 
-    def psnr_db(self, container: Container, encoder: Encoder, settings: Settings) -> float:
-        """The mean over the scenes, by a decoder that needs no training."""
-        scores = []
-        for index, scene in enumerate(self.shown):
-            request = Request.of(
-                effects=settings.effects, seed=1000 * settings.seed + index,
-                device_seed=settings.seed,
-            )  # fmt: skip
-            light = _light(scene, encoder.spec.slots)
-            shot = simulate(container, light, self.sensor, request).frame
-            frame = (shot.frame[0] - self.model.adc_offset_lsb).astype(np.float32)
-            saturated = shot.saturated[0]
-            mask = laid(encoder.hard(), *frame.shape).numpy().astype(np.float32)
-            # The words of open and of fixed codes often give the same frame.
-            digest = sha256(b"".join(a.tobytes() for a in (frame, saturated, mask))).digest()
-            if digest not in self.known:
-                self.known[digest] = self._decoded(Taken(scene, frame, saturated, mask, self.model))
-            scores.append(self.known[digest])
-        return float(np.mean(scores))
+    @classmethod
+    def of(cls, kind: Kind, target: Target, settings: Settings) -> Bench:
+        """Return the scenes of a kind, as large as the target's array."""
+        sensor = load_sensor(target, settings.sensor, settings.changes)
+        size, frames = (
+            max(target.rows, target.cols), settings.frames or max(settings.slots, default=1)
+        )  # fmt: skip
+        protocol = protocol_of(kind, size, frames, sensor.full_well_e)
+        scenes = tuple(
+            replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
+            for scene in some_scenes(protocol, settings.data, settings.count, settings.seed)
+        )
+        return cls(scenes, target, sensor, SensorModel.of(sensor, target), settings)
 
-    def looked_psnr_db(
-        self, container: Container, crops: Sequence[hdr.Crop], settings: Settings
+    def schedule(self, each: Configuration) -> Schedule:
+        """Return where pixels look: a row of hdr-v1, or designed for the scenes' light."""
+        assert each.exposures is not None
+        if each.shutters == "looks":
+            return row_of(each.method, self.target)
+        chip = DesignChip.of(self.target, self.sensor)
+        lights = histogram([scene.light_e for scene in self.scenes])
+        return Model(chip, lights, [1.0] * SLOTS).best(each.exposures - 1, "linear")
+
+    def psnr_db(self, container: Container, shutters: Encoder | Schedule) -> float:
+        """Return the mean over the scenes, by a decoder that needs no training."""
+        seed = self.settings.seed
+        score = self._looked_db if isinstance(shutters, Schedule) else partial(
+            self._decoded_db, shutters)  # fmt: skip
+        return finite_mean(
+            score(container, scene, (1000 * seed + k, seed)) for k, scene in enumerate(self.scenes)
+        )
+
+    def _looked_db(self, container: Container, scene: Scene, seeds: tuple[int, int]) -> float:
+        light = looked_light(container, scene.light_e, self.sensor, self.settings.effects, seeds)
+        return number(scene.scores(light)["psnr_db"])
+
+    def _decoded_db(
+        self, encoder: Encoder, container: Container, scene: Scene, seeds: tuple[int, int]
     ) -> float:
-        """The same of pixels that look, without a decoder."""
-        seeds = [1000 * settings.seed + index for index in range(len(crops))]
-        return float(np.mean([
-            looked_psnr_db(container, crop, self.sensor, settings.effects, seed, settings.seed)
-            for crop, seed in zip(crops, seeds, strict=True)
-        ]))  # fmt: skip
-
-    def _decoded(self, taken: Taken) -> float:
-        scene = taken.scene
-        if isinstance(scene, hdr.Crop):
-            return number(scene.scores(merged_still(taken))["psnr_db"])
-        made = clip_light(partial(gap_tv, iterations=_ITERATIONS), taken)
-        each = len(scene.light_e) // len(made)
-        return number(scene.scores(np.repeat(made / each, each, axis=0))["psnr_db"])
-
-
-def _bench(kind: Kind, target: Target, settings: Settings) -> _Bench:
-    sensor = load_sensor(target, settings.sensor, settings.changes)
-    size, frames = max(target.rows, target.cols), settings.frames or max(settings.slots, default=1)
-    protocol = protocol_of(kind, size, frames, sensor.full_well_e)
-    shown = tuple(
-        replace(scene, light_e=scene.light_e[..., : target.rows, : target.cols])
-        for scene in scenes(kind, protocol, settings.data, settings.count, settings.seed)
-    )
-    return _Bench(shown, target, sensor, SensorModel.of(sensor, target))
+        request = Request.of(effects=self.settings.effects, seed=seeds[0], device_seed=seeds[1])
+        shot = simulate(container, _light(scene, encoder.spec.slots), self.sensor, request).frame
+        codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)
+        tile = encoder.hard().numpy()[None]
+        frames = Captured(scene, codes, tile, shot.saturated[:1], self.model)
+        # The words of open and of fixed codes often give the same frame.
+        digest = sha256(b"".join(a.tobytes() for a in (codes, frames.saturated, tile))).digest()
+        if digest not in self.known:
+            if frames.is_still:
+                made = STILLS["merged"].decode(frames)
+            else:
+                made = CLIPS["gap-tv"].decode(frames, iterations=_ITERATIONS)
+                joined = len(scene.light_e) // len(made)
+                made = np.repeat(made / joined, joined, axis=0)
+            self.known[digest] = number(scene.scores(made)["psnr_db"])
+        return self.known[digest]
 
 
 def _light(scene: Scene, slots: int) -> Light:
-    """A scene's light in so many slots, which last as long as all of its frames."""
-    if isinstance(scene, hdr.Crop):
+    """Return a scene's light in so many slots, which last as long as all of its frames."""
+    if scene.light_e.ndim == 2:
         return Light.of_still(scene.light_e.astype(np.float32), np.full(slots, 1.0 / slots))
     frames, rows, cols = scene.light_e.shape
     summed = scene.light_e.reshape(slots, frames // slots, rows, cols).sum(axis=1)
@@ -314,7 +296,7 @@ def _light(scene: Scene, slots: int) -> Light:
 
 
 def refusals_text(refused: Sequence[Refused]) -> list[str]:
-    """What does not fit, those together that have one reason."""
+    """Return what does not fit, those together that have one reason."""
     together: dict[tuple[str, str], list[str]] = {}
     for each in refused:
         name = f"{each.case}, {each.method}, {each.setting}"

@@ -6,32 +6,19 @@ from dataclasses import dataclass
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.requirements import line_for
-from nscc.tradeoff.points import Point
+from nscc.tradeoff.points import Point, Refused
 
 PERCENT = "percent"
 """The unit of all errors: of the mean signal."""
 
 
-@dataclass(frozen=True)
-class Misfit:
-    """A setting, or with "" a whole stage, that cannot be had: the code of the message that says
-    why, and its text."""
-
-    stage: str
-    setting: str
-    code: str
-    reason: str
-
-    @classmethod
-    def of(
-        cls, stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError
-    ) -> Misfit:
-        """The misfit that a message tells of."""
-        if isinstance(why, ModuleNotFoundError):
-            name = why.name or "a package"
-            return cls(stage, setting, "NS0904", f"{name} is missing: {line_for(name)}")
-        found = why.diagnostics[0] if isinstance(why, Rejected) else why
-        return cls(stage, setting, found.code, found.message)
+def misfit(stage: str, setting: str, why: Diagnostic | Rejected | ModuleNotFoundError) -> Refused:
+    """Return the refusal of a setting, or with "" of a whole stage, that a message tells of."""
+    if isinstance(why, ModuleNotFoundError):
+        name = why.name or "a package"
+        return Refused(stage, "", setting, "NS0904", f"{name} is missing: {line_for(name)}")
+    found = why.diagnostics[0] if isinstance(why, Rejected) else why
+    return Refused(stage, "", setting, found.code, found.message)
 
 
 @dataclass(frozen=True)
@@ -39,5 +26,5 @@ class Found:
     """A stage's points, what of it cannot be had, and what a reader has to know of its numbers."""
 
     points: tuple[Point, ...]
-    misfits: tuple[Misfit, ...] = ()
+    misfits: tuple[Refused, ...] = ()
     notes: tuple[str, ...] = ()

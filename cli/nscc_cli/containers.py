@@ -1,0 +1,140 @@
+"""`nscc asm`, `disasm`, `diff`, `prove` and `shutters`: containers of words and their text."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Any
+
+import click
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.files import write_whole
+from nscc.source import Source
+from nscc.words.assembly import assemble, assemble_words
+from nscc.words.diff import differences
+from nscc.words.disassembly import disassemble
+from nscc.words.encoding import word_text
+from nscc.words.file import read_container, to_bytes
+from nscc_cli.options import OUT, PATH, build_options
+from nscc_cli.programs import load_program
+from nscc_cli.support import CommonCommand, OutPath, say
+
+_LARGEST_TEXT = 1 << 30
+
+
+@click.command(name="asm", cls=CommonCommand)
+@click.argument("file", metavar="FILE|-")
+@click.option(
+    "-o",
+    "output",
+    type=OutPath(str),
+    metavar="OUT",
+    help="Where to write (default: FILE with .icw).",
+)
+@click.option("--words", is_flag=True, help="Print each word's five integers instead.")
+def asm(file: str, output: str | None, words: bool) -> None:
+    """Assemble FILE, or standard input for `-`, into a container (.icw)."""
+    source = read_text(file)
+    base = Path(file).parent if file != "-" else Path()
+    if words:
+        text = "".join(f"{word_text(word)}\n" for word in assemble_words(source, base))
+        if output is None or output == "-":
+            click.echo(text, nl=False)
+        else:
+            write_whole(Path(output), text.encode("ascii"))
+        return
+    if output is None and file == "-":
+        raise click.UsageError("text from standard input needs -o OUT.icw (or --words)")
+    if output == "-":
+        raise click.UsageError("a container is not printed: give -o a file, or use --words")
+    container = assemble(source, base)
+    write_whole(Path(output) if output else Path(file).with_suffix(".icw"), to_bytes(container))
+
+
+def read_text(file: str) -> Source:
+    """The text of a file, or of standard input; raises Rejected (NS0717, status 2)."""
+    name = "<standard input>" if file == "-" else file
+    try:
+        if file == "-":
+            data = sys.stdin.buffer.read(_LARGEST_TEXT + 1)
+        else:
+            with open(file, "rb") as stream:
+                data = stream.read(_LARGEST_TEXT + 1)
+        if len(data) > _LARGEST_TEXT:
+            raise ValueError(f"it has more than {_LARGEST_TEXT} bytes")
+        return Source(name, data.decode("utf-8-sig"))
+    except UnicodeDecodeError as error:
+        reason = f"byte {error.start} is not UTF-8 text"
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+    helps = ("`nscc disasm` turns a container (.icw) into text",) if file.endswith(".icw") else ()
+    message = f"cannot read assembly text from '{name}': {reason}"
+    raise Rejected(Diagnostic("NS0717", message, helps=helps), status=2)
+
+
+@click.command(name="disasm", cls=CommonCommand)
+@click.argument("file", metavar="FILE.icw")
+@click.option("-o", "output", type=OutPath(str), metavar="OUT",
+              help="Where to write (default: standard output).")  # fmt: skip
+def disasm(file: str, output: str | None) -> None:
+    """List FILE.icw as text that `nscc asm` turns into the same file again."""
+    text = disassemble(read_container(Path(file)))
+    if output is None or output == "-":
+        click.echo(text.encode("utf-8"), nl=False)
+    else:
+        write_whole(Path(output), text.encode("utf-8"))
+
+
+@click.command(name="diff", cls=CommonCommand)
+@click.argument("first", metavar="A.icw")
+@click.argument("second", metavar="B.icw")
+def diff(first: str, second: str) -> None:
+    """Say what differs between A.icw and B.icw: words, kernels, schedule, codes, costs."""
+    lines = differences(read_container(Path(first)), read_container(Path(second)))
+    click.echo("\n".join(lines) if lines else "identical")
+
+
+@click.command("prove", cls=CommonCommand)
+@click.argument("file", metavar="FILE.icw", type=PATH)
+def prove(file: Path) -> None:
+    """Replay FILE's words over all its codes and two frames of random light.
+
+    Proves that every code opens the shutter of the decode table, equation (7), and that each
+    bucket gathers the light of its open slots and nothing else, equation (3). Of a chip without
+    logic it follows the light of every pixel through the planes of bits.
+    """
+    from nscc.program.problems import counted
+    from nscc.prove.file import prove_file
+
+    container, proof = prove_file(file)
+    pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
+    click.echo(
+        f"{file.as_posix()}: proved: {pixels}{counted(proof.codes, 'code')} x "
+        f"{counted(proof.slots, 'slot')} x {counted(len(container.buckets), 'bucket')}, "
+        f"{counted(proof.frames, 'frame')}"
+    )
+
+
+@click.command("shutters", cls=CommonCommand)
+@click.argument("file", type=PATH)
+@click.option("-o", "out", required=True, metavar="S.npz|S.mat|S.npy", type=OUT)
+@build_options
+def shutters(file: Path, out: Path, **options: Any) -> None:
+    """Write the shutters of all pixels of FILE (.nsl or .icw) as the words open them.
+
+    In an .npz `shutter` holds (buckets, rows, cols, N) packed along N in little bit order,
+    `shutter_shape` that shape, `codes_FIELD` the pixels' codes; a .npy holds them unpacked, a .mat
+    `mask` (rows, cols, N).
+    """
+    from nscc_runtime.formats import check_ending, endings, file_of
+    from nscc_runtime.formats.frames import shutter_content
+
+    check_ending(out, endings("arrays"), "shutters")
+    from nscc.prove.shutters import shutters_of_pixels
+
+    container, messages = load_program(file, options)
+    say(messages)
+    arrays = shutters_of_pixels(container, f"'{file.as_posix()}'")
+    write_whole(out, file_of(out, shutter_content(arrays), "shutters"))
+    click.echo(f"wrote {out.as_posix()}", err=True)

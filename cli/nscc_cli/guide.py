@@ -1,0 +1,71 @@
+"""`nscc explain`, `examples`, `new` and `doctor`: what helps to begin and to go on."""
+
+from __future__ import annotations
+
+from itertools import chain
+from pathlib import Path
+
+import click
+
+from nscc.diagnostics.explain import index, page
+from nscc_cli.completion import EXAMPLE, MESSAGE
+from nscc_cli.options import OUT
+from nscc_cli.support import CommonCommand, done
+
+
+@click.command("explain", cls=CommonCommand)
+@click.argument("code", required=False, type=MESSAGE)
+def explain(code: str | None) -> None:
+    """Explain CODE (NS0412, 412, or its name); without one, list all codes."""
+    click.echo(index() if code is None else page(code), nl=False)
+
+
+@click.command("examples", cls=CommonCommand)
+@click.argument("names", type=EXAMPLE, metavar="[NAME..]", nargs=-1)
+@click.option("-o", "folder", type=OUT, metavar="DIR", default=Path(),
+              help="Where copies go (default: this folder).")  # fmt: skip
+def examples(names: tuple[str, ...], folder: Path) -> None:
+    """List the programs that come with nscc, or copy those that are named."""
+    from nscc.examples import about, example, examples
+    from nscc.files import write_new
+
+    if names:
+        files = [example(name) for name in names]
+        write_new({folder / path.name: path.read_bytes() for path in files})
+        done("\n".join(f"wrote {(folder / path.name).as_posix()}" for path in files))
+        return
+    known = examples()
+    width = max(map(len, known))
+    for name, path in known.items():
+        click.echo(f"{name:<{width}}  {about(path)}")
+    done("\n`nscc examples NAME` copies one, `nscc check` and `nscc run` take it from there")
+
+
+@click.command("new", cls=CommonCommand)
+@click.argument("name", type=OUT, metavar="NAME")
+def new(name: Path) -> None:
+    """Write NAME.nsl: a program with a remark on every statement, which checks and runs."""
+    from nscc.examples import START
+    from nscc.files import write_new
+
+    if name.name in ("", "..", ".nsl"):
+        raise click.BadParameter(f"'{name}' names no file", param_hint="NAME")
+    path = name if name.suffix == ".nsl" else name.with_name(name.name + ".nsl")
+    write_new({path: START.encode()})
+    done(f"wrote {path.as_posix()}: `nscc check {path.as_posix()}` says what it is")
+
+
+@click.command("doctor", cls=CommonCommand)
+def doctor() -> int:
+    """Report versions, extras, the cache, compiled loops and serial ports.
+
+    Exits with status 3 if something that nscc needs is missing or broken.
+    """
+    from nscc import installation
+    from nscc_runtime import installation as runtime
+
+    status = 0
+    for state, text in chain(installation.findings(), runtime.findings()):
+        click.echo(f"{state:8}{text}")
+        status = 3 if state == installation.WRONG else status
+    return status

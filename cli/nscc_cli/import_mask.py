@@ -1,0 +1,45 @@
+"""`nscc import-mask`: a program of the shutters in a mask from elsewhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import click
+
+from nscc.files import refuse_same, write_together
+from nscc_cli.completion import TARGET
+from nscc_cli.options import OUT, PATH
+from nscc_cli.support import CommonCommand, NumberRange, done
+
+
+@click.command("import-mask", cls=CommonCommand)
+@click.argument("mask", metavar="MASK.npy|npz|mat", type=PATH)
+@click.option("-o", "out", required=True, metavar="P.nsl", type=OUT, help="The program.")
+@click.option("--slot-us", type=NumberRange(1e-3, 1e9), default=125.0, show_default=True,
+              help="Length of a slot in microseconds.")  # fmt: skip
+@click.option("--target", type=TARGET, default="scamp5", show_default=True,
+              metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
+def command(mask: Path, out: Path, slot_us: float, target: str) -> None:
+    """Write a program whose shutters are those of MASK, and its codes beside it.
+
+    MASK holds `mask` (rows, cols, slots) or (slots, rows, cols), of 0 and 1: the whole array, or a
+    tile that repeats over it. Of the classes that hold the mask the program has the one of the
+    fewest words; why it has no other is printed.
+    """
+    from nscc_training.imported_masks import import_mask
+
+    if out.suffix.lower() != ".nsl":
+        raise click.BadParameter(f"'{out}' does not end in .nsl", param_hint="-o")
+    codes = out.with_suffix(".codes.npz")
+    refuse_same([out, codes], "-o and its codes")
+    found = import_mask(mask, codes.name, slot_us=slot_us, target=target)
+    products = {out: found.text.encode()}
+    if found.codes:
+        products[codes] = found.codes
+    write_together(products)
+    rows, cols = found.tile
+    done("\n".join([
+        f"class {found.kind}, a tile of {rows} x {cols}, {found.words_per_slot:g} words a slot",
+        *(f"  not {reason}" for reason in found.reasons),
+        *(f"wrote {path.as_posix()}" for path in products),
+    ]))  # fmt: skip

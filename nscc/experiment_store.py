@@ -1,0 +1,181 @@
+"""Measurements in an SQLite file: each is written whole or not at all, whatever kills a process."""
+
+from __future__ import annotations
+
+import fcntl
+import json
+import os
+import sqlite3
+from collections.abc import Callable
+from dataclasses import dataclass
+from hashlib import sha256
+from pathlib import Path
+from time import sleep, time
+from types import TracebackType
+from typing import Any, Self
+
+from nscc.diagnostics.rejection import rejected
+
+STORE = "store.sqlite"
+"""The store in a folder of results."""
+CLAIMS = ".claims"
+"""The file of claims is called as the store, with this at the end."""
+_BUSY_S = 60.0
+"""How long a write waits for those of other processes."""
+_POLL_S = 0.2
+_IN_USE = 1 << 60
+"""The byte of the file of claims on which every process that uses the store has a shared lock."""
+_TABLE = """
+CREATE TABLE IF NOT EXISTS measurement (
+    experiment TEXT, name TEXT, value TEXT NOT NULL, label TEXT NOT NULL, seconds REAL NOT NULL,
+    ended REAL NOT NULL, worker TEXT NOT NULL, PRIMARY KEY (experiment, name)
+)
+"""
+
+
+@dataclass(frozen=True)
+class Timing:
+    """How long a measurement took, when it ended (seconds of the clock), and which worker made it.
+
+    `label` is what people call the measurement.
+    """
+
+    name: str
+    label: str
+    seconds: float
+    ended: float
+    worker: str
+
+
+class ExperimentStore:
+    """Measurements of experiments, as JSON values, by name.
+
+    A measurement is on the disk when `put` returns. Several processes may use a store at once:
+    who has the claim of a name measures it, and the others wait for the result. The claims of a
+    process end with it. The first value that is written of a name stays.
+
+    Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store.
+    """
+
+    def __init__(self, path: Path) -> None:
+        self._path = path
+        try:
+            claims = path.with_name(path.name + CLAIMS)
+            self._claims = os.open(claims, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o666)
+            fcntl.lockf(self._claims, fcntl.LOCK_SH, 1, _IN_USE)
+            self._database = sqlite3.connect(path, timeout=_BUSY_S, isolation_level=None)
+            self._database.execute("PRAGMA journal_mode = WAL")
+            self._database.execute("PRAGMA synchronous = FULL")
+            self._database.execute(_TABLE)
+        except (OSError, sqlite3.OperationalError) as error:
+            raise rejected(
+                "NS0784",
+                f"cannot write '{path}': {getattr(error, 'strerror', None) or error}",
+                helps=("name a place in a folder that you may write to",),
+            ) from error
+        except sqlite3.DatabaseError as error:
+            raise rejected(
+                "NS0834",
+                f"'{path}' is not an experiment store",
+                notes=(f"SQLite says: {error}",),
+                helps=("move the file away: a new store is made, and everything measured again",),
+            ) from error
+
+    def values(self, experiment: str) -> dict[str, Any]:
+        """Return all measurements of an experiment by name, in the order in which they ended."""
+        found = self._database.execute(
+            "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", (experiment,)
+        )
+        return {name: json.loads(value) for name, value in found}
+
+    def timings(self, experiment: str) -> list[Timing]:
+        """Return the timings of an experiment, in the order in which its measurements ended."""
+        found = self._database.execute(
+            "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
+            "ORDER BY rowid", (experiment,),
+        )  # fmt: skip
+        return [Timing(*row) for row in found]
+
+    def get(self, experiment: str, name: str) -> Any | None:
+        """Return a measurement; None if there is none."""
+        found = self._database.execute(
+            "SELECT value FROM measurement WHERE experiment = ? AND name = ?", (experiment, name)
+        ).fetchone()
+        return None if found is None else json.loads(found[0])
+
+    def put(
+        self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
+        worker: str = "",
+    ) -> None:  # fmt: skip
+        """Keep a measurement. ValueError for None, and for NaN and infinity: JSON has no such."""
+        if value is None:
+            raise ValueError(f"the measurement '{name}' has no value")
+        self._database.execute(
+            "INSERT OR IGNORE INTO measurement VALUES (?, ?, ?, ?, ?, ?, ?)",
+            (experiment, name, json.dumps(value, allow_nan=False), label, seconds, time(), worker),
+        )
+
+    def forget(self, experiment: str, *names: str) -> None:
+        """Drop these measurements of an experiment."""
+        self._database.executemany(
+            "DELETE FROM measurement WHERE experiment = ? AND name = ?",
+            [(experiment, name) for name in names],
+        )
+
+    def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
+        """Return a measurement; `measure` gives it unless it is known or another process does it.
+
+        The result has passed through JSON: tuples are lists.
+        """
+        while (value := self.get(experiment, name)) is None:
+            if not self.claim(experiment, name):
+                sleep(_POLL_S)
+                continue
+            try:
+                if self.get(experiment, name) is None:
+                    self.put(experiment, name, measure())
+            finally:
+                self.release(experiment, name)
+        return value
+
+    def claim(self, experiment: str, name: str) -> bool:
+        """Take the claim of a measurement; False if another process has it."""
+        try:
+            fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _place(experiment, name))
+        except BlockingIOError:
+            return False
+        return True
+
+    def release(self, experiment: str, name: str) -> None:
+        """Give the claim of a measurement back."""
+        fcntl.lockf(self._claims, fcntl.LOCK_UN, 1, _place(experiment, name))
+
+    def remove(self) -> None:
+        """Close the store and remove its files; the last one of several processes removes them."""
+        try:
+            fcntl.lockf(self._claims, fcntl.LOCK_EX | fcntl.LOCK_NB, 1, _IN_USE)
+        except BlockingIOError:
+            return self.close()
+        self._database.close()
+        for end in ("", "-wal", "-shm", CLAIMS):
+            self._path.with_name(self._path.name + end).unlink(missing_ok=True)
+        os.close(self._claims)
+
+    def close(self) -> None:
+        """End all claims of this process, and close the file."""
+        self._database.close()
+        os.close(self._claims)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, _type: type[BaseException] | None, _value: BaseException | None,
+        _trace: TracebackType | None,
+    ) -> None:  # fmt: skip
+        self.close()
+
+
+def _place(experiment: str, name: str) -> int:
+    """Return the byte of the file of claims whose lock is the claim of a measurement."""
+    return int.from_bytes(sha256(f"{experiment}\0{name}".encode()).digest()[:7])

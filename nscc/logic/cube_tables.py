@@ -1,0 +1,102 @@
+"""Codes from tables of cubes, which a search has found (`tests/benchmarks/search_cubes.py`).
+
+One NOR finds a cube if those of its planes that have a 1 in it stand inverted. Codes that tell
+shutters apart as a program needs it in one cube each, and cubes for which few planes are inverted
+in a frame, are hard to find. So the cubes come from a table, and a shutter takes any code that all
+of them allow. Every plane has a 0 in the first cube of a frame that reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from nscc.logic.cubes import Cube
+from nscc.logic.gray import cycle
+from nscc.truth import set_bits, union
+
+
+@dataclass(frozen=True)
+class BumpCubes:
+    """Cubes over `planes` planes of bumps, each of which touches the groups i to j of slots.
+
+    `rises[k]`, one cube or two, contain the bumps with i = k, and none with k < i or j < k;
+    `falls[k]`, for all groups but the last, contains the bumps with j = k, and none with
+    i <= k < j. What is open already may rise again, and what is closed may fall again.
+    """
+
+    planes: int
+    rises: tuple[tuple[Cube, ...], ...]
+    falls: tuple[Cube, ...]
+
+    @staticmethod
+    def of(planes: int, groups: int) -> BumpCubes | None:
+        """The cubes of so many groups over as many planes as are of use; None if none are known."""
+        known = [t for t in _bump_tables() if t.planes <= planes and len(t.rises) >= groups]
+        best = min(known, key=lambda t: (-t.planes, len(t.rises)), default=None)
+        return best and BumpCubes(best.planes, best.rises[:groups], best.falls[: groups - 1])
+
+    def code(self, first: int, last: int) -> int:
+        """The smallest code of a bump that touches the groups `first` to `last`."""
+        rising = [_codes_in(cubes, self.planes) for cubes in self.rises]
+        falling = [_codes_in((cube,), self.planes) for cube in self.falls]
+        allowed = rising[first]
+        if last < len(falling):
+            allowed &= falling[last]
+        banned = union([*rising[:first], *rising[last + 1 :], *falling[first:last]])
+        return set_bits(allowed & ~banned)[0]
+
+
+@cache
+def number_cubes(count: int, planes: int) -> tuple[tuple[int, ...], tuple[Cube, ...]]:
+    """Codes of so many numbers, and for each a cube that holds its code and no other one's."""
+    known = [rows for width, rows in _tables("numbers") if width == planes and len(rows) >= count]
+    if not known:
+        codes = cycle(count, planes)
+        return codes, tuple(tuple((p, code >> p & 1) for p in range(planes)) for code in codes)
+    cubes = tuple(map(_cube, min(known, key=len)[:count]))
+    once = twice = 0
+    for cube in cubes:
+        twice |= once & _codes_in((cube,), planes)
+        once |= _codes_in((cube,), planes)
+    return tuple(set_bits(_codes_in((cube,), planes) & ~twice)[0] for cube in cubes), cubes
+
+
+@cache
+def _codes_in(cubes: Iterable[Cube], planes: int) -> int:
+    """The codes in any of some cubes, as a bit mask."""
+    return sum(
+        1 << code
+        for code in range(1 << planes)
+        if any(all(code >> plane & 1 == value for plane, value in cube) for cube in cubes)
+    )
+
+
+@cache
+def _bump_tables() -> tuple[BumpCubes, ...]:
+    tables = []
+    for planes, rows in _tables("bumps"):
+        groups = [row.split("|") for row in rows]
+        rises = tuple(tuple(map(_cube, rise.split())) for rise, _ in groups)
+        tables.append(BumpCubes(planes, rises, tuple(_cube(fall) for _, fall in groups[:-1])))
+    return tuple(tables)
+
+
+def _tables(kind: str) -> list[tuple[int, list[str]]]:
+    """The tables of a kind: how many planes, and a row for each group or number."""
+    return [(table["planes"], table["rows"].strip().splitlines()) for table in _file()[kind]]
+
+
+@cache
+def _file() -> dict[str, Any]:
+    import tomllib  # slow to import, and few programs need it
+
+    return tomllib.loads(Path(__file__).with_suffix(".toml").read_text())
+
+
+def _cube(row: str) -> Cube:
+    """A cube from a character for each plane: 0, 1, or - where it does not read the plane."""
+    return tuple((plane, int(bit)) for plane, bit in enumerate(row.strip()) if bit != "-")

@@ -1,0 +1,157 @@
+"""Records of what a loader tells its board to do, as programs that the emulator runs."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from struct import Struct
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout, Word
+from nscc.words.machine import StatePlanes
+from nscc.words.planes import codes_of_planes
+from nscc_runtime.device.objects import RUN, WORD, unpacked_plane
+
+if TYPE_CHECKING:
+    from nscc.target.target import Target
+
+_JOB = Struct("<IIII")
+_READOUT = Struct("<Id")
+_EVENT = Struct("<Ii")
+_LIGHT_FALLS = 0xFFFF_FFFF
+_IN_IS_SET = 0xFFFF_FFFE
+
+
+class Job(NamedTuple):
+    """A frame that a loader wants of its board."""
+
+    number: int
+    channels: int
+    container: Container
+
+
+class Recording:
+    """What a loader does with its board, told record by record (`emulated/records.hpp`)."""
+
+    def __init__(self, target: Target) -> None:
+        self.target = target
+        self._forget()
+
+    def _forget(self) -> None:
+        self._planes: dict[int, bytes] = {}
+        self._latest: Job | None = None
+        self._words = self._runs = b""
+        self._events: list[tuple[int, int]] = []
+
+    def take(self, kind: bytes, data: bytes) -> Job | None:
+        """Follow the loader; a job where a frame is to be exposed."""
+        match kind:
+            case b"F":
+                self._forget()
+            case b"D":
+                self._planes[data[0]] = data[1:]
+            case b"W":
+                self._words = data
+            case b"S":
+                self._runs = data
+            case b"N":
+                self._events = []
+            case b"E":
+                self._events.append(_EVENT.unpack(data))
+            case b"J":
+                number, channels, readouts, states = _JOB.unpack_from(data)
+                split = _JOB.size + readouts * _READOUT.size
+                self._latest = Job(
+                    number,
+                    channels,
+                    self._container(
+                        list(_READOUT.iter_unpack(data[_JOB.size : split])),
+                        list(data[split : split + states]),
+                    ),
+                )
+                return self._latest
+            case _:
+                raise ValueError(f"a record of kind {kind!r}")
+        return None
+
+    def keep(self, job: Job, planes: Mapping[str, bytes]) -> None:
+        """What a frame left in code registers: the next one of the same program begins with it."""
+        if job is self._latest:
+            names = self.target.digital_registers
+            self._planes = {names.index(name): plane for name, plane in planes.items()}
+
+    def _container(self, readouts: Sequence[tuple[int, float]], states: Sequence[int]) -> Container:
+        numbers: dict[tuple[int, int], int] = {}
+        launches: list[Launch] = []
+        boundary, level = 0, None
+        for what, count in self._events:
+            if what == _LIGHT_FALLS:
+                boundary += count
+            elif what == _IN_IS_SET:
+                level = count
+            else:
+                kernel = numbers.setdefault((what, count), len(numbers))
+                launches.append(Launch(boundary, kernel, level))
+                level = None
+        return container_of(
+            self.target,
+            readouts=readouts,
+            kernels=[
+                tuple(WORD.iter_unpack(self._words[first : first + count * WORD.size]))
+                for first, count in numbers
+            ],
+            launches=launches,
+            runs=list(RUN.iter_unpack(self._runs)),
+            states=states,
+            planes=self._planes,
+        )
+
+
+def container_of(
+    target: Target,
+    *,
+    readouts: Sequence[tuple[int, float]],
+    kernels: Sequence[tuple[Word, ...]],
+    launches: Sequence[Launch],
+    runs: Sequence[tuple[int, float]],
+    states: Sequence[int],
+    planes: dict[int, bytes],
+) -> Container:
+    """What a chip was told to do, as a container that the emulator runs.
+
+    Each digital register that comes with the frame is a state of one bit, by its own name.
+    """
+    shape = (target.rows, target.cols)
+    slot_us = tuple(us for count, us in runs for _ in range(count))
+    bits: dict[str, NDArray[np.bool_]] = {}
+    for number, data in planes.items():
+        bits[target.digital_registers[number]] = unpacked_plane(data, shape)
+    encoding, codes = codes_of_planes(bits, target)
+    names = tuple(f"bucket{number}" for number in range(len(readouts)))
+    read = [target.digital_registers[number] for number in states]
+    bit = np.array([[False], [True]])
+    count = len(encoding)
+    return Container(
+        target=target,
+        slot_us=slot_us,
+        buckets=names,
+        table=DecodeTable(
+            (),
+            np.zeros((count, 0), np.int64),
+            np.arange(count, dtype=np.int32),
+            np.zeros((count, len(names), len(slot_us)), bool),
+        ),
+        kernels=tuple(Kernel(f"k{number}", words) for number, words in enumerate(kernels)),
+        launches=tuple(launches),
+        code_registers=tuple(bits),
+        encoding=encoding,
+        pixel_codes=np.zeros(shape, np.int32) if codes is None else codes,
+        readouts=tuple(
+            Readout(target.analog_registers[register], name, gain)
+            for (register, gain), name in zip(readouts, names, strict=True)
+        ),
+        notes={"table": "none"},
+        state_planes={name: StatePlanes((name,), (0, 1), bit) for name in read},
+    )

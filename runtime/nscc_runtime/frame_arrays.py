@@ -1,0 +1,127 @@
+"""Frame files as all commands read them: what is damaged is refused before anything uses it."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
+from nscc.npy import InvalidArrays, npz_arrays
+from nscc_runtime.frame_file import SCHEMA
+from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
+
+Arrays = dict[str, NDArray[Any]]
+
+_KINDS = {
+    "frame": ("u", "codes of the ADC, uint8"),
+    "exposure_e": ("f", "electrons, floats"),
+    "valid": ("b", "true or false"),
+    "saturated": ("b", "true or false"),
+    "saturated_by": ("u", "marks, uint8"),
+    OPEN: ("iu", "numbers of slots, integers"),
+    LIGHT: ("f", "light, floats"),
+    DEVIATION: ("f", "standard deviations, floats"),
+}
+"""Arrays of the frame's shape: the kinds of numpy type that they may have, in words."""
+_MOST_LIGHT = 1e30
+"""Electrons, or electrons a second: no frame has more, and float32 holds their sums."""
+_MOST_FRAME_S = 1e8
+
+
+def read_frame_arrays(
+    path: Path, wanted: Callable[[str], bool] = lambda name: True
+) -> tuple[Arrays, dict[str, Any]]:
+    """Read and check the `wanted` arrays of a frame file, `frame` and its meta.
+
+    Raises InvalidArrays for a file that is no sound frame file, OSError where it cannot be read.
+    """
+    arrays, _ = npz_arrays(path, lambda name: name in ("frame", "meta") or wanted(name))
+    return arrays, checked_meta(arrays)
+
+
+def checked_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any]:
+    """Check the arrays of a frame file, and return its meta; raises InvalidArrays."""
+    for name in ("meta", "frame"):
+        if name not in arrays:
+            raise InvalidArrays(f"it has no array `{name}`")
+    meta = frame_meta(arrays)
+    if meta is None:
+        raise InvalidArrays(f"its schema is not {SCHEMA}")
+    shape = arrays["frame"].shape
+    if not 3 <= len(shape) <= 5 or 0 in shape:
+        raise InvalidArrays(f"its frame is {shape}, not (buckets, rows, cols)")
+    for name, held in arrays.items():
+        if name != "meta" and held.dtype.kind not in "buif":
+            raise InvalidArrays(f"`{name}` is {held.dtype}, not real numbers")
+    for name, (kinds, words) in _KINDS.items():
+        values = arrays.get(name)
+        if values is None:
+            continue
+        small = words.endswith("uint8") and values.dtype != np.uint8
+        if values.dtype.kind not in kinds or small:
+            raise InvalidArrays(f"`{name}` is {values.dtype}, not {words}")
+        if values.shape != shape:
+            raise InvalidArrays(f"`{name}` is {values.shape}, its frame {shape}")
+        if kinds == "f" and (np.abs(values[np.isfinite(values)]) > _MOST_LIGHT).any():
+            raise InvalidArrays(f"`{name}` has values above {_MOST_LIGHT:g}")
+    if not is_plan(meta.get("plan")):
+        raise InvalidArrays("the `plan` of its meta does not say which effects it has")
+    return meta
+
+
+def frame_meta(arrays: Mapping[str, NDArray[Any]]) -> dict[str, Any] | None:
+    """The `meta` of a frame file; None for arrays of another file."""
+    text = arrays.get("meta")
+    if text is None or text.dtype.kind != "U" or text.size != 1:
+        return None
+    try:
+        meta = json.loads(str(text.reshape(())))
+    except (ValueError, RecursionError):
+        return None
+    return meta if isinstance(meta, dict) and meta.get("schema") == SCHEMA else None
+
+
+def is_plan(plan: object) -> bool:
+    """Whether a frame's meta may have such a `plan`: none, or one whose effects have a name and a
+    decision."""
+    if plan is None:
+        return True
+    rows = plan.get("effects", []) if isinstance(plan, dict) else None
+    return isinstance(rows, list) and all(
+        isinstance(row, dict) and all(isinstance(row.get(k), str) for k in ("name", "decision"))
+        for row in rows
+    )
+
+
+def image_of(frame: Path) -> NDArray[np.float32]:
+    """What `nscc reconstruct FRAME` writes: electrons over the frame (rows, cols), from the light
+    that the frame file has; of repeats, their mean.
+
+    Raises Rejected (NS0819, status 2) for a file that is no frame whose pixels looked.
+    """
+    reads(frame)
+    try:
+        arrays, meta = read_frame_arrays(frame, {LIGHT, DEVIATION}.__contains__)
+        light, deviation = arrays[LIGHT], arrays[DEVIATION]
+        frame_s = float(meta["frame_us"]) * 1e-6
+        if light.ndim > 4 or np.isinf(light).any() or not 0 < frame_s < _MOST_FRAME_S:
+            raise InvalidArrays(f"it has light {light.shape} of a frame of {frame_s:g} s, or inf")
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        reason = error if isinstance(error, InvalidArrays) else f"{type(error).__name__}: {error}"
+        raise rejected(
+            "NS0819",
+            f"'{frame.as_posix()}' says no light by itself: it is no frame file of a program whose "
+            "pixels look at the light",
+            notes=(str(reason),),
+            helps=("name the run that the frame was taken for: `nscc reconstruct RUN FRAME.npz`",),
+        ) from None
+    if light.ndim == 3:
+        light, deviation = light[None], deviation[None]
+    images = [merged_image(*each) for each in zip(light, deviation, strict=True)]
+    return np.asarray(np.mean(images, axis=0) * frame_s, np.float32)

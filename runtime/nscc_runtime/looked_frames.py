@@ -1,0 +1,111 @@
+"""Frames of programs that look, one after the other: kept states go on from each to the next.
+
+They are exposed by their ways, or by the reference where these lack an effect.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Scene
+from nscc_runtime.emulator.capture import check
+from nscc_runtime.frame_file import Frame, check_adc, converted
+from nscc_runtime.interface import Executed
+from nscc_runtime.light import Light
+from nscc_runtime.looked_light import told_by
+from nscc_runtime.looking.ways import Ways
+from nscc_runtime.pool import threads_of
+from nscc_runtime.ready import MadeReady
+from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.reference.looks import LookingReference
+
+Planes = Mapping[str, NDArray[np.bool_]]
+
+ways_of = MadeReady(Ways)
+"""The ways of a program on a sensor."""
+
+
+def next_planes(container: Container, loaded: Planes, left: Planes) -> dict[str, NDArray[np.bool_]]:
+    """The registers with which a frame starts after one that has `left` these planes: kept states
+    go on, the codes that were `loaded` stay."""
+    machine = container.machine
+    assert machine is not None
+    names = (state.name for state in machine.states if state.kept)
+    kept = {register for name in names for register in container.state_planes[name].registers}
+    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
+
+
+Exposing = Callable[[Scene, Planes, tuple[int, int], int, range | None], Executed]
+"""What exposes (scene, loaded, seeds, frame, rows) as `LookingReference.expose` does."""
+
+
+def film(
+    expose: Exposing, container: Container, scene: Scene, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], count: int,
+) -> Iterator[Frame]:  # fmt: skip
+    """Frames 0 .. `count` - 1, one after the other: kept states go on from frame to frame."""
+    loaded: Planes = container.planes()
+    for number in range(count):
+        executed = expose(scene, loaded, seeds, number, None)
+        loaded = next_planes(container, loaded, executed.planes)
+        yield told_frame(container, executed, sensor, effects, seeds, number)
+
+
+def told_frame(
+    container: Container, executed: Executed, sensor: Sensor, effects: Selection,
+    seeds: tuple[int, int], number: int,
+) -> Frame:  # fmt: skip
+    """Frame number `number` as its file has it."""
+    frame = converted(executed.exposure, container.target, sensor, effects, seeds, number)
+    return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
+
+
+def exposer(ways: Ways, effects: Selection, threads: int = 1) -> Exposing:
+    """What exposes (scene, loaded, seeds, frame, rows) with these effects."""
+    if ways.lacks(effects):
+        return LookingReference(ways.container, ways.sensor, effects, threads).expose
+    return lambda scene, loaded, seeds, frame, rows: ways.expose(
+        scene, loaded, effects, seeds, frame, rows, threads
+    )
+
+
+def frames(
+    container: Container,
+    light: Light,
+    sensor: Sensor,
+    effects: Selection,
+    *,
+    seed: int = 0,
+    device_seed: int = 0,
+    count: int = 1,
+    previous: Light | None = None,
+    threads: int | None = None,
+) -> Iterator[Frame]:
+    """As `looking_frames`; `threads`, by default as many as there are
+    processors, change no bit."""
+    check(container, light)
+    check_adc(container.target)
+    ways = ways_of(container, sensor)
+    expose = exposer(ways, effects, threads_of(threads))
+    scene = scene_of(container, light, previous)
+    return film(expose, container, scene, sensor, effects, (seed, device_seed), count)
+
+
+def looking_frames(
+    container: Container, light: Light, sensor: Sensor, effects: Selection, *,
+    seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
+    threads: int | None = None,
+) -> Iterator[Frame]:  # fmt: skip
+    """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
+    frame. What can be refused is refused before the first one."""
+    check(container, light)
+    reference = LookingReference(container, sensor, effects, threads)
+    scene = scene_of(container, light, previous)
+    return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)

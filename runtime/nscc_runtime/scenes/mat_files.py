@@ -1,0 +1,154 @@
+"""Arrays in files of MATLAB: version 5 by scipy, version 7.3, which is HDF5, by h5py.
+
+Their size is checked before they are unpacked.
+"""
+
+from __future__ import annotations
+
+import zlib
+from collections.abc import Iterator, Sequence
+from math import prod
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.npy import MOST_BYTES, check_size
+
+_SIGNATURE = b"\x89HDF\r\n\x1a\n"
+_USER_BLOCKS = (0, 512, 1024, 2048, 4096)
+"""Where HDF5 may begin; MATLAB writes a header of 512 bytes before it."""
+_HEADER_BYTES = 128
+_COMPRESSED = 15
+_BLOCK_BYTES = 1 << 20
+_WIDEST_NUMBER = 8
+
+
+def is_hdf5(path: Path) -> bool:
+    """Whether a file is HDF5, with or without a block of the user before it."""
+    with open(path, "rb") as file:
+        for start in _USER_BLOCKS:
+            file.seek(start)
+            if file.read(len(_SIGNATURE)) == _SIGNATURE:
+                return True
+    return False
+
+
+def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
+    """The variables in a .mat file of any version, and the shapes of those that are arrays; () of
+    others. Raises what scipy and h5py do for a damaged file."""
+    if is_hdf5(path):
+        import h5py
+
+        with h5py.File(path, "r") as file:
+            stored = {name: file[name] for name in file if not name.startswith("#")}
+            return {
+                name: tuple(each.shape or ())[::-1] if isinstance(each, h5py.Dataset) else ()
+                for name, each in stored.items()
+            }
+    from scipy.io import whosmat
+
+    with open(path, "rb") as file:  # of a path scipy does not say that there is no such file
+        return {str(name): tuple(shape) for name, shape, _ in whosmat(file)}
+
+
+def mat_names(path: Path) -> list[str]:
+    """The names of the variables in a .mat file of any version."""
+    return [*mat_shapes(path)]
+
+
+def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
+    """The array of that name, its axes in MATLAB's order; ValueError for what is no array.
+
+    InvalidArrays where it takes more than `most_bytes`.
+    """
+    found = mat_arrays(path, [name], most_bytes)
+    if name not in found:
+        raise ValueError(f"'{name}' is not an array")
+    return found[name]
+
+
+def mat_arrays(
+    path: Path, names: Sequence[str] | None = None, most_bytes: int = MOST_BYTES
+) -> dict[str, NDArray[Any]]:
+    """Read the named arrays of a .mat file of any version, or all; what is no array is left out.
+
+    Raises InvalidArrays where the file's arrays take more than `most_bytes`, and what scipy and
+    h5py do where it is damaged.
+    """
+    if is_hdf5(path):
+        return _of_hdf5(path, names, most_bytes)
+    from scipy.io import loadmat, whosmat
+
+    with open(path, "rb") as file:
+        shapes = [shape for name, shape, _ in whosmat(file) if names is None or name in names]
+        check_size(sum(prod(shape) * _WIDEST_NUMBER for shape in shapes), most_bytes)
+        file.seek(0)
+        unpacked_bytes = 0
+        for size in _unpacked_sizes(file):
+            unpacked_bytes += size
+            check_size(unpacked_bytes, most_bytes)
+        file.seek(0)
+        found = loadmat(file, variable_names=names)
+    return {
+        name: values
+        for name, values in found.items()
+        if name[:2] != "__" and isinstance(values, np.ndarray)
+    }
+
+
+def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
+    """Unpack the compressed elements of a version 5 file block by block, and yield their sizes:
+    what an element states about its own size need not be true."""
+    head = file.read(_HEADER_BYTES)
+    orders = {b"IM": "<", b"MI": ">"}
+    if head[-2:] not in orders:
+        return
+    kinds = np.dtype(f"{orders[head[-2:]]}u4")
+    while len(tag := file.read(2 * kinds.itemsize)) == 2 * kinds.itemsize:
+        kind, length = np.frombuffer(tag, kinds).tolist()
+        if kind != _COMPRESSED:
+            file.seek(length, 1)
+            continue
+        unpacker = zlib.decompressobj()
+        while length > 0 and (block := file.read(min(length, _BLOCK_BYTES))):
+            length -= len(block)
+            while block and not unpacker.eof:
+                yield len(unpacker.decompress(block, _BLOCK_BYTES))
+                block = unpacker.unconsumed_tail
+
+
+def _of_hdf5(
+    path: Path, names: Sequence[str] | None, most_bytes: int
+) -> dict[str, NDArray[Any]]:  # fmt: skip
+    import h5py
+
+    with h5py.File(path, "r") as file:
+        wanted = [name for name in file if name[:1] != "#"] if names is None else names
+        stored = {name: file[name] for name in wanted if name in file}
+        arrays = {name: each for name, each in stored.items() if isinstance(each, h5py.Dataset)}
+        check_size(sum(map(_stated_bytes, arrays.values())), most_bytes)
+        for each in arrays.values():
+            _check_chunks(each)
+        # MATLAB stores columns first: HDF5 has its axes the other way round.
+        return {name: np.asarray(each).T for name, each in arrays.items()}
+
+
+def _stated_bytes(stored: Any) -> int:
+    """What the array takes, or its largest chunk, which may be larger."""
+    shapes = (stored.shape or (), stored.chunks or ())
+    return max(prod(map(int, shape)) for shape in shapes) * int(stored.dtype.itemsize)
+
+
+def _check_chunks(stored: Any) -> None:
+    """Raises InvalidArrays for a chunk packed by deflate that unpacks to more than a chunk: HDF5
+    takes whatever memory that needs."""
+    if stored.chunks is None or stored.compression != "gzip":
+        return
+    most = prod(stored.chunks) * stored.dtype.itemsize
+    for index in range(stored.id.get_num_chunks()):
+        offset = stored.id.get_chunk_info(index).chunk_offset
+        mask, packed = stored.id.read_direct_chunk(offset)
+        if mask == 0:
+            check_size(len(zlib.decompressobj().decompress(packed, most + 1)), most)

@@ -1,0 +1,37 @@
+"""The pictures that one file holds, with what the file itself says of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.colour import Transfer
+
+Note = tuple[str, str]
+"""A sentence on a file, without its name, and what may be done about it."""
+
+
+@dataclass(frozen=True)
+class Pages:
+    """The `count` pictures of a file, decoded one after the other by `read`, each (R, C) grey or
+    (R, C, 3) red, green, blue as stored.
+
+    `transfer` is the transfer curve that the file names, None where it names none; `notes` say what
+    a reader does that the user may not expect.
+    """
+
+    count: int
+    read: Callable[[], Iterator[NDArray[Any]]]
+    transfer: Transfer | None = None
+    notes: tuple[Note, ...] = ()
+
+
+class UnsupportedPicture(Exception):
+    """A whole file of a kind that nscc does not decode: the reason, and what to do about it."""
+
+    def __init__(self, reason: str, help_text: str) -> None:
+        super().__init__(reason)
+        self.reason, self.help_text = reason, help_text

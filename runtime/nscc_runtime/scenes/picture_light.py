@@ -1,0 +1,71 @@
+"""Stored pictures as light: one rule for exposing and for training."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic
+from nscc_runtime.scenes.arrays import check_type
+from nscc_runtime.scenes.colour import Transfer, grey
+from nscc_runtime.scenes.errors import clamped, refuse_no_light
+
+_STRIP = 256
+"""Rows of a picture that become light at a time: a large one never exists in double precision and
+in colours."""
+_TINY_NEGATIVE = 1e-3
+"""Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
+
+
+def picture_light(
+    stored: NDArray[Any],
+    transfer: Transfer,
+    name: str,
+    *,
+    channel: int | None = None,
+    white: float | None = None,
+    window: tuple[slice, slice] | None = None,
+    warn: Callable[[Diagnostic], object] = lambda _: None,
+) -> NDArray[np.float64]:
+    """Convert a stored picture to linear light (rows, cols).
+
+    Parameters
+    ----------
+    stored : array
+        (R, C) grey or (R, C, 3) red, green, blue.
+    transfer : {"linear", "srgb", "pq", "hlg"}
+        The transfer curve of the samples.
+    name : str
+        What messages call the picture.
+    channel : int, optional
+        0 to 2 for red, green or blue; the luminance without it.
+    white : float, optional
+        The sample that is white (default: `white_of` the type).
+    window : tuple of slice, optional
+        Rows and columns that are wanted. Others may hold anything.
+    warn : callable, optional
+        Is told of samples slightly below 0, which count as 0 (NS0740).
+
+    Raises
+    ------
+    Rejected
+        NS0733 for numbers that are not real, NS0736 for values that cannot be light.
+    """
+    check_type(name, "picture", stored.dtype)
+    rows, cols = window or (slice(0, len(stored)), slice(0, stored.shape[1]))
+    with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
+        floats = stored.dtype.kind == "f"
+        peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
+        part = stored[rows, cols]
+        strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
+        values = np.concatenate([grey(strip, transfer, channel, white) for strip in strips])
+        low = float(values.min())
+    if low < 0 and low >= -_TINY_NEGATIVE * peak:
+        count = int(np.count_nonzero(values < 0))
+        values = np.maximum(values, 0.0)
+        warn(clamped(name, count, values.size, low))
+    refuse_no_light(values, name, (rows.start, cols.start))
+    return values

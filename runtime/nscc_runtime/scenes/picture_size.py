@@ -1,0 +1,91 @@
+"""The size of a picture by its header, so that a huge one is refused before it is decoded."""
+
+from __future__ import annotations
+
+import re
+from math import prod
+from pathlib import Path
+from typing import Any
+
+from nscc.diagnostics.rejection import rejected
+
+MOST_PIXELS = 1 << 26
+"""Of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
+
+_MOST_SAMPLES = 4
+"""Samples that an OpenEXR file holds, in all its parts and channels, for each of MOST_PIXELS."""
+
+_HEADER_BYTES = 1 << 16
+_WINDOWS = ("dataWindow", "displayWindow")
+_PFM = re.compile(rb"^P[Ff]\s+(?P<cols>\d+)\s+(?P<rows>\d+)\s")
+_PNG = re.compile(rb"^\x89PNG\r\n\x1a\n....IHDR(?P<cols>.{4})(?P<rows>.{4})", re.DOTALL)
+_RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
+
+
+def refuse_huge(path: Path) -> None:
+    """NS0734 for a picture file whose header states more than MOST_PIXELS; other faults pass."""
+    size = _stated_size(path)
+    if size is not None:
+        refuse_size(path, *size)
+
+
+def refuse_size(path: Path, rows: int, cols: int) -> None:
+    """NS0734 for a picture or a frame of more than MOST_PIXELS."""
+    if rows * cols > MOST_PIXELS:
+        raise rejected(
+            "NS0734",
+            f"'{path}' is {rows:,} x {cols:,} pixels: at most {MOST_PIXELS:,} are read",
+            helps=("make the picture smaller, or cut out a part of it",),
+        )
+
+
+def _stated_size(path: Path) -> tuple[int, int] | None:
+    """Rows and columns; None where the header does not tell them."""
+    with open(path, "rb") as file:
+        head = file.read(_HEADER_BYTES)
+    if match := _PFM.match(head):
+        return int(match["rows"]), int(match["cols"])
+    if match := _PNG.match(head):
+        return int.from_bytes(match["rows"], "big"), int.from_bytes(match["cols"], "big")
+    if head.startswith(b"#?"):  # a comment may look like the line that says the size
+        sizes = [(int(lines), int(count)) for lines, count in _RADIANCE.findall(head)]
+        return max(sizes, key=prod, default=None)
+    if head.startswith(b"\x76\x2f\x31\x01"):
+        return _exr_size(path)
+    from PIL import Image
+
+    bound, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None  # only the header is read
+    try:
+        with Image.open(path) as image:
+            return image.height, image.width
+    except Exception:  # Pillow's plugins raise what they like; the reader says what is wrong
+        return None
+    finally:
+        Image.MAX_IMAGE_PIXELS = bound
+
+
+def _exr_size(path: Path) -> tuple[int, int] | None:
+    """The size of the largest window of an OpenEXR file's parts; NS0734 for too many samples in
+    all of them, which are decoded together."""
+    import OpenEXR
+
+    try:
+        with OpenEXR.File(str(path), header_only=True) as file:
+            headers = [part.header for part in file.parts]
+            sizes = [_window(each[name]) for each in headers for name in _WINDOWS]
+            samples = sum(prod(_window(h["dataWindow"])) * len(h["channels"]) for h in headers)
+    except Exception:  # OpenEXR's exceptions differ from version to version
+        return None
+    if samples > _MOST_SAMPLES * MOST_PIXELS:
+        raise rejected(
+            "NS0734",
+            f"'{path}' holds {samples:,} samples in its parts and channels: at most "
+            f"{_MOST_SAMPLES * MOST_PIXELS:,} are read",
+            helps=("save the picture that is meant in a file of its own",),
+        )
+    return max(sizes, key=prod, default=None)
+
+
+def _window(corners: Any) -> tuple[int, int]:
+    (left, top), (right, bottom) = corners
+    return int(bottom) - int(top) + 1, int(right) - int(left) + 1

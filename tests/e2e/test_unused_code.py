@@ -1,0 +1,81 @@
+"""Nothing in the product is unused: vulture finds no name that only its definition mentions."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+from vulture import Vulture
+
+ROOT = Path(__file__).parents[2]
+PRODUCT = ("nscc", "runtime/nscc_runtime", "training/nscc_training", "cli/nscc_cli")
+USERS = ("docs/nscc_site", "training/results")
+"""What uses the product without being a part of it; tests do not count."""
+
+CALLED_BY_LIBRARIES = [
+    "__getattr__", "__dir__", "__init_subclass__", "_repr_html_", "_render_traceback_",
+    "closure",  # of an optimizer's step in torch
+    "setup_context", "A_dagger", "A_A_adjoint",  # torch, DeepInverse
+    "format_commands", "stdio",  # click
+    "find_class",  # pickle
+    "thread_type",  # PyAV
+    "_by_operators",  # a kernel of torch
+    "external_attr", "linkage",  # read by zipfile and llvmlite
+]  # fmt: skip
+DECLARED_AS_TEXT = ["unrolled", "refined", "divided", "fcnet"]
+"""Decoders, which a table names as MODULE:FUNCTION."""
+
+KEPT = [
+    "PixelShutters",  # public: the operator for DeepInverse
+    "RIGHT",  # one of four directions
+    "write_shipped",  # docs/reconstruct.md
+    "resent",  # a count that tests of the protocol read
+]
+OF_THE_PROTOCOL = [
+    "EMPTY", "COMPLETE", "REFUSED", "WRONG_STATE", "TOO_LARGE", "NO_FRAME", "released", "latest_us",
+    "MOST_LAUNCHES",
+]  # fmt: skip
+"""Numbers and fields that loaders send and hosts need not look at."""
+
+EXCEPTIONS = [*CALLED_BY_LIBRARIES, *DECLARED_AS_TEXT, *KEPT, *OF_THE_PROTOCOL]
+DECORATED = ["@command.command*", "@click.command", "@server.feature"]
+"""Commands of click, and answers of the language server."""
+
+
+def test_vulture_finds_nothing_unused() -> None:
+    finder = Vulture(ignore_names=EXCEPTIONS, ignore_decorators=DECORATED)
+    finder.scavenge([str(ROOT / folder) for folder in (*PRODUCT, *USERS)])
+    unused = [
+        f"{item.filename}:{item.first_lineno}: {item.name}"
+        for item in finder.get_unused_code(min_confidence=60)
+        if not any(item.filename.is_relative_to(ROOT / folder) for folder in USERS)
+    ]
+    assert unused == []
+
+
+def test_no_exception_is_needless() -> None:
+    finder = Vulture()
+    finder.scavenge([str(ROOT / folder) for folder in (*PRODUCT, *USERS)])
+    names = {item.name for item in finder.get_unused_code(min_confidence=60)}
+    assert names >= set(EXCEPTIONS)
+
+
+def test_no_pairs_are_dropped_in_silence() -> None:
+    """Sequences of different lengths that are paired on purpose are cut to one length first."""
+    files = [path for folder in PRODUCT for path in (ROOT / folder).rglob("*.py")]
+    assert [str(path) for path in files if _cuts_pairs(path.read_text())] == []
+
+
+def _cuts_pairs(text: str) -> bool:
+    """Whether a module calls `zip` with `strict=False`."""
+    return any(
+        isinstance(node, ast.Call)
+        and ast.unparse(node.func) == "zip"
+        and any(ast.unparse(each) == "strict=False" for each in node.keywords)
+        for node in ast.walk(ast.parse(text))
+    )
+
+
+def test_pairs_that_are_dropped_are_noticed() -> None:
+    assert _cuts_pairs("for a, b in zip(x, y, strict=False): pass")
+    assert not _cuts_pairs("kind = guess_type(name, strict=False)")

@@ -1,0 +1,297 @@
+"""What a loader makes of an object: checked before it is believed, sizes before anything else.
+
+This is the Python twin of the firmware's `program.cpp`: same checks, in the same order, with the
+same faults. What a word may be comes from `nscc.words`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from math import isfinite
+from struct import Struct
+from typing import Any
+
+from loader_twin.timing import (
+    LONGEST,
+    LONGEST_SLOT_US,
+    ON_TIME,
+    TOO_LONG,
+    Kept,
+    fixed_point,
+    frame_time,
+)
+from nscc.target.target import Target
+from nscc.words.container import Container, Launch, Word
+from nscc.words.encoding import matching
+from nscc.words.legality import split_pairs, target_fault
+from nscc.words.soundness import MOST_SLOTS
+from nscc_runtime.device.messages import Fault, frame_bytes, plane_bytes
+from nscc_runtime.device.objects import (
+    AS_IT_IS,
+    COUNT,
+    LEVEL,
+    MOST_LAUNCHES,
+    READOUT,
+    ROW,
+    RUN,
+    SCHEDULE_HEAD,
+    WORD,
+    ObjectKind,
+)
+from nscc_runtime.device.recording import container_of
+
+
+@dataclass(eq=False)
+class Refusal(Exception):
+    """An object is not accepted: why, and where in it."""
+
+    fault: Fault
+    detail: int = 0
+
+
+@dataclass(frozen=True)
+class Limits:
+    """What a loader has room for."""
+
+    words: int
+    kernels: int = 1024
+    rows: int = 16384
+    runs: int = 4096
+    frame_bytes: int = 1 << 23
+
+
+@dataclass
+class Held:
+    """The objects of a program that a loader has accepted so far."""
+
+    readouts: tuple[tuple[int, float], ...] | None = None
+    kernels: tuple[tuple[Word, ...], ...] | None = None
+    slots: int = 0
+    runs: tuple[tuple[int, float], ...] | None = None
+    rows: tuple[tuple[int, int, int], ...] = ()
+    levels: tuple[int, ...] = ()
+    states: tuple[int, ...] = ()
+    planes: dict[int, bytes] | None = None
+    grace: tuple[int, int] = (0, 0)
+    """How many microseconds a launch may be late, and how many may be later."""
+    kept: Kept = ON_TIME
+    frame_us: int = 0
+    """From a frame's first word to its last, once the program is whole."""
+
+    def accept(self, kind: int, register: int, data: bytes, target: Target, most: Limits) -> None:
+        """Check an object and keep it; raises Refusal."""
+        match kind:
+            case ObjectKind.READOUTS:
+                self.readouts = _readouts(data, target)
+            case ObjectKind.KERNELS:
+                self.kernels = _kernels(data, target, most)
+                # A schedule is one of certain kernels: it has to come again.
+                self.runs, self.rows = None, ()
+            case ObjectKind.SCHEDULE:
+                self._schedule(data, most)
+            case ObjectKind.PLANE:
+                self._plane(register, data, target)
+            case ObjectKind.LEVELS:
+                self.runs, self.rows, self.levels = None, (), ()
+                self.levels = _levels(data, target, most)
+            case ObjectKind.STATES:
+                self.states = ()
+                self.states = _states(data, target)
+            case _:
+                raise Refusal(Fault.MALFORMED, kind)
+
+    @staticmethod
+    def check_room(kind: int, length: int, target: Target, most: Limits) -> None:
+        """Refuse an object that is too long for its kind before any of it is kept."""
+        rooms = {
+            ObjectKind.READOUTS: COUNT.size + len(target.analog_registers) * READOUT.size,
+            ObjectKind.KERNELS: COUNT.size * (1 + most.kernels) + most.words * WORD.size,
+            ObjectKind.SCHEDULE: 5 * COUNT.size + most.runs * RUN.size + most.rows * ROW.size,
+            ObjectKind.PLANE: plane_bytes(target.rows * target.cols),
+            ObjectKind.LEVELS: COUNT.size + most.rows * LEVEL.size,
+            ObjectKind.STATES: COUNT.size + len(target.digital_registers),
+        }
+        if kind not in set(ObjectKind):
+            raise Refusal(Fault.MALFORMED, kind)
+        if length > rooms[ObjectKind(kind)]:
+            raise Refusal(Fault.TOO_LARGE, length)
+
+    def check_whole(self, target: Target) -> None:
+        """Refuse a program of which something is missing, or whose frames take too long."""
+        if self.readouts is None or self.kernels is None or self.runs is None:
+            raise Refusal(Fault.NO_PROGRAM)
+        held = set(self.planes or ())
+        self.frame_us, fault, self.kept = frame_time(
+            self.kernels, self.runs, self.rows, self.levels, held, target, self.grace
+        )
+        if fault:
+            raise Refusal(Fault.SCHEDULE, fault)
+
+    def _schedule(self, data: bytes, most: Limits) -> None:
+        if self.kernels is None:
+            raise Refusal(Fault.SCHEDULE, 0)
+        reader = Reader(data, Fault.SCHEDULE)
+        slots, grace_ns, most_late = next(reader.rows(SCHEDULE_HEAD, 1))
+        if not 1 <= slots <= MOST_SLOTS:
+            raise Refusal(Fault.SCHEDULE, 1)
+        lengths = tuple(reader.rows(RUN, reader.count(most.runs)))
+        if sum(count for count, _ in lengths) != slots or any(not n for n, _ in lengths):
+            raise Refusal(Fault.SCHEDULE, 2)
+        if not all(0 < us < LONGEST_SLOT_US for _, us in lengths):
+            raise Refusal(Fault.SCHEDULE, 3)
+        if sum(count * fixed_point(us) for count, us in lengths) > LONGEST:
+            raise Refusal(Fault.SCHEDULE, TOO_LONG)
+        rows = tuple(ROW.iter_unpack(reader.take(reader.count(most.rows) * ROW.size)))
+        reader.end()
+        at = launches = 0
+        for advance, kernel, times in rows:
+            at += advance * times
+            launches += times
+            if not times or at > slots or launches > MOST_LAUNCHES or kernel >= len(self.kernels):
+                raise Refusal(Fault.SCHEDULE, 4)
+        if self.levels and len(self.levels) != len(rows):
+            raise Refusal(Fault.SCHEDULE, 5)
+        self.slots, self.runs, self.rows = slots, lengths, rows
+        self.grace = grace_ns // 1000, most_late
+
+    def _plane(self, register: int, data: bytes, target: Target) -> None:
+        pixels = target.rows * target.cols
+        planes = self.planes or {}
+        if register >= len(target.digital_registers) or register in planes:
+            raise Refusal(Fault.PLANE, register)
+        if len(data) != plane_bytes(pixels) or (pixels % 8 and data[-1] >> pixels % 8):
+            raise Refusal(Fault.PLANE, register)
+        if target.digital_registers[register] == target.masked_register:
+            # It takes a write only where the mask is 1, so the mask's own code has to come later.
+            mask = target.mask_register
+            if mask is not None and target.digital_registers.index(mask) in planes:
+                raise Refusal(Fault.PLANE, register)
+        self.planes = {**planes, register: data}
+
+    def take(self, planes: Mapping[str, bytes], target: Target) -> None:
+        """What a frame left in code registers: the next one begins with it."""
+        numbers = {name: number for number, name in enumerate(target.digital_registers)}
+        self.planes = {numbers[name]: plane for name, plane in planes.items()}
+
+    def frame_bytes(self, channels: int, target: Target) -> int:
+        """Bytes of a frame in these channels."""
+        pixels = target.rows * target.cols
+        return frame_bytes(channels, pixels, len(self.readouts or ()), len(self.states))
+
+    @property
+    def too_late(self) -> bool:
+        """Whether more launches are late than may be."""
+        return self.kept.late > self.grace[1]
+
+    def launches(self) -> Iterator[Launch]:
+        """Every launch, in order."""
+        at = 0
+        levels = self.levels or (AS_IT_IS,) * len(self.rows)
+        for (advance, kernel, times), level in zip(self.rows, levels, strict=True):
+            for _ in range(times):
+                at += advance
+                yield Launch(at, kernel, None if level == AS_IT_IS else level)
+
+    def container(self, target: Target) -> Container:
+        """The program for the emulator; without a decode table, which no loader needs."""
+        assert self.readouts is not None
+        assert self.kernels is not None
+        assert self.runs is not None
+        return container_of(
+            target,
+            readouts=self.readouts,
+            kernels=self.kernels,
+            launches=list(self.launches()),
+            runs=self.runs,
+            states=self.states,
+            planes=self.planes or {},
+        )
+
+
+class Reader:
+    """Takes an object apart; `fault` for one that is too short or too long."""
+
+    def __init__(self, data: bytes, fault: Fault) -> None:
+        self.data, self.fault, self.at = data, fault, 0
+
+    def take(self, count: int) -> bytes:
+        """So many bytes."""
+        if len(self.data) - self.at < count:
+            raise Refusal(self.fault, self.at)
+        self.at += count
+        return self.data[self.at - count : self.at]
+
+    def count(self, most: int | None = None) -> int:
+        """How many of something follow; TOO_LARGE where they are more than `most`."""
+        count = int(COUNT.unpack(self.take(COUNT.size))[0])
+        if most is not None and count > most:
+            raise Refusal(Fault.TOO_LARGE, count)
+        return count
+
+    def rows(self, layout: Struct, count: int) -> Iterator[Any]:
+        """So many rows, one after the other."""
+        for _ in range(count):
+            yield layout.unpack(self.take(layout.size))
+
+    def end(self) -> None:
+        """Refuse what is left over."""
+        if self.at != len(self.data):
+            raise Refusal(self.fault, self.at)
+
+
+def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
+    reader = Reader(data, Fault.READOUT)
+    count = reader.count()
+    if not 1 <= count <= len(target.analog_registers):
+        raise Refusal(Fault.READOUT, count)
+    found = tuple(reader.rows(READOUT, count))
+    reader.end()
+    for register, gain in found:
+        if register >= len(target.analog_registers) or not isfinite(gain):
+            raise Refusal(Fault.READOUT, register)
+    return found
+
+
+def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...], ...]:
+    reader = Reader(data, Fault.MALFORMED)
+    lengths = [reader.count() for _ in range(reader.count(most.kernels))]
+    if sum(lengths) > most.words:
+        raise Refusal(Fault.TOO_LARGE, sum(lengths))
+    kernels, number = [], 0
+    for length in lengths:
+        ops, words = [], []
+        for word in reader.rows(WORD, length):
+            operation = matching(word, target.words)
+            if operation is None or target_fault(operation, target) is not None:
+                raise Refusal(Fault.WORD, number)
+            ops.append(operation)
+            words.append(word)
+            number += 1
+        if split_pairs("", ops):
+            raise Refusal(Fault.WORD, number)
+        kernels.append(tuple(words))
+    reader.end()
+    return tuple(kernels)
+
+
+def _levels(data: bytes, target: Target, most: Limits) -> tuple[int, ...]:
+    reader = Reader(data, Fault.SCHEDULE)
+    levels = tuple(level for (level,) in reader.rows(LEVEL, reader.count(most.rows)))
+    reader.end()
+    if any(level != AS_IT_IS and not target.in_low <= level <= target.in_high for level in levels):
+        raise Refusal(Fault.SCHEDULE, 6)
+    return levels
+
+
+def _states(data: bytes, target: Target) -> tuple[int, ...]:
+    reader = Reader(data, Fault.READOUT)
+    count = reader.count()
+    if count > len(target.digital_registers):
+        raise Refusal(Fault.READOUT, count)
+    registers = tuple(reader.take(count))
+    reader.end()
+    for register in registers:
+        if register >= len(target.digital_registers):
+            raise Refusal(Fault.READOUT, register)
+    return registers

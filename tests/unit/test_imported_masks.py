@@ -1,0 +1,125 @@
+"""Masks from elsewhere: the class and tile that hold them, and shutters that are the mask's."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from nscc_command import invoke
+
+from nscc.compiler import compile_file
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_training.imported_masks import ImportedMask, import_mask
+
+RNG = np.random.default_rng(0)
+N = np.arange(8)
+
+
+def by_stop(stop: np.ndarray, start: np.ndarray | int = 0) -> np.ndarray:
+    """(rows, cols, slots): open from `start` until `stop`."""
+    return (np.asarray(start)[..., None] <= N) & (np.asarray(stop)[..., None] > N)
+
+
+ORDER = RNG.permutation(64).reshape(8, 8)
+MASKS = {
+    "a": np.ones((4, 4, 8), bool),
+    "b": by_stop(1 + ORDER % 8),
+    "c": by_stop(ORDER % 6 + 3, ORDER % 6),
+    "d": by_stop(np.minimum(ORDER % 6 + 1 + ORDER // 16, 8), ORDER % 6),
+    "codebook": RNG.random((4, 8))[ORDER % 4] < 0.5,
+    "e": (RNG.permutation(1024)[:256].reshape(16, 16, 1) >> np.arange(10)) & 1,
+}
+
+
+def imported(folder: Path, mask: np.ndarray) -> tuple[ImportedMask, np.ndarray]:
+    """What becomes of a mask, and the shutters (rows, cols, slots) of the compiled program."""
+    np.save(folder / "mask.npy", mask)
+    found = import_mask(folder / "mask.npy", "p.codes.npz")
+    (folder / "p.nsl").write_text(found.text)
+    (folder / "p.codes.npz").write_bytes(found.codes)
+    container = compile_file(folder / "p.nsl").container
+    assert container is not None
+    table = container.table
+    return found, table.shutters[table.shutter_of_code[container.pixel_codes], 0]
+
+
+@pytest.mark.parametrize("kind", MASKS)
+def test_the_class_that_holds_a_mask(tmp_path: Path, kind: str) -> None:
+    mask = MASKS[kind]
+    found, shutters = imported(tmp_path, mask)
+    if kind == "e":  # for these bits a list of them takes as many words
+        more = [reason for reason in found.reasons if "words a slot instead of" in reason]
+        assert more == [f"class e: {found.words_per_slot:g} words a slot instead of "
+                        f"{found.words_per_slot:g}"]  # fmt: skip
+    else:
+        assert found.kind == kind, found
+    repeated = np.tile(mask, (256 // mask.shape[0], 256 // mask.shape[1], 1))
+    np.testing.assert_array_equal(shutters, repeated)
+
+
+def test_the_smallest_tile(tmp_path: Path) -> None:
+    """Of a mask of the whole array, time first or last; a tile need not divide the array."""
+    tile = by_stop(1 + RNG.permutation(15).reshape(3, 5) % 8)
+    mask = np.tile(tile, (86, 52, 1))[:256, :256]
+    for stored in (mask, np.moveaxis(mask, 2, 0)):
+        found, shutters = imported(tmp_path, stored)
+        assert (found.kind, found.tile) == ("b", (3, 5))
+        np.testing.assert_array_equal(shutters, mask)
+    assert any("class c" in reason for reason in found.reasons)
+
+
+def test_a_code_for_every_pixel(tmp_path: Path) -> None:
+    mask = by_stop(RNG.integers(1, 9, (256, 256)))
+    found, shutters = imported(tmp_path, mask)
+    assert (found.kind, found.tile) == ("b", (256, 256))
+    np.testing.assert_array_equal(shutters, mask)
+
+
+@pytest.mark.parametrize(
+    ("mask", "reason"),
+    [
+        (np.full((4, 4, 8), 0.5), "neither 0 nor 1"),
+        (np.ones((300, 4, 8)), "300 x 4"),
+        (RNG.random((16, 16, 100)) < 0.5, "no class holds"),
+    ],
+)
+def test_masks_that_do_not_fit(tmp_path: Path, mask: np.ndarray, reason: str) -> None:
+    np.save(tmp_path / "m.npy", mask)
+    with pytest.raises(Rejected) as caught:
+        import_mask(tmp_path / "m.npy", "c.npz")
+    (diagnostic,) = caught.value.diagnostics
+    assert diagnostic.code == "NS0847"
+    assert reason in diagnostic.message
+    if "no class" in reason:
+        assert len(diagnostic.notes) >= 3
+
+
+def test_the_command_and_pixels(tmp_path: Path) -> None:
+    mask = by_stop(1 + ORDER % 8)
+    np.savez(tmp_path / "m.npz", mask=mask)
+    done = invoke(["import-mask", "m.npz", "-o", "p.nsl"], tmp_path)
+    assert done.status == 0, done.err
+    assert "class b, a tile of 8 x 8" in done.err
+    assert {path.name for path in tmp_path.iterdir()} == {"m.npz", "p.nsl", "p.codes.npz"}
+    text = "nsl 1\nframe 8 slots of 1ms\ncode stop : 1..N\nopen when n < stop\n"
+    (tmp_path / "q.nsl").write_text(text)
+    line = [
+        "run",
+        "q.nsl",
+        "--scene",
+        "builtin:dark",
+        "-o",
+        "f.npz",
+        "--keep",
+        "shutter",
+        "--pixels",
+    ]
+    done = invoke([*line, "m.npz", "--codes", "open"], tmp_path)
+    assert done.status == 0, done.err
+    with np.load(tmp_path / "f.npz") as file:
+        shutters = np.unpackbits(file["shutter"], axis=-1, count=8, bitorder="little")
+    np.testing.assert_array_equal(shutters[0], np.tile(mask, (32, 32, 1)))
+    np.savez(tmp_path / "other.npz", mask=MASKS["c"])
+    refused = invoke([*line, "other.npz", "--codes", "open"], tmp_path)
+    assert (refused.status, refused.codes) == (2, ["NS0847"])

@@ -1,0 +1,78 @@
+"""Brackets of photos: the light that made them is found again, by EXIF or by given times."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_runtime.scenes import Exposure, Scene, load_scene
+from nscc_runtime.scenes.bracket import parse_times
+
+ROWS, COLS = 16, 24
+TIMES = (1 / 256, 1 / 32, 1 / 4)
+
+
+def light() -> np.ndarray:
+    """From left to right; the brightest fits the shortest exposure."""
+    return np.tile(np.geomspace(0.15, 60, COLS), (ROWS, 1))
+
+
+def photos(folder: Path, exif: bool, iso: tuple[int, ...] = (100, 100, 100)) -> None:
+    for number, (time, speed) in enumerate(zip(TIMES, iso, strict=True)):
+        linear = np.clip(light() * time * speed / 100, 0, 1)
+        shown = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        image = Image.fromarray(np.rint(255 * shown).astype(np.uint8)).convert("RGB")
+        about = Image.Exif()
+        if exif:
+            about[0x8769] = {0x829A: time, 0x8827: speed}
+        image.save(folder / f"{number}.png", exif=about)
+
+
+def found(spec: Path | str, **options: Any) -> np.ndarray:
+    made = load_scene(
+        str(spec), slot_us=(10.0,), rows=ROWS, cols=COLS, exposure=Exposure(1.0, 100.0),
+        bracket=True, **options,
+    )  # fmt: skip
+    assert made.kind == "still"
+    return np.asarray(made.dense()[0])
+
+
+@pytest.mark.parametrize("iso", [(100, 100, 100), (400, 100, 50)])
+def test_the_light_is_found_again(tmp_path: Path, iso: tuple[int, ...]) -> None:
+    photos(tmp_path, True, iso)
+    expected = light() / light().max()
+    for spec in (tmp_path, f"{tmp_path}/*.png"):
+        np.testing.assert_allclose(found(spec), expected, rtol=0.06)
+
+
+def test_times_may_be_given(tmp_path: Path) -> None:
+    photos(tmp_path, False)
+    with pytest.raises(Rejected, match="NS0777"):
+        found(tmp_path)
+    made = found(tmp_path, times=parse_times("1/256, 1/32,0.25"))
+    np.testing.assert_allclose(made, light() / light().max(), rtol=0.06)
+    assert Scene(str(tmp_path), bracket=True, times="1/256,1/32,1/4").times
+    for times in ((1.0, 1.0, 1.0), (1.0, 2.0)):
+        with pytest.raises(Rejected, match="NS0777"):
+            found(tmp_path, times=times)
+
+
+def test_what_cannot_be_merged(tmp_path: Path) -> None:
+    import cv2
+
+    for text in ("", "x", "1/0", "-1,2", "1,,2", "inf"):
+        with pytest.raises(Rejected, match="NS0777"):
+            parse_times(text)
+    with pytest.raises(Rejected, match="NS0777"):
+        found(f"{tmp_path}/*.png")
+    with pytest.raises(Rejected, match="NS0739"):
+        load_scene("x.png", slot_us=(1.0,), rows=ROWS, cols=COLS, times=(1.0,))
+    for number in range(2):
+        cv2.imwrite(str(tmp_path / f"{number}.png"), np.ones((ROWS, COLS), np.uint16))
+    with pytest.raises(Rejected, match="NS0777"):
+        found(tmp_path, times=(1.0, 2.0))

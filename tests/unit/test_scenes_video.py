@@ -1,0 +1,207 @@
+"""Videos: bits, ranges, matrices, curves, rotation, times and truncation, against known values."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes.clips import open_clip
+
+av = pytest.importorskip("av")
+ROWS, COLS = 32, 64
+NUMBERS = {"601": 5, "709": 1, "2020": 9}
+WEIGHTS = {"601": (0.299, 0.114), "709": (0.2126, 0.0722), "2020": (0.2627, 0.0593)}
+
+
+def write(
+    path: Path, planes: list[list[np.ndarray]], form: str = "yuv444p", matrix: int = 2,
+    limited: bool = True, curve: int = 2, times: list[int] | None = None, codec: str = "ffv1",
+) -> None:  # fmt: skip
+    """A lossless video of frames given as planes; `times` are in milliseconds."""
+    with av.open(str(path), "w") as container:
+        stream = container.add_stream(codec, rate=25)
+        stream.width, stream.height, stream.pix_fmt = COLS, ROWS, form
+        context = stream.codec_context
+        context.time_base = Fraction(1, 1000)
+        context.colorspace, context.color_trc = matrix, curve
+        context.color_range = 1 if limited else 2
+        for number, parts in enumerate(planes):
+            frame = av.VideoFrame(COLS, ROWS, form)
+            frame.colorspace, frame.color_range = matrix, 1 if limited else 2
+            for plane, values in zip(frame.planes, parts, strict=True):
+                item = values.dtype.itemsize
+                lines = np.zeros((plane.height, plane.line_size // item), values.dtype)
+                lines[:, : plane.width] = values
+                plane.update(lines.tobytes())
+            frame.pts = 40 * number if times is None else times[number]
+            frame.time_base = Fraction(1, 1000)
+            for packet in stream.encode(frame):
+                container.mux(packet)
+        for packet in stream.encode():
+            container.mux(packet)
+
+
+def grey(value: int, dtype: Any = np.uint8, middle: int = 128) -> list[np.ndarray]:
+    chroma = np.full((ROWS, COLS), middle, dtype)
+    return [np.full((ROWS, COLS), value, dtype), chroma, chroma]
+
+
+def frames_of(path: Path) -> list[np.ndarray]:
+    return [*open_clip(path).read()]
+
+
+@pytest.mark.parametrize("matrix", NUMBERS)
+@pytest.mark.parametrize("limited", [True, False])
+@pytest.mark.parametrize("bits", [8, 10, 12])
+def test_colours_by_matrix_range_and_bits(
+    tmp_path: Path, matrix: str, limited: bool, bits: int
+) -> None:
+    """Coded by the formulas of the recommendations, and found again."""
+    rgb = np.random.default_rng(0).random((ROWS, COLS, 3))
+    red, blue = WEIGHTS[matrix]
+    luma = red * rgb[..., 0] + (1 - red - blue) * rgb[..., 1] + blue * rgb[..., 2]
+    chroma = [
+        (rgb[..., 2] - luma) / (2 * (1 - blue)),
+        (rgb[..., 0] - luma) / (2 * (1 - red)),
+    ]
+    step, most = 1 << (bits - 8), (1 << bits) - 1
+    black, luma_span, chroma_span = (
+        (16 * step, 219 * step, 224 * step) if limited else (0, most, most)
+    )
+    dtype = np.uint8 if bits == 8 else np.dtype("<u2")
+    planes = [
+        np.clip(np.rint(values), 0, most).astype(dtype)
+        for values in (luma * luma_span + black, *(c * chroma_span + 128 * step for c in chroma))
+    ]
+    form = "yuv444p" if bits == 8 else f"yuv444p{bits}le"
+    write(tmp_path / "v.mkv", [planes], form, NUMBERS[matrix], limited)
+    (found,) = frames_of(tmp_path / "v.mkv")
+    assert found.dtype == (np.uint8 if bits == 8 else np.uint16)
+    white = np.iinfo(found.dtype).max
+    np.testing.assert_allclose(found / white, rgb, atol=2.5 / most + 0.5 / white)
+
+
+def test_subsampled_chroma(tmp_path: Path) -> None:
+    small = np.full((ROWS // 2, COLS // 2), 90, np.uint8)
+    planes = [np.full((ROWS, COLS), 120, np.uint8), small, small]
+    write(tmp_path / "v.mkv", [planes], "yuv420p", 1)
+    (found,) = frames_of(tmp_path / "v.mkv")
+    y, c = (120 - 16) / 219, (90 - 128) / 224
+    red, blue = y + 2 * (1 - 0.2126) * c, y + 2 * (1 - 0.0722) * c
+    green = (y - 0.2126 * red - 0.0722 * blue) / 0.7152
+    expected = np.clip([red, green, blue], 0, 1) * 255
+    np.testing.assert_allclose(found[5, 7], expected, atol=0.51)
+    assert (found == found[0, 0]).all()
+
+
+@pytest.mark.parametrize(("curve", "name"), [(18, "hlg"), (16, "pq"), (8, "linear"), (1, "srgb")])
+def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
+    """10 bits from black to white, a code a step: light grows with every one."""
+    codes = np.linspace(64, 940, COLS).round().astype("<u2")
+    luma = np.tile(codes, (ROWS, 1))
+    middle = np.full((ROWS, COLS), 512, "<u2")
+    write(tmp_path / "v.mkv", [[luma, middle, middle]], "yuv444p10le", 9, True, curve)
+    assert open_clip(tmp_path / "v.mkv").transfer == name
+    light = load_scene(
+        str(tmp_path / "v.mkv"), slot_us=(10.0,), rows=ROWS, cols=COLS,
+        exposure=Exposure(1.0, 100.0),
+    ).dense()[0, 0]  # fmt: skip
+    assert (np.diff(light) > 0).all()
+    assert light[0] == 0
+    assert light[-1] == pytest.approx(1)
+    half = (codes[COLS // 2] - 64) / 876
+    inverse = {
+        "hlg": (np.exp((half - 0.55991073) / 0.17883277) + 0.28466892) / 12,
+        "srgb": ((half + 0.055) / 1.055) ** 2.4,
+        "linear": half,
+    }
+    if name in inverse:
+        assert light[COLS // 2] == pytest.approx(inverse[name], rel=1e-3)
+
+
+@pytest.mark.parametrize("quarters", [1, 2, 3])
+def test_rotation_is_that_of_the_file(tmp_path: Path, quarters: int) -> None:
+    """The matrix of an .mp4's track, as telephones write it: turned by so many quarters with the
+    clock when shown. OpenCV is the witness."""
+    import cv2
+
+    luma = np.random.default_rng(0).integers(16, 235, (ROWS, COLS)).astype(np.uint8)
+    luma[: ROWS // 2, : COLS // 2] = 235
+    half = np.full((ROWS // 2, COLS // 2), 128, np.uint8)
+    path = tmp_path / "v.mp4"
+    write(path, [[luma, half, half]] * 3, "yuv420p", 1, codec="mpeg4")
+    plain = frames_of(path)[0]
+    data = bytearray(path.read_bytes())
+    at = data.index(b"tkhd") + 4 + 40
+    one = 0x10000
+    a, b = {1: (0, one), 2: (-one, 0), 3: (0, -one)}[quarters]
+    matrix = (a, b, 0, -b, a, 0, 0, 0, 0x40000000)
+    data[at : at + 36] = b"".join(v.to_bytes(4, "big", signed=v < 0) for v in matrix)
+    path.write_bytes(bytes(data))
+    found = frames_of(path)[0]
+    np.testing.assert_array_equal(found, np.rot90(plain, -quarters))
+    video = cv2.VideoCapture(str(path), cv2.CAP_FFMPEG)
+    good, witness = video.read()
+    video.release()
+    assert good
+    assert witness.shape == found.shape
+    assert np.abs(witness[..., ::-1].astype(float) - found).mean() < 3
+
+
+def test_frames_of_unequal_length(tmp_path: Path) -> None:
+    """At 0, 40, 80, 200 and 240 ms: the one at 80 lasts for three."""
+    values = (20, 60, 100, 140, 180)
+    write(tmp_path / "v.mkv", [grey(v) for v in values], times=[0, 40, 80, 200, 240])
+    pages = open_clip(tmp_path / "v.mkv")
+    assert "variable frame rate, 40 to 120 ms" in pages.notes[0][0]
+    found = [int(frame[0, 0, 0]) for frame in pages.read()]
+    known = [round((v - 16) / 219 * 255) for v in (20, 60, 100, 100, 100, 140, 180)]
+    assert found == known
+    assert pages.count == 7
+    write(tmp_path / "e.mkv", [grey(v) for v in values], times=[0, 33, 67, 100, 133])
+    assert not open_clip(tmp_path / "e.mkv").notes
+
+
+def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> None:
+    import cv2
+
+    path = tmp_path / "v.mp4"
+    half = np.full((ROWS // 2, COLS // 2), 128, np.uint8)
+    noise = np.random.default_rng(0)
+    planes = [[noise.integers(16, 235, (ROWS, COLS)).astype(np.uint8), half, half]] * 20
+    with av.open(str(path), "w", options={"movflags": "faststart"}) as container:
+        stream = container.add_stream("mpeg4", rate=25)
+        stream.width, stream.height, stream.pix_fmt = COLS, ROWS, "yuv420p"
+        stream.gop_size = 1
+        for parts in planes:
+            picture = cv2.cvtColor(parts[0], cv2.COLOR_GRAY2RGB)
+            for packet in stream.encode(av.VideoFrame.from_ndarray(picture, format="rgb24")):
+                container.mux(packet)
+        for packet in stream.encode():
+            container.mux(packet)
+    whole = open_clip(path)
+    assert (whole.count, whole.notes) == (20, ())
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) * 6 // 10])
+    said: list[Diagnostic] = []
+    settings: dict[str, Any] = {"rows": ROWS, "cols": COLS, "exposure": Exposure(1.0)}
+    load_scene(str(path), slot_us=(10.0,) * 5, warn=said.append, **settings)
+    notes = [diagnostic.message for diagnostic in said if "breaks off" in diagnostic.message]
+    assert len(notes) == 1
+    count = int(notes[0].split("holds ")[1].split()[0])
+    assert 8 <= count <= 14
+    assert "of the 20 frames" in notes[0]
+    assert count - 1 <= len(frames_of(path)) <= count
+
+
+@pytest.mark.parametrize("data", [b"", b"nothing", b"#EXTM3U\n#EXTINF:1,\nhttp://localhost/a.ts\n"])
+def test_what_is_no_video_is_refused(tmp_path: Path, data: bytes) -> None:
+    (tmp_path / "v.mp4").write_bytes(data)
+    with pytest.raises(Rejected, match="NS0732"):
+        open_clip(tmp_path / "v.mp4")

@@ -1,0 +1,233 @@
+"""Exposures of scenes: which ones depends on seed and step alone, cut on the run's device."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+from torch.utils.data import Dataset
+
+from nscc_training.data.sources import Scene, Scenes
+from nscc_training.protocols import load_protocol
+from nscc_training.settings import DataSettings
+
+_TRIES = 20
+"""Surroundings that are dark where they should saturate are drawn again so often."""
+EXPOSED = 256
+"""Rows and columns of what is exposed together: a patch may be its dark or its bright part."""
+_POLES = 8
+"""Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
+_WHITE = 0.999
+"""The quantile of a still's light that metrics and losses count as 1."""
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Patches of light, and what is to be found.
+
+    `light` (batch, rows, cols), electrons over the frame, of stills; (batch, N, rows, cols),
+    electrons a slot, of clips. `truth` is the same over a full well (over a full well / N), as
+    decoders give it. `peak` (batch,) is the truth that metrics and losses count as 1. `names` are
+    the scenes' and places.
+    """
+
+    light: Tensor
+    truth: Tensor
+    peak: Tensor
+    names: tuple[str, ...]
+
+    def part(self, first: int, last: int) -> Batch:
+        """Return some of its patches."""
+        cut = slice(first, last)
+        return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
+                       names=self.names[cut])  # fmt: skip
+
+    @cached_property
+    def goal(self) -> Tensor:
+        """The truth over the peak, at most 1."""
+        return self._relative.clamp(max=1)
+
+    @cached_property
+    def most(self) -> Tensor:
+        """What predictions over the peak count as at most: 1 wherever the truth reaches the peak,
+        infinity elsewhere."""
+        return torch.where(self._relative >= 1, 1.0, torch.inf)
+
+    @cached_property
+    def _relative(self) -> Tensor:
+        return self.truth / self.peak.reshape(-1, *([1] * (self.truth.ndim - 1)))
+
+
+class Exposures(NamedTuple):
+    """What is drawn for a batch, E exposures of square surroundings, before anything is cut.
+
+    `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is turned by
+    `turns` right angles, and mirrored, and its time goes `backwards`; light is raised to the power
+    of `contrast`, of a still the part `share` of the pixels saturates. Patch k is cut from exposure
+    `source[k]` at `corner[k]` (row, column).
+    """
+
+    light: Tensor
+    share: Tensor
+    contrast: Tensor
+    turns: Tensor
+    mirrored: Tensor
+    backwards: Tensor
+    source: Tensor
+    corner: Tensor
+    names: tuple[str, ...]
+
+
+class ExposureSet(Dataset[Exposures]):
+    """The exposures of a run by step."""
+
+    def __init__(
+        self, scenes: Scenes, settings: DataSettings, *, slots: int, batch: int, seed: int
+    ) -> None:
+        self.lights = [_without_poles(scene, settings) for scene in scenes.train]
+        self.names = [scene.name for scene in scenes.train]
+        self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
+        wanted = max(settings.patch, EXPOSED)
+        self.side = min(wanted, *(side for light in self.lights for side in light.shape[-2:]))
+        grey = load_protocol(settings.protocol).mid_grey_e is not None
+        self._lit = 0.5 if grey else 0.01
+
+    def __getitem__(self, step: int) -> Exposures:
+        lights: list[Tensor] = []
+        draws: list[tuple[float, float, int, bool, bool]] = []
+        source: list[int] = []
+        corners, names = [], []
+        for place in range(0, self.batch, self.settings.together):
+            generator = np.random.default_rng([self.seed, 4, step, place])
+            scene = int(generator.integers(len(self.lights)))
+            light, lit, where = self._surroundings(scene, generator)
+            turned, flipped, reversed_, power = 0, False, False, 1.0
+            if self.settings.augment:
+                turned, flipped = int(generator.integers(4)), bool(generator.random() < 0.5)
+                if light.ndim == 3:
+                    reversed_ = bool(generator.random() < 0.5)
+                else:
+                    power = float(generator.uniform(0.8, 1.25))
+            count = min(self.settings.together, self.batch - place)
+            rooms = self.side - self.settings.patch + 1
+            drawn = generator.integers(rooms, size=(count, 2))
+            source += [len(lights)] * count
+            names += [f"{self.names[scene]} {where}+{row},{col}" for row, col in drawn.tolist()]
+            corners.append(drawn)
+            lights.append(torch.from_numpy(np.ascontiguousarray(light)))
+            draws.append((lit, power, turned, flipped, reversed_))
+        share, contrast, turns, mirrored, backwards = (
+            torch.tensor(each) for each in zip(*draws, strict=True)
+        )
+        return Exposures(
+            torch.stack(lights), share, contrast, turns, mirrored, backwards,
+            torch.tensor(source), torch.from_numpy(np.concatenate(corners)), tuple(names),
+        )  # fmt: skip
+
+    def _surroundings(
+        self, scene: int, generator: np.random.Generator
+    ) -> tuple[NDArray[np.float32], float, str]:
+        """Return light that is exposed together, of a still the share that saturates, its place."""
+        light, part, share, place = self.lights[scene], None, self._lit, ""
+        low, high = sorted(self.settings.saturated)
+        for _ in range(_TRIES):
+            row, col = (int(generator.integers(side - self.side + 1)) for side in light.shape[-2:])
+            place = f"at {row},{col}"
+            part = light[..., row : row + self.side, col : col + self.side]
+            if light.ndim == 2:
+                share = float(generator.uniform(low, high))
+            else:
+                first = int(generator.integers(len(light) - self.slots + 1))
+                part, place = part[first : first + self.slots], f"from {first} {place}"
+            lit = part > 0 if light.ndim == 2 else part.any(axis=0)
+            if np.count_nonzero(lit) > share * lit.size:
+                break
+        assert part is not None
+        return part, share, place
+
+
+def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
+              ) -> Batch:  # fmt: skip
+    """Return the patches of a batch, exposed, cut and augmented on a device."""
+    light, share, contrast, turns, mirrored, backwards, source, corner = (
+        each.to(device, non_blocking=True) for each in drawn[:-1]
+    )
+    still = light.ndim == 3
+    slots = 1 if still else light.shape[1]
+    grey_e = load_protocol(settings.protocol).mid_grey_e
+    if still:
+        levels, whites = (quantiles(light.flatten(1), part) for part in (1 - share, _WHITE))
+        level, white = levels**contrast, whites**contrast
+    else:
+        total = light.sum(dim=1, dtype=torch.float64).flatten(1)
+        level = quantiles(total, 0.99 if grey_e is None else 0.5)
+        level = level if grey_e is None else level * (full_well_e / grey_e)
+        white = torch.ones_like(level)
+    # What has no light is dark at any exposure.
+    scale = torch.where(level > 0, full_well_e / level, 0.0)
+    values = _cut(light, settings.patch, turns, mirrored, backwards, source, corner)
+    wide = (-1,) + (1,) * (values.ndim - 1)
+    if still:
+        power = contrast[source].reshape(wide).to(values.dtype)
+        values = values.clamp(min=1e-20) ** power
+    exposed = values * scale[source].reshape(wide).to(values.dtype)
+    peak = (white * scale * (slots / full_well_e)).clamp(min=1e-6)[source]
+    return Batch(exposed, exposed * (slots / full_well_e), peak.to(values.dtype), drawn.names)
+
+
+def _cut(
+    light: Tensor, patch: int, turns: Tensor, mirrored: Tensor, backwards: Tensor, source: Tensor,
+    corner: Tensor,
+) -> Tensor:  # fmt: skip
+    """Return the patches (batch, [N,] patch, patch) of turned and mirrored surroundings."""
+    last = light.shape[-1] - 1
+    step = torch.arange(patch, device=light.device)
+    rows = (corner[:, 0, None] + step)[:, :, None]
+    cols = (corner[:, 1, None] + step)[:, None, :]
+    cols = torch.where(mirrored[source, None, None], last - cols, cols)
+    turned = turns[source, None, None]
+    # The pixel that np.rot90 has there, of as many right angles.
+    row = torch.where(turned == 0, rows, torch.where(
+        turned == 1, cols, torch.where(turned == 2, last - rows, last - cols)))  # fmt: skip
+    col = torch.where(turned == 0, cols, torch.where(
+        turned == 1, last - rows, torch.where(turned == 2, last - cols, rows)))  # fmt: skip
+    place = row * (last + 1) + col
+    if light.ndim == 3:
+        return light.flatten(1)[source[:, None, None], place]
+    slots = light.shape[1]
+    n = torch.arange(slots, device=light.device)
+    moments = torch.where(backwards[source, None], slots - 1 - n, n)
+    first = (source[:, None] * slots + moments) * (last + 1) ** 2
+    return torch.take(light, first[:, :, None, None] + place[:, None])
+
+
+def quantiles(values: Tensor, part: Tensor | float) -> Tensor:
+    """Return the quantile `part`, a number or (batch,), of each row of values (batch, count).
+
+    The result is float64, interpolated as numpy does.
+    """
+    last = values.shape[1] - 1
+    if isinstance(part, float):
+        below = int(part * last)
+        most = values.topk(last - below + 1, dim=1).values.double()  # from the largest down
+        low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
+        return low + (high - low) * (part * last - below)
+    place = part.double() * last
+    whole = place.floor().long()
+    pair = values.sort(dim=1).values.gather(1, torch.stack([whole, (whole + 1).clamp(max=last)], 1))
+    low, high = pair.double().unbind(1)
+    return low + (high - low) * (place - whole)
+
+
+def _without_poles(scene: Scene, settings: DataSettings) -> NDArray[np.float32]:
+    light = scene.light
+    side = max(settings.patch, EXPOSED)
+    if light.ndim == 2 and light.shape[1] == 2 * light.shape[0] >= 4 * side:
+        pole = light.shape[0] // _POLES
+        return light[pole:-pole]
+    return light

@@ -1,0 +1,286 @@
+"""The rows of protocols that need no training: fixed codes, and a decoder for them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc_training.code_choices import STARTS
+from nscc_training.evaluation import methods
+from nscc_training.evaluation.captured import Captured, captured
+from nscc_training.evaluation.methods import Light, Method
+from nscc_training.evaluation.results import (
+    Scored,
+    Subject,
+    also_saturated,
+    mean_score,
+    scored,
+    usable_scenes,
+    with_arrays,
+)
+from nscc_training.protocol_scenes.files import files_of, scenes_in
+from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.sci import SciClip
+from nscc_training.protocols import Protocol, load_protocol
+
+if TYPE_CHECKING:
+    from torch import Tensor
+
+    from nscc_training.encoders import ShutterSpec
+
+_TILE = (8, 8)
+_CLASSES = {
+    "hdr-v1": ("b",),
+    "video-v1": ("c", "d", "e"),
+    "codes-v1": ("c", "d", "e"),
+    "deblur-v1": ("b", "c", "d", "e"),
+}
+"""Classes of codes that `codes` may name, by protocol."""
+
+
+@dataclass(frozen=True)
+class Baseline:
+    """A row of a protocol: the `start` of its codes, CLASS:START on a tile of that side or a number
+    of open slots, and its method.
+
+    `takes_codes`: other codes may be named instead. `best_in`: of several uniform exposures the one
+    that is best in this metric, in hindsight. `tiles` makes shutters of several frames; with
+    `alone` each of these is decoded by itself.
+    """
+
+    method: Method
+    start: str = ""
+    side: int = _TILE[0]
+    takes_codes: bool = False
+    best_in: str = ""
+    tiles: Callable[[Protocol, int], NDArray[np.bool_]] | None = None
+    alone: bool = False
+
+
+def _flutter(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
+    """The same random bits in all pixels."""
+    return np.random.default_rng(seed).random((1, int(protocol["frames"]), 1, 1)) < 0.5
+
+
+def _pixel_wise(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
+    """Random bits of each pixel of a tile."""
+    shape = (1, int(protocol["frames"]), *protocol["tile"])
+    return np.random.default_rng(seed).random(shape) < 0.5
+
+
+def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
+    """Random bits of each pixel, and what they leave out in a second frame."""
+    first = _pixel_wise(protocol, seed)
+    return np.concatenate([first, ~first])
+
+
+def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
+    """Frames of a film: shutters within a frame, or `staggered` past its end into the next one."""
+    film, length = int(protocol["film"]), int(protocol["length"])
+    slots = int(protocol["frames"]) // film
+    rows, cols = protocol["tile"]
+    phases = np.arange(rows * cols).reshape(rows, cols) * 5 % slots
+    n = np.arange(slots).reshape(-1, 1, 1)
+    if staggered:
+        opened = (n - phases) % slots < length
+    else:
+        start = phases % (slots - length + 1)
+        opened = (start <= n) & (n < start + length)
+    tiles = np.zeros((film, film, slots, rows, cols), np.bool_)
+    tiles[np.arange(film), np.arange(film)] = opened
+    return tiles.reshape(film, film * slots, rows, cols)
+
+
+_MERGED, _READ_OUT = methods.STILLS["merged"], methods.STILLS["read-out"]
+_ANY = methods.CLIPS["any"]
+BASELINES: dict[str, dict[str, Baseline]] = {
+    "hdr-v1": {
+        "ldr": Baseline(_MERGED, "256", 1),
+        "best-uniform": Baseline(_MERGED, side=1, best_in="psnr_db"),
+        "best-uniform-mu": Baseline(_MERGED, side=1, best_in="mu_psnr_db"),
+        "quad": Baseline(_MERGED, "b:quad", 2),
+        "random": Baseline(_MERGED, "b:random"),
+        "sparse-coding": Baseline(methods.STILLS["sparse-coding"], "b:random", takes_codes=True),
+        "any": Baseline(methods.STILLS["any"], "b:quad", 2, takes_codes=True),
+    },
+    "video-v1": {
+        name: Baseline(
+            method, "c:random" if name == "bilinear" else "e:random",
+            takes_codes=method.sees == "capture",
+        )
+        for name, method in methods.CLIPS.items()
+    },
+    "codes-v1": {"any": Baseline(_ANY, "e:random", takes_codes=True)},
+    "deblur-v1": {
+        "long": Baseline(_READ_OUT, "8", 1),
+        "short": Baseline(_READ_OUT, "1", 1),
+        "any": Baseline(_ANY, "b:poisson-disc", takes_codes=True),
+    },
+    "two-bucket-v1": {
+        "flutter": Baseline(_ANY, tiles=_flutter),
+        "pixel-wise": Baseline(_ANY, tiles=_pixel_wise),
+        "two-bucket": Baseline(_ANY, tiles=_two_bucket),
+    },
+    "staggered-v1": {
+        "aligned": Baseline(_ANY, tiles=lambda p, _seed: _film(p, staggered=False)),
+        "staggered": Baseline(_ANY, tiles=lambda p, _seed: _film(p, staggered=True)),
+        "staggered-alone": Baseline(
+            _ANY, tiles=lambda p, _seed: _film(p, staggered=True), alone=True
+        ),
+    },
+}  # fmt: skip
+
+
+def evaluate_baseline(
+    protocol: Protocol, name: str, folder: Path, seed: int = 0, codes: str = ""
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Return the result of a baseline on a folder of scenes, and its arrays by name.
+
+    `codes` names other shutters, CLASS:START or a run, see `named_codes`. A scene's noise is its
+    own, whatever else is evaluated.
+    """
+    from nscc_training.sensor_model import SensorModel
+
+    baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
+    choices = _choices(baseline, protocol, name, seed, codes)
+    files = files_of(protocol, folder)
+    scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
+
+    def decoded(tile: Tensor, shown: Sequence[Scene | None]) -> list[Scored]:
+        def decode(scene: Scene, index: int) -> tuple[Light, float]:
+            frames = captured(scene, tile, model, 1000 * seed + index)
+            begin = perf_counter()
+            return _decoded(baseline, frames), perf_counter() - begin
+
+        return list(scored(shown, decode))
+
+    tried = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
+    metric = baseline.best_in or "psnr_db"
+    tile, settings, every = max(tried, key=lambda each: mean_score(each[2], metric))
+    published = protocol.values.get("published_db", {}).get(name)
+    more = {} if published is None else {"published_db": published}
+    spent_s = [each.seconds for each in every]
+    subject = Subject(
+        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **more},
+        sees=baseline.method.sees, decoder_ms=1e3 * float(np.mean(spent_s)) if every else None,
+    )  # fmt: skip
+    others = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
+    return with_arrays(protocol, subject, files, every, left_out, **others)
+
+
+def _decoded(baseline: Baseline, frames: Captured) -> Light:
+    if not baseline.alone:
+        return baseline.method.decode(frames)
+    # A frame tells nothing of slots that it has not seen.
+    count = len(frames.codes)
+    return np.concatenate([baseline.method.decode(frames.frame(k)) for k in range(count)])
+
+
+def _choices(
+    baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
+) -> list[tuple[Tensor, dict[str, Any]]]:
+    """Return the shutters that a baseline chooses from, one unless it takes the best of several."""
+    import torch
+
+    from nscc_training.encoders import ShutterSpec, make_encoder
+    from nscc_training.programs import Chip, compiled, program_of, words_per_slot
+
+    if baseline.tiles is not None:
+        if codes:
+            raise rejected("NS0840", f"{name} has codes of its own", helps=("leave --shutter out",))
+        tile = torch.from_numpy(baseline.tiles(protocol, seed)).float()
+        return [(tile, {"frames": len(tile), "tile": [*tile.shape[2:]]})]
+    slots = int(protocol["slots" if protocol.still else "frames"])
+    if codes or ":" in baseline.start:
+        told: dict[str, Any] = {}
+        spec, start = named_codes(codes or baseline.start, protocol, name)
+        if not codes:
+            length = 1 if name == "bilinear" else spec.length
+            spec = ShutterSpec(spec.kind, slots, (baseline.side, baseline.side), length)
+        encoder = start if not isinstance(start, str) else make_encoder(spec, start, seed)
+        if codes:
+            told["words_per_slot"] = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))
+        for key, values in encoder.codes().items():
+            told["stops" if key == "stop" else key] = values.tolist()
+        return [(encoder.hard().cpu(), told)]
+    stops = [int(baseline.start)] if baseline.start else [
+        1 << k for k in range(slots.bit_length()) if 1 << k <= slots
+    ]  # fmt: skip
+    opened = torch.arange(slots).reshape(-1, 1, 1)
+    return [((opened < stop).float(), {"stops": [[stop]]}) for stop in stops]
+
+
+def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, Any]:
+    """Return the class on its tile and the start of `CLASS[:START]`, or the encoder of a run.
+
+    A class alone starts at random. Rejected (NS0840) if `name` takes no other codes, or the text
+    names none of the protocol's.
+    """
+    from nscc_training.encoders import ShutterSpec, make_encoder
+    from nscc_training.run_files import CONFIG, run_path
+    from nscc_training.run_folder import run_codes
+
+    known, rows = _CLASSES.get(protocol.name, ()), BASELINES[protocol.name]
+    kind, _, start = text.partition(":")
+    slots = int(protocol["slots" if protocol.still else "frames"])
+    if text == rows[name].start or rows[name].takes_codes:
+        folder = run_path(Path(text))
+        if (folder / CONFIG).is_file():
+            encoder = run_codes(folder)
+            if encoder.spec.slots == slots:
+                return encoder.spec, encoder
+            reason = f"'{text[:60]}' has codes of {encoder.spec.slots} slots"
+            note = f"protocol {protocol.name} has {slots}"
+            raise rejected("NS0840", reason, notes=(note,), helps=("name another run",))
+        start = start or "random"
+        if kind in known and start in STARTS:
+            length = max(1, slots // 4) if kind == "c" else None
+            spec = ShutterSpec(kind, slots, _TILE, length=length)
+            try:
+                make_encoder(spec, start)
+            except ValueError as error:
+                raise rejected("NS0840", f"'{text}' names no codes: {error}") from error
+            return spec, start
+        reason = f"'{text[:40]}' names no codes of protocol {protocol.name}"
+        note = f"its classes are {', '.join(known)}; starts are {', '.join(STARTS)}"
+    else:
+        takers = ", ".join(each for each, row in rows.items() if row.takes_codes)
+        reason = f"{name} has codes of its own"
+        note = f"under {protocol.name} these take others: {takers}"
+    raise rejected("NS0840", reason, notes=(note,), helps=(f"such as {known[0]}:quad",))
+
+
+def evaluate_sci8(
+    paths: Sequence[Path], method: str, iterations: int, weight: float
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Return the result of a method on the benchmark's clips, and its clips as arrays by name.
+
+    Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method.
+    """
+    protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
+    if chosen is None:
+        raise rejected(
+            "NS0810",
+            f"there is no method '{method[:60]}' for sci8",
+            notes=(f"the methods are {', '.join(methods.CLIPS)}",),
+            helps=("a trained decoder is evaluated by the name of its run folder",),
+        )
+    methods.load(method, int(protocol["frames"]))
+    options = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
+
+    def decode(scene: Scene, _index: int) -> tuple[Light, float]:
+        assert isinstance(scene, SciClip)
+        begin = perf_counter()
+        return chosen.decode(Captured.of_benchmark(scene), **options), perf_counter() - begin
+
+    every = list(scored(scenes_in(paths, protocol), decode))
+    spent_ms = 1e3 * float(np.mean([each.seconds for each in every]))
+    subject = Subject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
+    return with_arrays(protocol, subject, paths, every, [])

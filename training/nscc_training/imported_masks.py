@@ -1,0 +1,235 @@
+"""Masks from elsewhere as programs: the smallest tile, and the cheapest class that holds it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.pipeline import Compiled
+from nscc.target.load import load_target
+from nscc.words.container import Container
+from nscc_training.codes_files import codes_bytes
+from nscc_training.mask_files import Floats, read_mask
+from nscc_training.programs import CODES_FILE, MOST_LISTED, Chip, compiled, program, words_per_slot
+from nscc_training.shutter_spec import ShutterSpec
+
+Bits = NDArray[np.bool_]
+Codes = dict[str, NDArray[np.int64]]
+_MOST_BITS = 62
+"""Digits of a code of class e, an int64."""
+_MOST_SHAPES = 4096
+
+
+@dataclass(frozen=True)
+class ImportedMask:
+    """A program that opens a mask's shutters: its `text`, which names the file of the `codes` where
+    it needs one, the `kind` of its class and its `tile` (rows, cols).
+
+    `reasons` say of each other class why it was not chosen.
+    """
+
+    text: str
+    codes: bytes
+    kind: str
+    tile: tuple[int, int]
+    words_per_slot: float
+    reasons: tuple[str, ...]
+
+
+def import_mask(
+    path: Path, codes_name: str, *, slot_us: float = 125.0, target: str = "scamp5"
+) -> ImportedMask:
+    """Find the program of a mask.
+
+    Parameters
+    ----------
+    path : Path
+        A .npy, .npz or .mat file of `mask`, (rows, cols, slots) or (slots, rows, cols), of 0 and 1:
+        of the whole array, or of a tile that repeats over it.
+    codes_name : str
+        The name of the file of codes, for the program's text.
+    slot_us : float
+        The length of a slot in microseconds.
+    target : str
+        The chip, a name or a file.
+
+    Raises
+    ------
+    Rejected
+        NS0845 for a file without a mask, NS0847 for a mask that no class holds.
+    """
+    chip = Chip(target, slot_us)
+    table = load_target(target, Path())
+    array = (table.rows, table.cols)
+    mask = _slots_first(read_binary_mask(path), array)
+    shutters, tile = _tile(mask, array, path)
+    reasons: list[str] = []
+    found: list[tuple[float, ImportedMask]] = []
+    for spec, codes in _candidates(shutters, tile, reasons):
+        files = program(spec, codes, chip, f"Imported from {path.name}.")
+        try:
+            made = compiled(files, chip)
+        except Rejected as error:
+            reasons.append(f"class {spec.kind}: {error.diagnostics[0].message}")
+            continue
+        _check_same(made, shutters, tile)
+        text = files.text.replace(f'"{CODES_FILE}"', f'"{codes_name}"')
+        words = words_per_slot(made)
+        packed = codes_bytes(codes) if codes else b""
+        found.append(
+            (
+                words,
+                ImportedMask(text, packed, spec.kind, (tile.shape[0], tile.shape[1]), words, ()),
+            )
+        )
+    if not found:
+        raise rejected(
+            "NS0847",
+            f"no class holds the mask of '{path}' on {table.name}",
+            notes=tuple(reasons),
+            helps=("use fewer slots or fewer different shutters, or a target with more registers",),
+        )
+    words, best = min(found, key=lambda pair: pair[0])
+    reasons += [f"class {other.kind}: {more:g} words a slot instead of {words:g}"
+                for more, other in found if other is not best]  # fmt: skip
+    return ImportedMask(best.text, best.codes, best.kind, best.tile, words, tuple(reasons))
+
+
+def read_binary_mask(path: Path) -> Floats:
+    """The mask of a file, of 0 and 1 alone; NS0847 for fractions, which no shutter opens."""
+    mask = read_mask(path)
+    count = int(np.count_nonzero((mask != 0) & (mask != 1)))
+    if count:
+        raise rejected(
+            "NS0847",
+            f"{count} of {mask.size} values of the mask in '{path}' are neither 0 nor 1",
+            notes=("a shutter is open for a whole slot, or closed",),
+            helps=("make it binary, `mask > 0.5`, or spend several slots on each of its slots",),
+        )
+    return mask
+
+
+def codes_of_mask(path: Path, container: Container) -> Codes:
+    """The codes of a program's pixels, by field, that open the shutters of a mask.
+
+    Raises
+    ------
+    Rejected
+        NS0845 and NS0847 for the mask, and NS0847 for shutters that the program does not know.
+    """
+    target, table = container.target, container.table
+    mask = _slots_first(read_binary_mask(path), (target.rows, target.cols), container.slots)
+    known = {row.tobytes(): code for code, row in reversed([*enumerate(
+        np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))])}  # fmt: skip
+    shutters, tile = _tile(mask, (target.rows, target.cols), path)
+    wanted = [known.get(row.tobytes()) for row in np.packbits(shutters, axis=-1)]
+    missing = wanted.count(None)
+    if missing or len(container.buckets) != 1 or shutters.shape[1] != container.slots:
+        raise rejected(
+            "NS0847",
+            f"the program does not open the shutters of the mask in '{path}'",
+            notes=(f"{missing} of {len(wanted)} shutters of the mask are unknown to it; it has "
+                   f"{container.slots} slots and {len(container.buckets)} bucket(s)",),
+            helps=("`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
+                   "compiles for every legal code",),
+        )  # fmt: skip
+    codes = table.codes[np.array(wanted)[_over(tile, (target.rows, target.cols))]]
+    return {name: np.ascontiguousarray(codes[..., k]) for k, name in enumerate(table.fields)}
+
+
+def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None) -> Bits:
+    """The mask as (slots, rows, cols). Its time is the axis that is not the array's; of a tile,
+    whose axes do not tell, the last, as in MATLAB."""
+    if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
+        last = mask.shape[2] == slots
+    else:
+        last = mask.shape[:2] == array or mask.shape[1:] != array
+    return np.asarray((np.moveaxis(mask, 2, 0) if last else mask) > 0)
+
+
+def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
+    """The distinct shutters (K, slots) of a mask, and which of them each place has of the smallest
+    tile that repeats; NS0847 for a tile that a program cannot hold."""
+    slots, rows, cols = mask.shape
+    if rows > array[0] or cols > array[1]:
+        raise rejected(
+            "NS0847",
+            f"the mask in '{path}' is {rows} x {cols}, the array {array[0]} x {array[1]}",
+            helps=("cut the mask to the array, or name a larger --target",),
+        )
+    packed = np.packbits(mask, axis=0).reshape(-1, rows * cols).T
+    _, first, place = np.unique(packed, axis=0, return_index=True, return_inverse=True)
+    places = place.reshape(rows, cols)
+    down, across = _period(places), _period(places.T)
+    tile = places[:down, :across]
+    if tile.size > MOST_LISTED and tile.shape != array:
+        # So many codes are in a file, one for each pixel of the array.
+        tile = _over(tile, array)
+    return np.ascontiguousarray(mask.reshape(slots, -1).T[first]), tile
+
+
+def _period(places: NDArray[np.int64]) -> int:
+    """After how many rows the rows repeat."""
+    count = len(places)
+    return next((n for n in range(1, count) if np.array_equal(places[n:], places[:-n])), count)
+
+
+def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
+    """The tile repeated over the array."""
+    return tile[np.ix_(np.arange(array[0]) % tile.shape[0], np.arange(array[1]) % tile.shape[1])]
+
+
+def _candidates(
+    shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
+) -> Iterator[tuple[ShutterSpec, Codes]]:
+    """The classes that hold all shutters, with their codes; `reasons` are told of the others."""
+    count, slots = shutters.shape
+    shape = (tile.shape[0], tile.shape[1])
+    start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
+    lengths = shutters.sum(axis=1)
+    bumps = (lengths > 0) & (stop - start == lengths)
+    if count == 1 and shutters.all():
+        yield ShutterSpec("a", slots, (1, 1)), {}
+    if not bumps.all():
+        wrong = f"{np.count_nonzero(~bumps)} of {count} shutters open more than once, or never"
+        reasons.append(f"classes b, c, d: {wrong}")
+    else:
+        if not start.any():
+            yield ShutterSpec("b", slots, shape), {"stop": stop[tile]}
+        else:
+            reasons.append(f"class b: {np.count_nonzero(start)} of {count} shutters open later")
+        if len(set(lengths)) == 1 and lengths[0] < slots:
+            length = int(lengths[0])
+            yield ShutterSpec("c", slots, shape, length=length), {"start": start[tile]}
+        else:
+            span = f"{lengths.min()} to {lengths.max()}"
+            reasons.append(f"class c: shutters are open for {span} slots, not for one length")
+        yield ShutterSpec("d", slots, shape), {"start": start[tile], "stop": stop[tile]}
+    if count <= _MOST_SHAPES:
+        book = shutters.astype(np.int64)
+        yield ShutterSpec("codebook", slots, shape, rows=count), {"id": tile, "book": book}
+    else:
+        reasons.append(f"codebook: {count} different shutters, and {_MOST_SHAPES} can be listed")
+    if slots <= _MOST_BITS:
+        bits = (shutters.astype(np.int64) << np.arange(slots)).sum(axis=1)
+        yield ShutterSpec("e", slots, shape), {"bits": bits[tile]}
+    else:
+        reasons.append(f"class e: {slots} slots, and a code has at most {_MOST_BITS} bits")
+
+
+def _check_same(made: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
+    """ValueError where a compiled program opens other shutters than the mask's: a fault of ours."""
+    container = made.container
+    assert container is not None
+    assert container.pixel_codes is not None
+    lanes = container.table.shutter_of_code[container.pixel_codes]
+    places = _over(tile, (lanes.shape[0], lanes.shape[1]))
+    pairs = np.unique(np.stack([lanes.reshape(-1), places.reshape(-1)]), axis=1)
+    if not np.array_equal(container.table.shutters[pairs[0], 0], shutters[pairs[1]]):
+        raise ValueError("the program opens other shutters than the mask")

@@ -1,0 +1,41 @@
+"""The lock of a run folder: one process at a time trains into it."""
+
+from __future__ import annotations
+
+import fcntl
+import os
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+
+
+@contextmanager
+def locked_folder(folder: Path) -> Iterator[None]:
+    """Make a folder if need be, and keep other processes out to the end of the block.
+
+    Raises Rejected (NS0848) where another process has it. The lock ends with the process, however
+    that ends, and leaves no file.
+    """
+    is_new = not folder.exists()
+    folder.mkdir(parents=True, exist_ok=True)
+    descriptor = os.open(folder, os.O_RDONLY | os.O_CLOEXEC)
+    try:
+        try:
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise rejected(
+                "NS0848",
+                f"another process trains into '{folder}'",
+                notes=("one process at a time writes a run folder: two would mix their results",),
+                helps=("wait until it ends, or give --out another folder",),
+            ) from None
+        yield
+    except BaseException:
+        if is_new:  # nothing is left of a run that did not begin
+            with suppress(OSError):
+                folder.rmdir()
+        raise
+    finally:
+        os.close(descriptor)

@@ -1,0 +1,78 @@
+"""The optimizers of a run: Adam, or Muon for the inner convolutions, and the learning rates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from nscc_training.loop.setup import Parts
+from nscc_training.settings import TrainSettings
+
+_MUON_RATE = 4.0
+"""Times Adam's rate: steps whose root mean square is 0.8 of it."""
+
+
+class Muon(torch.optim.Muon):
+    """`torch.optim.Muon`, which takes matrices, for weights of convolutions (out, ...).
+
+    Every weight is seen as a matrix with a row for each output, in the same memory.
+    """
+
+    def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
+        self.weights = list(weights)
+        self.matrices = [weight.detach().view(len(weight), -1) for weight in self.weights]
+        super().__init__(self.matrices, lr, weight_decay=0.0, adjust_lr_fn="match_rms_adamw")
+
+    @torch.no_grad()
+    def step(self, closure: Any = None) -> None:  # type: ignore[override]
+        """Take a step along the gradients that the weights have; `closure` is not used."""
+        for weight, matrix in zip(self.weights, self.matrices, strict=True):
+            matrix.grad = None if weight.grad is None else weight.grad.reshape_as(matrix)
+        super().step()  # type: ignore[no-untyped-call]
+
+
+def optimizers_of(parts: Parts) -> list[torch.optim.Optimizer]:
+    """Return the optimizers of a run; each group knows its rate at the first step as `base`."""
+    settings = parts.settings
+    inner, outer = _by_muon(parts.decoder) if settings.train.optimizer == "muon" else (
+        [], list(parts.decoder.parameters()))  # fmt: skip
+    groups = [(outer, settings.train.rate)]
+    if settings.shutter.learn:
+        spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
+        for parameter in parts.encoder.parameters():
+            span = spans.get(id(parameter), 1.0)
+            groups.append(([parameter], settings.train.code_rate * span))
+    else:
+        parts.encoder.requires_grad_(False)
+    made = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
+    found: list[torch.optim.Optimizer] = [torch.optim.Adam(made, fused=True)] if made else []
+    if inner:
+        rate = _MUON_RATE * settings.train.rate
+        found.append(Muon(inner, rate))
+        found[-1].param_groups[0]["base"] = rate
+    return found
+
+
+def _by_muon(decoder: nn.Module) -> tuple[list[Tensor], list[Tensor]]:
+    """Return the weights of convolutions that a network has inside, and its other parameters."""
+    kernels = [name for name, weight in decoder.named_parameters() if weight.ndim >= 4]
+    inside = set(kernels[1:-1])
+    inner: list[Tensor] = []
+    outer: list[Tensor] = []
+    for name, weight in decoder.named_parameters():
+        (inner if name in inside else outer).append(weight)
+    return inner, outer
+
+
+def set_rates(
+    optimizers: Iterable[torch.optim.Optimizer], settings: TrainSettings, step: int
+) -> None:
+    """Set the learning rates of a step."""
+    cosine = 0.5 * (1 + math.cos(math.pi * step / settings.steps))
+    for optimizer in optimizers:
+        for group in optimizer.param_groups:
+            group["lr"] = group["base"] * (cosine if settings.schedule == "cosine" else 1.0)

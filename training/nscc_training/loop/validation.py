@@ -1,0 +1,113 @@
+"""What a run is worth on the scenes that it is chosen by, as `nscc evaluate` scores scenes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor
+
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.sensor import Sensor
+from nscc_training.data import Scenes
+from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
+from nscc_training.loop.setup import Parts
+from nscc_training.measures import number
+from nscc_training.protocol_scenes.made import exposed_arrays
+from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocols import Protocol
+from nscc_training.sensor_model import SensorModel
+from nscc_training.statistics import summary
+
+Decode = Callable[[NDArray[Any], int], tuple[NDArray[np.float64], float]]
+"""Captures and decodes light in electrons, which is the scene of that number; and the seconds."""
+
+
+@dataclass(frozen=True)
+class Validation:
+    """The loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
+
+    loss: float
+    psnr_db: float
+    ssim: float
+
+
+def validation_scenes(parts: Parts, scenes: Scenes) -> list[Scene]:
+    """Return the validation scenes as the run's protocol exposes them, at most `val_items`.
+
+    Clips have as many frames as the run has slots. Rejected (NS0811) if no scene can be exposed.
+    """
+    protocol: Protocol = parts.protocol
+    key = "crop_size" if parts.still else "size"
+    side = min(int(protocol[key]), parts.target.rows, parts.target.cols)
+    protocol = protocol.changed(**{key: side} | ({} if parts.still else {"frames": parts.slots}))
+    lights = [(scene.name, scene.light) for scene in scenes.val]
+    srgb = parts.settings.data.transfer != "linear"
+    shown = exposed_arrays(lights, srgb, protocol, parts.settings.data.val_items)
+    if not shown:
+        raise rejected(
+            "NS0811",
+            f"protocol {protocol.name} can expose none of the validation scenes",
+            notes=(f"they are {', '.join(scene.name for scene in scenes.val)[:200]}",),
+            helps=("name other scenes in [data] val",),
+        )
+    return shown
+
+
+def validated(
+    parts: Parts, shown: Sequence[Scene], decode: Decode | None = None, exposure: float = 1.0
+) -> Validation:
+    """Score the decoder on scenes; without `decode` as the run was trained, see `as_trained`.
+
+    `exposure` makes all light so many times brighter than the decoder expects; the scores count
+    what comes of it as if it had not. The scores are those that `nscc evaluate` has of the scenes.
+    """
+    decode = decode or as_trained(parts)
+    losses, scores, similar = [], [], []
+    for index, scene in enumerate(shown):
+        result_e = decode(scene.light_e * exposure, index)[0] / exposure
+        found = scene.scores(result_e)
+        scores.append(number(found["psnr_db"]))
+        similar.append(found["ssim"])
+        losses.append(_loss(parts, scene, result_e))
+    mean = summary(scores, ["scene"] * len(scores))["mean"]
+    psnr_db = float("inf") if mean is None else mean
+    return Validation(float(np.mean(losses)), psnr_db, float(np.mean(similar)))
+
+
+def as_trained(parts: Parts, sensor: Sensor | None = None, seed: int = 0) -> Decode:
+    """Return what captures and decodes under the run's effects, by the chip, or else by the model.
+
+    `sensor` is the chip's, by default the run's.
+    """
+    effects = parts.settings.sensor.effects
+    return by_chip(parts, effects, sensor, seed) if effects else by_model(parts, seed=seed)
+
+
+def by_model(
+    parts: Parts, tile: Tensor | None = None, model: SensorModel | None = None, seed: int = 0
+) -> Decode:
+    """Return what captures with the model of the sensor: with other shutters, or another model."""
+    return lambda light_e, index: scene_by_model(parts, light_e, 1000 * seed + index, tile, model)
+
+
+def by_chip(parts: Parts, effects: str, sensor: Sensor | None = None, seed: int = 0) -> Decode:
+    """Return what captures with the emulated chip, each scene with noise of its own."""
+    container, used = container_of(parts), parts.sensor if sensor is None else sensor
+    return lambda light_e, index: scene_by_chip(
+        parts, container, used, light_e, effects, (1000 * seed + index, seed)
+    )
+
+
+def _loss(parts: Parts, scene: Scene, result_e: NDArray[Any]) -> float:
+    """Return the loss of a reconstruction; light above the peak counts as the peak."""
+    truth, result = (
+        torch.from_numpy(np.asarray(each / scene.peak_e, np.float32))[None]
+        for each in (scene.light_e, result_e)
+    )
+    result = torch.where(truth >= 1, result.clamp(max=1), result)
+    return float(parts.loss(result, truth.clamp(max=1)))

@@ -1,0 +1,1 @@
+"""Scenes as protocols expose them, each with the protocol's metrics of a reconstruction."""

@@ -1,0 +1,66 @@
+"""Protocol deblur-v1: panoramas while the camera turns, and a sharp picture of one slot."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training import metrics
+from nscc_training.measures import decibels, frame_scores
+from nscc_training.protocol_scenes.hdr import light_of
+from nscc_training.protocol_scenes.scene import Scene, Unusable, on_unit_range
+from nscc_training.protocols import Protocol
+from nscc_training.turning_camera import turned
+
+Picture = NDArray[np.float64]
+
+
+class Moment(Scene):
+    """A view of a panorama: its truth is the light of one slot, as if it lasted a whole frame."""
+
+    @property
+    def truth_e(self) -> Picture:
+        return self.moment_e(self.light_e)
+
+    @property
+    def peak_e(self) -> float:
+        return float(np.percentile(self.truth_e, self.protocol["normalise_percentile"]))
+
+    def moment_e(self, clip_e: Picture) -> Picture:
+        """Return the moment of a clip (slots, rows, cols), in electrons over the frame."""
+        return np.asarray(clip_e[int(self.protocol["moment"])] * len(clip_e))
+
+    def scores(self, result_e: Picture) -> dict[str, Any]:
+        result = self.moment_e(result_e) if result_e.ndim == 3 else result_e
+        pair = on_unit_range(self.truth_e, result, self.peak_e)
+        mu_db = metrics.mu_psnr(*pair, 1.0, self.protocol["mu"])
+        return {**frame_scores(*pair, 1.0), "mu_psnr_db": decibels(mu_db)}
+
+
+def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[Moment | Unusable]:
+    """Yield the views of panoramas, in order; the numbers of panorama and view fix a motion."""
+    slots, size = int(protocol["frames"]), int(protocol["size"])
+    for index, path in enumerate(files):
+        light = light_of(path, protocol)
+        for number in range(int(protocol["views"])):
+            if light.shape != tuple(protocol["panorama"]):
+                reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
+                yield Unusable(path.name, {"view": number}, reason)
+                continue
+            drawn = np.random.default_rng((protocol["view_seed"], index, number))
+            clip = turned(light.astype(np.float32), drawn, slots, size).astype(np.float64)
+            yield exposed_moment(path, number, clip, protocol)
+
+
+def exposed_moment(path: Path, number: int, clip: Picture, protocol: Protocol) -> Moment | Unusable:
+    """Return the clip scaled so that the median of its all-open sum is the protocol's mid grey."""
+    grey = float(np.median(clip.sum(axis=0)))
+    if not (np.isfinite(clip).all() and grey > 0):
+        return Unusable(path.name, {"view": number}, "half of it is dark")
+    wanted_e = protocol.mid_grey_e
+    assert wanted_e is not None
+    return Moment(path, None, number, clip * (wanted_e / grey), protocol)

@@ -1,0 +1,97 @@
+"""Protocol hdr-v1: crops of panoramas, exposed so that a given share of their pixels saturates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.scenes.colour import linear
+from nscc_runtime.scenes.picture_files import read_picture
+from nscc_training import metrics
+from nscc_training.measures import decibels, frame_scores
+from nscc_training.metrics import mean_square_error, psnr_of_mse
+from nscc_training.protocol_scenes.scene import Scene, Unusable, on_unit_range
+from nscc_training.protocols import Protocol
+
+Picture = NDArray[np.float64]
+ENDINGS = (".hdr", ".exr", ".pfm")
+
+
+class Crop(Scene):
+    """A crop of a panorama."""
+
+    @property
+    def peak_e(self) -> float:
+        return float(np.percentile(self.light_e, self.protocol["normalise_percentile"]))
+
+    def scores(self, result_e: Picture) -> dict[str, Any]:
+        truth_e, protocol = self.light_e, self.protocol
+        truth, result = on_unit_range(truth_e, result_e, self.peak_e)
+        well_e = float(protocol["full_well_e"])
+        found: dict[str, Any] = {
+            **frame_scores(truth, result, 1.0),
+            "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
+            "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
+        }
+        for name, where in (
+            ("saturated", truth_e >= well_e),
+            ("dark", truth_e < float(protocol["dark_fraction"]) * well_e),
+        ):
+            error = mean_square_error(truth[where], result[where]) if where.any() else None
+            found[f"{name}_share"] = float(where.mean())
+            found[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
+        return found
+
+
+def light_of(path: Path, protocol: Protocol) -> Picture:
+    """Return the light of a linear picture, negative values as 0."""
+    picture = linear(read_picture(path), "linear")
+    light = picture @ np.array(protocol["luminance"]) if picture.ndim == 3 else picture
+    return np.maximum(light, 0.0)
+
+
+def crops(
+    files: Sequence[Path], protocol: Protocol, fraction: float | None = None
+) -> Iterator[Crop | Unusable]:
+    """Yield the crops of panoramas, in order; those that cannot be used as `Unusable`."""
+    for path in files:
+        light = light_of(path, protocol)
+        if light.shape != tuple(protocol["panorama"]):
+            reason = f"{light.shape}, not {tuple(protocol['panorama'])}"
+            yield Unusable(path.name, {"crop": [0, 0]}, reason)
+            continue
+        yield from crops_of(path, light, protocol, fraction)
+
+
+def crops_of(
+    path: Path, light: Picture, protocol: Protocol, fraction: float | None = None
+) -> Iterator[Crop | Unusable]:
+    """Yield the crops of one picture's light: its middle rows, from left to right."""
+    size = min(int(protocol["crop_size"]), *light.shape)
+    top = (light.shape[0] - size) // 2
+    for left in range(0, light.shape[1] - size + 1, size):
+        part = light[top : top + size, left : left + size]
+        yield exposed_crop(path, (top, left), part, protocol, fraction)
+
+
+def exposed_crop(
+    path: Path, corner: tuple[int, int], light: Picture, protocol: Protocol,
+    fraction: float | None = None,
+) -> Crop | Unusable:  # fmt: skip
+    """Return the crop scaled so that `fraction` of its pixels saturate when always open."""
+    share = float(protocol["saturated_fraction"]) if fraction is None else fraction
+    well_e, place = float(protocol["full_well_e"]), {"crop": list(corner)}
+    if not np.isfinite(light).all():
+        return Unusable(path.name, place, "its light is not finite")
+    level = float(np.quantile(light, 1 - share, method="higher"))
+    if level <= 0:
+        return Unusable(path.name, place, "it is dark where it should saturate")
+    scaled = light * (well_e / level)
+    saturated = float(np.mean(scaled >= well_e))
+    if abs(saturated - share) > float(protocol["saturated_tolerance"]):
+        return Unusable(path.name, place, f"{saturated:.1%} saturate instead of {share:.0%}")
+    return Crop(path, corner, None, scaled, protocol)

@@ -1,0 +1,68 @@
+"""Scenes that no file holds: those that are made of a seed, and light that is given as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_training import made_scenes
+from nscc_training.protocol_scenes.deblur import exposed_moment
+from nscc_training.protocol_scenes.hdr import crops_of, exposed_crop
+from nscc_training.protocol_scenes.scene import Scene, Unusable
+from nscc_training.protocol_scenes.video import exposed_window, windows_of
+from nscc_training.protocols import Protocol
+
+_MADE = 3
+"""Apart from the made scenes that runs learn from (1) and are chosen by (2)."""
+
+
+def made_scene(index: int, protocol: Protocol, seed: int) -> Scene | Unusable:
+    """Return a still or a clip that is made of a seed, exposed as hdr-v1 or video-v1 says."""
+    generator, name = np.random.default_rng([seed, _MADE, index]), Path(f"made-{index}")
+    if protocol.still:
+        still = made_scenes.still(generator, protocol["crop_size"]).astype(np.float64)
+        return exposed_crop(name, (0, 0), still, protocol)
+    clip = made_scenes.clip(generator, protocol["frames"], protocol["size"])
+    return exposed_window(name, 0, clip.astype(np.float64), False, protocol)
+
+
+def exposed_arrays(
+    lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
+) -> list[Scene]:
+    """Return at most `count` scenes of light by name, as many of one array as of another.
+
+    `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` says in which encoding
+    errors of clips are counted.
+    """
+    every = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
+    turns = (scene for turn in zip_longest(*every) for scene in turn)
+    found: list[Scene] = []
+    for scene in turns:
+        if isinstance(scene, Scene):
+            found.append(scene)
+        if len(found) == count:
+            break
+    return found
+
+
+def _of_array(
+    name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
+) -> Iterator[Scene | Unusable]:
+    """Yield the scenes of one array, of the protocol's size or as large as the array is."""
+    if light.ndim == 2:
+        yield from crops_of(name, light.astype(np.float64), protocol)
+        return
+    side = min(int(protocol["size"]), *light.shape[1:])
+    fitted = protocol.changed(size=side)
+    if protocol.mid_grey_e is None:
+        yield from windows_of(name, light, srgb, fitted)
+        return
+    slots = int(protocol["frames"])
+    for first in range(0, len(light) - slots + 1, slots):
+        clip = light[first : first + slots, :side, :side].astype(np.float64)
+        yield exposed_moment(name, first, clip, fitted)

@@ -1,0 +1,113 @@
+"""Protocol sci8: a benchmark clip, its own mask and measurement, the first eight frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.scenes.mat_files import mat_arrays
+from nscc_training.measures import frame_scores
+from nscc_training.metrics import WINDOW
+from nscc_training.problems import said
+from nscc_training.protocol_scenes.scene import Item, Scene
+from nscc_training.protocols import Protocol
+
+Clip = NDArray[np.float32]
+
+
+@dataclass(frozen=True, eq=False)
+class SciClip(Scene):
+    """A clip of the benchmark on 0..1 (8, rows, cols), whose frames are scored one by one.
+
+    `mask` (8, rows, cols) and `measurement` (rows, cols), in units of the full scale of one frame,
+    come with it.
+    """
+
+    mask: Clip
+    measurement: Clip
+
+    @property
+    def peak_e(self) -> float:
+        return 1.0
+
+    @property
+    def truth_e(self) -> NDArray[np.uint8]:
+        return np.asarray(np.rint(self.light_e * self.protocol["data_range"]), np.uint8)
+
+    def result(self, clip: NDArray[Any]) -> NDArray[np.float64]:
+        """Return a reconstruction as it is scored; the benchmark does not round it."""
+        top = float(self.protocol["data_range"])
+        return np.clip(clip.astype(np.float64), 0, 1) * top
+
+    def scores(self, result_e: NDArray[Any]) -> dict[str, Any]:
+        raise NotImplementedError("frames of this protocol are scored one by one")
+
+    def items(self, result_e: NDArray[Any]) -> list[Item]:
+        top = float(self.protocol["data_range"])
+        pairs = enumerate(zip(self.truth_e, self.result(result_e), strict=True))
+        return [
+            Item(self.file.name, None, k, frame_scores(truth, frame, top))
+            for k, (truth, frame) in pairs
+        ]
+
+
+def sci_scenes(files: Sequence[Path], protocol: Protocol) -> Iterator[SciClip]:
+    """Yield the clips in files of the benchmark."""
+    return (read_sci_clip(path, protocol) for path in files)
+
+
+def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
+    """Return the clip in a `.mat` file; Rejected (NS0809) if it is not one of the benchmark's."""
+    try:
+        found = mat_arrays(path, ["orig", "mask", "meas"])
+    except FileNotFoundError:
+        raise _unusable(path, "there is no such file") from None
+    except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
+        raise _unusable(path, said(error)) from error
+    frames = int(protocol["frames"])
+    try:
+        orig, mask, meas = (np.asarray(found[key]) for key in ("orig", "mask", "meas"))
+    except KeyError as error:
+        raise _unusable(path, f"it has no array {error}") from None
+    meas = meas[..., None] if meas.ndim == 2 else meas
+    shape = orig.shape[:2]
+    if orig.ndim != 3 or orig.shape[2] < frames or mask.shape != (*shape, frames):
+        raise _unusable(path, f"`orig` is {orig.shape}, `mask` {mask.shape}")
+    if meas.ndim != 3 or meas.shape[:2] != shape or meas.shape[2] < 1:
+        raise _unusable(path, f"`meas` is {meas.shape}")
+    if any(a.dtype.kind not in "uifb" for a in (orig, mask, meas)):
+        raise _unusable(path, "its arrays are not real numbers")
+    values = [np.moveaxis(a.astype(np.float64), 2, 0) for a in (orig, mask, meas)]
+    if not all(np.isfinite(a).all() for a in values):
+        raise _unusable(path, "its arrays are not finite")
+    if min(shape) < WINDOW:
+        raise _unusable(path, f"{shape[0]} x {shape[1]} is too small: SSIM needs {WINDOW} x "
+                        f"{WINDOW}")  # fmt: skip
+    if not np.array_equal(values[0], np.clip(np.rint(values[0]), 0, 255)):
+        raise _unusable(path, "`orig` has other values than whole numbers 0..255")
+    if values[1].min() < 0 or values[1].max() == 0:
+        raise _unusable(path, "`mask` is negative somewhere, or 0 everywhere")
+    truth, opened, measured = values[0][:frames], values[1], values[2][0]
+    if not np.allclose((truth * opened).sum(axis=0), measured, rtol=1e-4, atol=0.5):
+        raise _unusable(path, "its first measurement is not sum(mask x orig) of its first frames")
+    scale = float(protocol["data_range"])
+    mask, measurement = opened.astype(np.float32), (measured / scale).astype(np.float32)
+    return SciClip(path, None, None, truth / scale, protocol, mask, measurement)
+
+
+def _unusable(path: Path, reason: str) -> Exception:
+    return rejected(
+        "NS0809",
+        f"'{path}' is no clip of the sci8 benchmark",
+        notes=(reason,),
+        helps=(
+            "such a .mat file holds `orig` (rows, cols, T >= 8) of 0..255, `mask` (rows, cols, 8) "
+            "and `meas` (rows, cols, n), where meas = sum(mask x orig)",
+        ),
+    )
