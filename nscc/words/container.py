@@ -112,6 +112,11 @@ class Container:
         return {each.name: getattr(self, each.name) for each in fields(self)}
 
     @property
+    def slot_s(self) -> NDArray[np.float64]:
+        """The lengths of the slots (N,) in seconds."""
+        return np.array(self.slot_us, np.float64) * 1e-6
+
+    @property
     def slots(self) -> int:
         """Number of slots in the frame."""
         return len(self.slot_us)

@@ -30,7 +30,7 @@ from nscc_runtime.effects.parts import (
 )
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.frame_file import FrameFile
-from nscc_runtime.response import converter_e2, open_shutters, shutter_response, slot_seconds
+from nscc_runtime.response import converter_e2, open_shutters, shutter_response
 
 _KNOWN: tuple[type[Part], ...] = (
     Converter, CountedDark, CountedLight, Errors, Leak, LitLevel, SlowWords, WordGain,
@@ -68,7 +68,7 @@ def decode_arrays(
     lanes = container.table.shutter_of_code[container.pixel_codes]
     used, row = np.unique(lanes, return_inverse=True)
     small = next(t for t in (np.uint8, np.uint16, np.uint32) if len(used) - 1 <= np.iinfo(t).max)
-    gain = response.gain(shutters @ slot_seconds(container))
+    gain = response.gain(shutters @ container.slot_s)
     variance_e2 = response.variance_e2 + converter_e2(sensor, kept) + _planned_e2(kept, plan)
     # Beyond float32 a variance is infinite: such a code says nothing about the light.
     with np.errstate(over="ignore"):

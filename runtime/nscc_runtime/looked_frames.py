@@ -22,13 +22,13 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.pool import threads_of
-from nscc_runtime.ready import MadeReady
+from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.looks import LookingReference
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
-ways_of = MadeReady(Ways)
+ways_of = OfContainer(Ways)
 """The ways of a program on a sensor."""
 
 
@@ -88,8 +88,7 @@ def frames(
     previous: Light | None = None,
     threads: int | None = None,
 ) -> Iterator[Frame]:
-    """As `looking_frames`; `threads`, by default as many as there are
-    processors, change no bit."""
+    """As `looking_frames`, by ways; `threads`, by default all processors, change no bit."""
     check(container, light)
     check_adc(container.target)
     ways = ways_of(container, sensor)

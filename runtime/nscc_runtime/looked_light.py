@@ -104,7 +104,7 @@ def light_of(
     codes = frame.frame.astype(np.float64)
     read_e = (codes - sensor.adc_offset_lsb) * sensor.electrons_per_lsb
     open_s = np.where(open_us > 0, open_us, np.nan) * 1e-6
-    response = looked_response(container)(sensor, effects)
+    response = looked_response(container, sensor, effects)
     if response is None:
         deviation = np.where(frame.saturated, np.inf, np.nan)
         return {LIGHT: read_e / open_s, DEVIATION: np.where(np.isnan(open_s), np.nan, deviation)}

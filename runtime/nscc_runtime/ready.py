@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from threading import Lock
-from typing import Any, Generic, TypeVar
+from typing import Any, Concatenate, Generic, ParamSpec, TypeVar
 
 from nscc.words.container import Container
-from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.pool import after_fork
 
+P = ParamSpec("P")
 T = TypeVar("T")
 
 _ANALYSES = "_analyses"
@@ -17,10 +17,11 @@ _ANALYSES = "_analyses"
 else they would keep it alive."""
 
 
-class OfContainer(Generic[T]):
-    """`make(container)`, once for each."""
+class OfContainer(Generic[P, T]):
+    """`make(container, ..)`, once for each container and all equal arguments, which are given by
+    place and hashable: of a sensor, say, or of effects."""
 
-    def __init__(self, make: Callable[[Container], T]) -> None:
+    def __init__(self, make: Callable[Concatenate[Container, P], T]) -> None:
         self._make = make
         self._renew()
         after_fork(self._renew)  # a thread of the parent process may hold the lock
@@ -28,30 +29,10 @@ class OfContainer(Generic[T]):
     def _renew(self) -> None:
         self._making = Lock()
 
-    def __call__(self, container: Container) -> T:
+    def __call__(self, container: Container, *key: P.args, **named: P.kwargs) -> T:
         with self._making:  # threads that share a program wait for one analysis of it
-            analyses: dict[OfContainer[Any], Any] = vars(container).setdefault(_ANALYSES, {})
-            if self not in analyses:
-                analyses[self] = self._make(container)
-            made: T = analyses[self]
+            analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, {})
+            if (self, key) not in analyses:
+                analyses[self, key] = self._make(container, *key, **named)
+            made: T = analyses[self, key]
             return made
-
-
-class MadeReady(Generic[T]):
-    """`make(container, sensor)`, once for each."""
-
-    def __init__(self, make: Callable[[Container, Sensor], T]) -> None:
-        self._make = make
-        self._of: OfContainer[dict[Sensor, T]] = OfContainer(lambda _container: {})
-        self._renew()
-        after_fork(self._renew)
-
-    def _renew(self) -> None:
-        self._making = Lock()
-
-    def __call__(self, container: Container, sensor: Sensor) -> T:
-        with self._making:
-            found = self._of(container)
-            if sensor not in found:
-                found[sensor] = self._make(container, sensor)
-            return found[sensor]

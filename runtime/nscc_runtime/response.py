@@ -25,6 +25,7 @@ from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import CountedDark, WordGain
 from nscc_runtime.effects.parts import Response as PixelGain
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.trace import analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, Model, backward
 
@@ -69,15 +70,16 @@ class ShutterResponse:
         return np.divide(self.seen_s, open_s, out=np.ones(open_s.shape), where=open_s > 0)
 
 
-def shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
-    """The response of every shutter of a program whose pixels do not look.
-
-    Raises Rejected (NS0442) for words that open no shutters.
-    """
+def _shutter_response(container: Container, sensor: Sensor, effects: Selection) -> ShutterResponse:
     kept_us = retention_us(effects, sensor)
     words = () if container.target.streamed else analog_words(container, kept_us)
     weights = backward(container, words, Model.of(effects, sensor))
-    return ShutterResponse.of_weights(weights, slot_seconds(container), sensor, effects)
+    return ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
+
+
+shutter_response = OfContainer(_shutter_response)
+"""The response of every shutter of a program whose pixels do not look, by (container, sensor,
+effects). Raises Rejected (NS0442) for words that open no shutters."""
 
 
 def open_shutters(container: Container) -> NDArray[np.bool_]:
@@ -88,11 +90,6 @@ def open_shutters(container: Container) -> NDArray[np.bool_]:
     if container.has_table:
         return container.table.shutters
     return backward(container, analog_words(container)).open().transpose(1, 2, 0)
-
-
-def slot_seconds(container: Container) -> Values:
-    """The lengths of the slots."""
-    return np.array(container.slot_us, np.float64) * 1e-6
 
 
 @lru_cache
@@ -146,7 +143,7 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
         raise ValueError("a container without pixels has no response")
     effects = everything() if effects is None else effects
     lanes = container.table.shutter_of_code[container.pixel_codes]
-    open_s = container.table.shutters @ slot_seconds(container)
+    open_s = container.table.shutters @ container.slot_s
     by_pixel = open_s[lanes].transpose(2, 0, 1)
     plain = Response(by_pixel, np.ones(by_pixel.shape), np.zeros(by_pixel.shape), sensor)
     if container.machine is not None:

@@ -15,7 +15,7 @@ from nscc_runtime.execution.frames import Execution, executed
 from nscc_runtime.execution.near import NO_PIXELS, NearSaturation
 from nscc_runtime.execution.program import Program
 from nscc_runtime.planning import sample as module
-from nscc_runtime.planning.sample import Sample, chances, drawn_by, sample_of
+from nscc_runtime.planning.sample import Sample, chances, contrasts_of, drawn_by, sample_of
 from nscc_runtime.planning.sampled_exposures import SEED
 from nscc_runtime.planning.summed_trial import SummedTrial
 from nscc_runtime.reference import expose
@@ -168,7 +168,7 @@ def test_chances_are_light_and_its_differences_to_each_neighbour(shape: tuple[in
 
     within, square = contrast(np.minimum(light, well_e)), contrast(light) ** 2
     expected = 4 * drawn / drawn.sum() + 2 * within / within.sum() + square / square.sum()
-    assert chances(light, well_e, never) == pytest.approx(expected)
+    assert chances(contrasts_of(light, well_e), never) == pytest.approx(expected)
 
 
 def trial_of(name: str, electrons: float, shape: tuple[int, int] = (64, 80)) -> SummedTrial:

@@ -60,7 +60,7 @@ def test_mean_and_variance_are_those_of_the_reference(path: Path, count: int) ->
         response = shutter_response(program, sensor, effects)
         rows = np.broadcast_to(behaviour, (count, ROWS, COLS))
     else:
-        ends, response = looked_response(program)(sensor, effects)
+        ends, response = looked_response(program, sensor, effects)
         read = [f"states_{state.name}" for state in program.machine.states if state.read]
         told = ([behaviour, *(frame.told[name] for name in read)] for frame in taken)
         rows = np.stack([row_of(ends.told, each)[0] for each in told])

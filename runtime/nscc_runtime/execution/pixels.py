@@ -112,8 +112,7 @@ class Pixels:
     @cached_property
     def times(self) -> Times:
         """Its slots by lane."""
-        slot_s = np.array(self.program.container.slot_us, np.float64) * 1e-6
-        return Times(self.groups, len(self.group_ids), slot_s)
+        return Times(self.groups, len(self.group_ids), self.program.container.slot_s)
 
     @cached_property
     def numbers(self) -> int:

@@ -19,7 +19,7 @@ from nscc_runtime.execution.pixels import Pixels, Wired
 from nscc_runtime.execution.reach import Reach, reach_of
 from nscc_runtime.execution.sums import Weights
 from nscc_runtime.execution.tables import Tables
-from nscc_runtime.ready import MadeReady
+from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.charge import Groups
 from nscc_runtime.reference.weights import Model
@@ -49,8 +49,7 @@ class Program:
         """Analyse a program. Raises Rejected where its words open no shutters (NS0442)."""
         check_program(container)
         reference = Reference.of(container, sensor, everything())
-        slot_s = np.array(container.slot_us, np.float64) * 1e-6
-        return cls(container, sensor, reference, Tables.of(reference), slot_s)
+        return cls(container, sensor, reference, Tables.of(reference), container.slot_s)
 
     @cached_property
     def array(self) -> PixelArray:
@@ -206,5 +205,5 @@ class Program:
         return Recent(_RECENT_CHIPS)
 
 
-analysed = MadeReady(Program.of)
+analysed = OfContainer(Program.of)
 """The analysis of a container on a sensor, made once for each pair."""

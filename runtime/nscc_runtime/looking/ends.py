@@ -15,8 +15,7 @@ from nscc_runtime.looking.paths import Paths, paths_of, start_bits
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.trace import AnalogWord, retention_us
 from nscc_runtime.reference.weights import Model, backward
-from nscc_runtime.remembered import remembered
-from nscc_runtime.response import ShutterResponse, slot_seconds
+from nscc_runtime.response import ShutterResponse
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,28 +28,20 @@ class Ends:
     words: tuple[AnalogWord, ...]
 
 
-@dataclass(frozen=True, eq=False)
-class LookedResponse:
-    """The response of a program whose pixels look, by the end of the frame; None where the paths
-    of its pixels cannot be followed (`nscc_runtime.looking.paths`)."""
-
-    container: Container
-
-    @remembered
-    def __call__(self, sensor: Sensor, effects: Selection) -> tuple[Ends, ShutterResponse] | None:
-        """The ends, and the response (ends, buckets) of each."""
-        container = self.container
-        paths = paths_of(container)(retention_us(effects, sensor))
-        if isinstance(paths, str):
-            return None
-        ends = ends_of(container, paths)
-        weights = backward(container, ends.words, Model.of(effects, sensor))
-        slot_s = slot_seconds(container)
-        return ends, ShutterResponse.of_weights(weights, slot_s, sensor, effects)
+def _looked_response(
+    container: Container, sensor: Sensor, effects: Selection
+) -> tuple[Ends, ShutterResponse] | None:
+    paths = paths_of(container, retention_us(effects, sensor))
+    if isinstance(paths, str):
+        return None
+    ends = ends_of(container, paths)
+    weights = backward(container, ends.words, Model.of(effects, sensor))
+    return ends, ShutterResponse.of_weights(weights, container.slot_s, sensor, effects)
 
 
-looked_response = OfContainer(LookedResponse)
-"""The responses of a container, computed once for each sensor and set of effects."""
+looked_response = OfContainer(_looked_response)
+"""The ends of a program whose pixels look, and the response (ends, buckets) of each, by (container,
+sensor, effects); None where the paths of its pixels cannot be followed."""
 
 
 def ends_of(container: Container, paths: Paths) -> Ends:

@@ -27,7 +27,6 @@ from nscc.words.cost import word_us
 from nscc.words.legality import decoded
 from nscc_runtime.looking.registers import UNKNOWN, Bits, Registers
 from nscc_runtime.ready import OfContainer
-from nscc_runtime.remembered import remembered
 
 MOST = 1 << 21
 """Most words x ways that are followed: some hundred megabytes."""
@@ -113,25 +112,16 @@ class Paths:
         return first[at]
 
 
-class KeptPaths:
-    """The paths of a container with a machine, or why there are none, for each time that digital
-    registers keep their values."""
-
-    def __init__(self, container: Container) -> None:
-        self._container = container
-        self._kernels = decoded(container)
-
-    @remembered
-    def __call__(self, retention_us: float) -> Paths | str:
-        """The paths for a time in microseconds."""
-        try:
-            return Paths.of(self._container, self._kernels, retention_us)
-        except Pathless as why:
-            return str(why)
+def _paths_of(container: Container, retention_us: float) -> Paths | str:
+    try:
+        return Paths.of(container, decoded(container), retention_us)
+    except Pathless as why:
+        return str(why)
 
 
-paths_of = OfContainer(KeptPaths)
-"""The paths of a container, made once."""
+paths_of = OfContainer(_paths_of)
+"""The paths of a container with a machine, or why there are none, by (container, microseconds for
+which digital registers keep their values)."""
 
 
 def _packed(bits: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.int64]:

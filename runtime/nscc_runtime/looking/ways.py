@@ -114,7 +114,7 @@ class Ways:
     @remembered
     def _laid(self, retention_us: float) -> Laid | str:
         """The ways where bits are kept so long, or why there are none."""
-        paths = paths_of(self.container)(retention_us)
+        paths = paths_of(self.container, retention_us)
         if isinstance(paths, str):
             return f"the words run one by one: {paths}"
         return Laid(self.container, paths)

@@ -29,6 +29,7 @@ from nscc_runtime.planning.differences import Difference, Errors
 from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.sample import Sample, sample_of
 from nscc_runtime.planning.trial import NONE, Move, Names, Setting, Trial
+from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import LookingReference
@@ -139,8 +140,7 @@ class LookTrial(Trial):
 
     @cached_property
     def _scene(self) -> Scene:
-        slot_s = np.array(self.ways.container.slot_us, np.float64) * 1e-6
-        return Scene(self._light, self._light, slot_s)
+        return scene_of(self.ways.container, self._light)
 
     @remembered
     def _fallen(self, before: Names, every_slot: bool, frame: int) -> Fallen:

@@ -119,8 +119,8 @@ def sample_of(
         How many tiles are drawn.
     """
     rows, cols = total_e.shape
-    nobody = np.empty(0, np.int64)
-    near_chance = chances(total_e, full_well_e, nobody).reshape(-1)
+    contrasts = contrasts_of(total_e, full_well_e)
+    near_chance = chances(contrasts, np.empty(0, np.int64)).reshape(-1)
     near_places, near_weight = _near_sample(near, near_chance, full_well_e)
     is_near = np.zeros(rows * cols, np.bool_)
     is_near[near.places] = True
@@ -129,7 +129,7 @@ def sample_of(
         inner = far_places = np.flatnonzero(~is_near)
         far_weight, far_cluster = np.ones(len(inner)), np.arange(len(inner))
     else:
-        corners, tile_weight = tile_corners(chances(total_e, full_well_e, near.places), tiles)
+        corners, tile_weight = tile_corners(chances(contrasts, near.places), tiles)
         side = _SIDE + 2
         inner, far_places, far_cluster = _inner_pixels(corners, side, cols, is_near)
         far_weight = _standing_for(tile_weight[far_cluster], rows * cols - len(near.places))
@@ -245,18 +245,24 @@ def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
     return np.asarray(np.minimum(drawn, len(chance) - 1))
 
 
-def chances(total_e: Values, full_well_e: float, never: Places) -> Values:
+def contrasts_of(total_e: Values, full_well_e: float) -> tuple[Values, Values]:
+    """The light of each pixel and its differences to its neighbours, up to a full well, and the
+    square of all of both."""
+    return _contrast(np.minimum(total_e, full_well_e)), _contrast(total_e) ** 2
+
+
+def chances(contrasts: tuple[Values, Values], never: Places) -> Values:
     """How likely each pixel (rows, cols) is to be drawn, up to a factor; places `never` are not.
 
     Four draws of seven fall evenly, two by light and its differences between neighbours up to a
     full well, and one by the square of all of both: neighbours of lamps and suns may have most of
     the mean square error.
     """
-    even = np.ones(total_e.shape)
-    within_well = _contrast(np.minimum(total_e, full_well_e))
-    chance = np.zeros(total_e.shape)
-    for share, part in ((4.0, even), (2.0, within_well), (1.0, _contrast(total_e) ** 2)):
-        part.reshape(-1)[never] = 0.0
+    within_well, squares = contrasts
+    drawn = np.ones(squares.shape)
+    drawn.reshape(-1)[never] = 0.0
+    chance = np.zeros(squares.shape)
+    for share, part in ((4.0, drawn), (2.0, within_well * drawn), (1.0, squares * drawn)):
         chance += part * (share / max(float(part.sum()), 1e-300))
     return chance
 

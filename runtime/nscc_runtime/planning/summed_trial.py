@@ -134,11 +134,6 @@ class SummedTrial(Trial):
         kept, near = self._wanted.without(*setting.dropped), self._wanted.without(*setting.near)
         return Execution("sums", kept, near, self.wanted, setting.exact)
 
-    @remembered
-    def _truth_near(self) -> Values:
-        """Exposures near saturation with every effect that words can have."""
-        return self.exposures.by_words(self._every, self.sample.near)
-
     @cached_property
     def _lacked_e(self) -> Values:
         """What leaving out the effects changes that only the reference has."""
@@ -170,11 +165,9 @@ class SummedTrial(Trial):
         return Errors.of(exposed, truth)
 
     @remembered
-    def _near_by_words(self, effects: Selection) -> Values:
+    def _near_by_words(self, effects: Selection, frame: int = 0) -> Values:
         """Exposures near saturation through the words."""
-        if effects == self._every:
-            return self._truth_near()
-        return self.exposures.by_words(effects, self.sample.near)
+        return self.exposures.by_words(effects, self.sample.near, frame)
 
     @property
     def _shape(self) -> tuple[int, int]:
@@ -205,13 +198,13 @@ class SummedTrial(Trial):
         execution, by, near = self.execution(setting), self.exposures, self.sample.near
         every = by.by_sums(self._every, everything(), "far", 0)
         exposed = [by.expose(execution, 0) + self._lacked_e]
-        truth = [np.append(every, self._truth_near(), axis=1)]
+        truth = [np.append(every, self._near_by_words(self._every), axis=1)]
         if execution.path == "sums" and setting.dropped >= self.saturation and self.running:
             for frame in range(1, _FRAMES):
                 again_e = by.by_sums(execution.kept, execution.wanted, "near", frame)
                 exposed.append(exposed[0].copy())
                 exposed[-1][:, near] = again_e + self._lacked_e[:, near]
-                truth.append(np.append(every, by.by_words(self._every, near, frame), axis=1))
+                truth.append(np.append(every, self._near_by_words(self._every, frame), axis=1))
         return Errors.of(np.concatenate(exposed), np.concatenate(truth))
 
     @remembered
@@ -220,7 +213,7 @@ class SummedTrial(Trial):
         exposed, truth = np.zeros(self._shape), np.zeros(self._shape)
         kept = self._wanted.without(*names)
         exposed[:, self.sample.near] = self.exposures.by_sums(kept, self.wanted, "near", 0)
-        truth[:, self.sample.near] = self._truth_near()
+        truth[:, self.sample.near] = self._near_by_words(self._every)
         return Difference(Errors.of(exposed, truth), self.sample).likely_e2(0.0)
 
     def unseen_e2(self, setting: Setting) -> float:

@@ -202,8 +202,7 @@ def scene_of(container: Container, light: Light, previous: Light | None = None) 
     """The light of a frame, the one before it (the same unless given), the slots of a program."""
     if previous is not None:
         check(container, previous)
-    slot_s = np.array(container.slot_us, np.float64) * 1e-6
-    return Scene(light, light if previous is None else previous, slot_s)
+    return Scene(light, light if previous is None else previous, container.slot_s)
 
 
 def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]:

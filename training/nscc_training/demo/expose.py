@@ -151,9 +151,8 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
     told = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
     # The buckets are the last but two axes; of colours there is one more.
     kept = (told[key].reshape(-1, *told[key].shape[-3:]) for key in (LIGHT, DEVIATION, OPEN))
-    slot_s = np.array(container.slot_us) * 1e-6
     images = [
-        (merged_image(light, deviation) * slot_s.sum(), slots[0])
+        (merged_image(light, deviation) * container.slot_s.sum(), slots[0])
         for light, deviation, slots in zip(*kept, strict=True)
     ]
     light = np.stack([image for image, _ in images], axis=-1)

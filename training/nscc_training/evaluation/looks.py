@@ -103,7 +103,7 @@ def looked_light(
 
     `seeds` are those of noise and of the chip.
     """
-    slot_s = np.array(container.slot_us) * 1e-6
+    slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
     told = capture(
