@@ -18,15 +18,15 @@ from nscc.version import __version__
 
 if TYPE_CHECKING:
     from nscc.cell_magic import load_ipython_extension
+    from nscc.chips.target import Target
     from nscc.diagnostics.diagnostic import Diagnostic, Rejected
     from nscc.shutter_program import ShutterProgram, compile, load
-    from nscc.target.target import Target
 
 _NAMES = {
     "cell_magic": ("load_ipython_extension",),
     "diagnostics.diagnostic": ("Diagnostic", "Rejected"),
     "shutter_program": ("ShutterProgram", "compile", "load"),
-    "target.target": ("Target",),
+    "chips.target": ("Target",),
 }
 """What is public, by its module."""
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from nscc.chips.target import Target
 from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
@@ -14,7 +15,6 @@ from nscc.emit.stream import rate_text
 from nscc.lower.resources import time_text
 from nscc.pipeline import Compiled, Options
 from nscc.program.problems import counted
-from nscc.target.target import Target
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]

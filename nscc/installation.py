@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import NamedTuple
 
 from nscc.cache.store import MOST_BYTES, Store, cache_folder
+from nscc.chips.load import load_target, target_names
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.requirements import extras, install_line
 from nscc.source import Source
 from nscc.syntax.parse import parse
-from nscc.target.load import load_target, target_names
 from nscc.version import __version__
 
 GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"

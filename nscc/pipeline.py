@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any, cast
 
 from nscc import checks
 from nscc.cache.results import Results, results_of_user
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
@@ -26,8 +28,6 @@ from nscc.prove.stream import prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
-from nscc.target.load import load_target
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 

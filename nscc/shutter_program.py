@@ -22,6 +22,7 @@ from typing import Any, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.containers import is_compiled, with_pixels
 from nscc.diagnostics.arguments import one_of, shown, warn, whole, wrong_argument
@@ -36,7 +37,6 @@ from nscc.program.program import Codes
 from nscc.prove.shutters import replayed
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.file import read_container
 

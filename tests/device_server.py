@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from nscc.target.load import builtin_target, target_toml
+from nscc.chips.load import builtin_target, target_toml
 
 ROOT = Path(__file__).resolve().parents[1]
 SIZE = 16

@@ -17,7 +17,7 @@ from emulator_programs import bumps, target_of
 from loader_twin.loader import Loader
 from loader_twin.parsing import Held
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.container import Container, Readout
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip

@@ -17,7 +17,7 @@ import numpy as np
 import pytest
 from lowering_oracle import FadingChip
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.container import Container, Word, state_registers
 from nscc.words.encoding import decode
 

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from nscc.chips.load import builtin_target
+from nscc.chips.target import Target
 from nscc.operations import Op, op, pair
-from nscc.target.load import builtin_target
-from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.encoding import encode
 

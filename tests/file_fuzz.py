@@ -25,7 +25,7 @@ import numpy as np
 from nscc_command import Outcome, invoke
 from small_runs import trained
 
-from nscc.target.load import builtin_target, target_toml
+from nscc.chips.load import builtin_target, target_toml
 
 SECONDS = 60
 """No command may take longer."""

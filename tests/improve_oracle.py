@@ -13,10 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
 from nscc.lower.allocate import allocate, words
-from nscc.target.load import load_target
-from nscc.target.target import Target
 
 REPLICAS = 5
 

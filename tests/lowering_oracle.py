@@ -13,6 +13,8 @@ import numpy as np
 from emulator_oracle import Chip
 
 from nscc.checks import check_gates, check_plans, check_schedule
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
 from nscc.lower.assemble import assemble
 from nscc.lower.gates import find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
@@ -20,8 +22,6 @@ from nscc.lower.plan import Misfit, plan_exposures
 from nscc.operations import Op
 from nscc.program.program import BucketRule, Frame, Program
 from nscc.source import Source, Span
-from nscc.target.load import load_target
-from nscc.target.target import Target
 from nscc.words.container import Container, DecodeTable
 from nscc.words.legality import decoded
 

@@ -11,12 +11,12 @@ from itertools import product
 from pathlib import Path
 from typing import Any
 
+from nscc.chips.load import load_target
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.source import Source
 from nscc.syntax import tree as t
 from nscc.syntax.parse import parse
-from nscc.target.load import load_target
 
 
 class NoNumber(Exception):

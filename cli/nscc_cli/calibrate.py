@@ -6,8 +6,8 @@ from pathlib import Path
 
 import click
 
+from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
-from nscc.target.load import DEFAULT_NAME, load_target
 from nscc_cli.completion import TARGET
 from nscc_cli.options import OUT, PATH
 from nscc_cli.programs import load_program

@@ -85,7 +85,7 @@ def _runs(typed: str) -> Iterator[str]:
             yield path
 
 
-TARGET = Name("nscc.target.load:target_names", files=True)
+TARGET = Name("nscc.chips.load:target_names", files=True)
 EFFECT = Name("nscc_runtime.effects:registered")
 EFFECTS = Name("nscc_runtime.effects:optional", ("auto", "all", "none"), several=True, signs="+-")
 SETTING = Name("nscc_runtime.effects.registry:parameters", ending="=")

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
 
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc_runtime.scenes.load import Laid
     from nscc_training.design import Design
     from nscc_training.search.choose import Kind
@@ -73,9 +73,9 @@ def command(
     bumps of several lengths and patterns are compared by what a frame of theirs tells of moving
     light. The program is compiled and proved before it is written.
     """
+    from nscc.chips.load import load_target
     from nscc.emit.summary import cost_text
     from nscc.files import refuse_inputs, write_together
-    from nscc.target.load import load_target
     from nscc_training.design import Frame, design_looks, design_tile
 
     tile = criterion == _SVE_RISK

@@ -58,7 +58,7 @@ def serve(**options: Any) -> None:
     Runs the firmware, which a C++ compiler compiles first. Uploaded words run on the emulator, over
     SCENE. Ends with Ctrl-C.
     """
-    from nscc.target.load import load_target
+    from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
     from nscc_runtime.device.faults import Faults, parse_faults
     from nscc_runtime.emulator.loops import expose_block
@@ -200,8 +200,8 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     Writes the chip's target file with these times; a program built with it fits the device. The
     device loses the program that it holds.
     """
+    from nscc.chips.load import target_toml
     from nscc.files import write_whole
-    from nscc.target.load import target_toml
     from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.frames import target_of
     from nscc_runtime.device.link import Link

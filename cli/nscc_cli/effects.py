@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
+from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.columns import columns
-from nscc.target.load import DEFAULT_NAME, load_target
 from nscc_cli.completion import EFFECT, SETTING, TARGET
 from nscc_cli.frames import sensor_of
 from nscc_cli.options import PATH

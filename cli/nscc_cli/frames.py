@@ -12,7 +12,7 @@ from nscc.files import Product, refuse_inputs, refuse_same, write_together
 from nscc_cli.support import progress
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc.words.container import Container
     from nscc_runtime.formats import Content
     from nscc_runtime.frame_file import Frame

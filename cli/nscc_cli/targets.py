@@ -9,9 +9,9 @@ from pathlib import Path
 
 import click
 
+from nscc.chips.load import DEFAULT_NAME, load_target, target_names, target_toml
+from nscc.chips.target import Target, schema_of
 from nscc.columns import columns
-from nscc.target.load import DEFAULT_NAME, load_target, target_names, target_toml
-from nscc.target.target import Target, schema_of
 from nscc.toml.schema import Key
 from nscc_cli.completion import TARGET
 from nscc_cli.options import LEVEL

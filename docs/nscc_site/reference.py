@@ -7,9 +7,9 @@ from pathlib import Path
 
 import click
 
+from nscc.chips.load import builtin_target, target_names
 from nscc.diagnostics.explain import page
 from nscc.diagnostics.render import names
-from nscc.target.load import builtin_target, target_names
 from nscc_cli.group import group
 from nscc_cli.table import COMMANDS
 from nscc_runtime.effects import registered

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from hashlib import sha256
 from typing import Literal
 
+from nscc.chips.load import target_names
 from nscc.editing.document import Document
 from nscc.program.names import PREDEFINED
 from nscc.program.scopes import (
@@ -26,7 +27,6 @@ from nscc.syntax.parse import statement_starts
 from nscc.syntax.statement import Stuck, read
 from nscc.syntax.tree import Bucket
 from nscc.syntax.words import FORMS, reserved, statement_words
-from nscc.target.load import target_names
 
 _MOST_FILES = 200
 _MOST_HASHED_BYTES = 64 << 20

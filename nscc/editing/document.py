@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from nscc.chips.target import Target
 from nscc.compiler import CHECK, compile_source
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.pipeline import Compiled
@@ -25,7 +26,6 @@ from nscc.syntax.lexer import Tokens, lex
 from nscc.syntax.parse import parse
 from nscc.syntax.reading import source_of
 from nscc.syntax.tree import File
-from nscc.target.target import Target
 
 
 @dataclass(frozen=True)

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
 
+from nscc.chips.load import DEFAULT_NAME, builtin_target, load_target, target_names
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import Offer
 from nscc.editing.document import Checked, Document
 from nscc.macros import mnemonics
 from nscc.source import Source, Span
-from nscc.target.load import DEFAULT_NAME, builtin_target, load_target, target_names
-from nscc.target.target import Target
 from nscc.words.assembly import assemble
 from nscc.words.directives import DIRECTIVES
 

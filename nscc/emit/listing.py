@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from nscc.chips.target import Target
 from nscc.emit.stream import sending_text, sent_lines
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import allocate
@@ -16,7 +17,6 @@ from nscc.program.printing import print_program
 from nscc.prove.proof import Proof
 from nscc.stream.sending import Sending
 from nscc.syntax.printing import print_tree
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.disassembly import disassemble
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.machine import LIGHT, Machine
 
 _MOST_SHOWN = 12

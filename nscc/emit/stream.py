@@ -10,13 +10,13 @@ from typing import Any
 
 import numpy as np
 
+from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.emit.subject import subject
 from nscc.lower.resources import time_text
 from nscc.program.problems import counted
 from nscc.prove.proof import Proof
 from nscc.stream.sending import Sending
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.stream import DRAIN
 

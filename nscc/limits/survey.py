@@ -6,6 +6,7 @@ from collections.abc import Generator
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
 from nscc.limits.search import Trial, candidates, explore
@@ -14,7 +15,6 @@ from nscc.pipeline import Options, run_passes
 from nscc.program.capacity import bits_needed, impossible_from
 from nscc.program.limits import MOST_SLOTS
 from nscc.source import Source
-from nscc.target.target import Target
 from nscc.words.legality import refuse_planes
 
 BUDGET = 40

@@ -5,11 +5,11 @@ from __future__ import annotations
 from itertools import groupby
 from typing import Any
 
+from nscc.chips.target import Target
 from nscc.columns import columns
 from nscc.limits.search import Trial
 from nscc.limits.survey import Limit
 from nscc.lower.resources import time_text
-from nscc.target.target import Target
 
 _HEAD = (
     "class",

@@ -19,7 +19,7 @@ from itertools import chain
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 
 
 @dataclass(frozen=True, slots=True)

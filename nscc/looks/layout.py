@@ -12,6 +12,7 @@ from itertools import chain
 
 import numpy as np
 
+from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Problem, Segment, Solution
 from nscc.looks.plan import LookingPlan, Moment
 from nscc.looks.solve import RESET, LookingSolution, SetIn
@@ -22,7 +23,6 @@ from nscc.lower.plan import ExposurePlan, Step
 from nscc.lower.schedule import Schedule, kernel_us, refreshed_registers
 from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
-from nscc.target.target import Target
 
 Words = tuple[Op, ...]
 _MOST_CLEARED = 4

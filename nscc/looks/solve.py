@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.encode import Encoding, Held
 from nscc.looks.plan import LookingPlan, Moment
 from nscc.looks.synthesis import FLAG, Board, update
 from nscc.operations import Op, op
-from nscc.target.target import Target
 from nscc.truth import columns, vector
 from nscc.words.machine import LIGHT, Comparison
 

@@ -10,9 +10,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Segment, Solution, quietest
 from nscc.operations import Op, op, pair
-from nscc.target.target import Target
 
 
 @dataclass(frozen=True)

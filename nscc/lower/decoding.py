@@ -8,13 +8,13 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Problem, Solution
 from nscc.lower.plan import ExposurePlan, Opens, Step
 from nscc.lower.timeline import Timeline
 from nscc.operations import Effect
 from nscc.program.program import Program
 from nscc.program.wide import whole_name
-from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]

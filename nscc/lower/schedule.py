@@ -11,12 +11,12 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from itertools import chain, groupby
 
+from nscc.chips.target import Target
 from nscc.logic.problem import Segment
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
 from nscc.lower.timeline import Timeline, fades
 from nscc.operations import Effect, Op, op
-from nscc.target.target import Target
 from nscc.words.cost import refresh_count, words_us
 
 Words = tuple[Op, ...]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.lower.lowered import Choice, Lowered
 from nscc.lower.resources import at_least, chip_label, chip_note, resource, time_text
 from nscc.program.problems import counted
-from nscc.target.target import Target
 
 
 def retention_fault(lowered: Lowered) -> Diagnostic:

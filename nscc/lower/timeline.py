@@ -6,7 +6,7 @@ from collections.abc import Collection
 from dataclasses import dataclass
 from itertools import accumulate, pairwise
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 
 # Words take time, and the retention is a typical figure: nothing is left to age beyond this share.
 RETENTION_SHARE = 0.9

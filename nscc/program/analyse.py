@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.program.books import make_books
 from nscc.program.complete import Completion
@@ -23,7 +24,6 @@ from nscc.program.wide import parts_of
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File, TargetByName, TargetFromFile
-from nscc.target.target import Target
 
 
 def analyse(
@@ -75,7 +75,7 @@ def ranges_of(source: Source, target: Target, base: Path) -> dict[str, tuple[int
 
 def target_of(declared: Declarations, base: Path, problems: Problems) -> Target | None:
     """The chip that a file is for; None after reporting why it cannot be had."""
-    from nscc.target.load import DEFAULT_NAME, load_target
+    from nscc.chips.load import DEFAULT_NAME, load_target
 
     match declared.target:
         case None:

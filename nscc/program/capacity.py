@@ -9,8 +9,8 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable
 
+from nscc.chips.target import Target
 from nscc.program.limits import MOST_SLOTS
-from nscc.target.target import Target
 
 Count = Callable[[int], int]
 """How many different shutters a class has at a size; it never falls as the size grows."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
@@ -34,7 +35,6 @@ from nscc.program.table import (
 )
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 from nscc.words.machine import Machine
 

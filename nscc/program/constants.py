@@ -3,6 +3,7 @@ other, which need not be the order written."""
 
 from __future__ import annotations
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label
 from nscc.program.arithmetic import Fault
 from nscc.program.evaluate import evaluate
@@ -13,7 +14,6 @@ from nscc.program.problems import Problems, clipped
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
 from nscc.syntax.tree import EqualSlots, Expr, ListedSlots
-from nscc.target.target import Target
 
 _MOST_CYCLES = 20
 

@@ -8,6 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 
+from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, array
 from nscc.program.constants import constant
 from nscc.program.evaluate import evaluate
@@ -17,7 +18,6 @@ from nscc.program.problems import Problems
 from nscc.program.scopes import at_scope, constants_scope, next_scope
 from nscc.source import Span
 from nscc.syntax import tree
-from nscc.target.target import Target
 from nscc.words import machine
 
 

@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.program.expressions import Checked
 from nscc.program.looking import Looking, Next
 from nscc.program.names import LOOKS, Declarations
 from nscc.program.open_time import Untold
 from nscc.program.problems import Problems
 from nscc.syntax import tree
-from nscc.target.target import Target
 from nscc.words.machine import Machine
 
 

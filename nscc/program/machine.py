@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, Value, array, scalar
 from nscc.program.evaluate import bit_count, evaluate, fault_at
 from nscc.program.expressions import Checked
@@ -21,7 +22,6 @@ from nscc.program.names import LOOKS
 from nscc.program.problems import counted
 from nscc.program.table import CodeArray, Finding, NoValue, Rules, TooMuch, code_text
 from nscc.program.wide import whole_name
-from nscc.target.target import Target
 from nscc.words.machine import Comparison, Machine, State
 
 MOST_TRANSITIONS = 10**7

@@ -10,6 +10,7 @@ from typing import Any, assert_never
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.program.arithmetic import Value, array
@@ -25,7 +26,6 @@ from nscc.program.scopes import constants_scope, pixels_scope
 from nscc.program.wide import PART_BITS, parts_of, parts_of_bits
 from nscc.source import Span
 from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
-from nscc.target.target import Target
 
 Plane = NDArray[np.int64]
 """The values of one field: int64 (rows, cols)."""

@@ -8,9 +8,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.source import Source, Span
-from nscc.target.target import Target
 from nscc.words.container import DecodeTable
 from nscc.words.machine import Machine
 

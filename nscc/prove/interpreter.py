@@ -5,8 +5,8 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from typing import Generic, TypeVar
 
+from nscc.chips.target import Target
 from nscc.operations import Effect, Op, Phase
-from nscc.target.target import Target
 
 Bits = TypeVar("Bits")
 """The bit of a register in every lane, which may be unknown."""

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.stream import DRAIN
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.machine import Machine, StatePlanes
 from nscc.words.stream import Stream
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import fsum
 
+from nscc.chips.target import Target
 from nscc.operations import Op, Phase
-from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.encoding import matching
 

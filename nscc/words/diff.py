@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.load import target_dict
+from nscc.chips.load import target_dict
 from nscc.words.container import Container, Kernel
 from nscc.words.cost import FrameCost, frame_cost
 from nscc.words.disassembly import instruction_lines

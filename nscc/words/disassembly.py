@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import builtin_names, builtin_target, target_toml
+from nscc.chips.target import Target
 from nscc.operations import Op, Phase
-from nscc.target.load import builtin_names, builtin_target, target_toml
-from nscc.target.target import Target
 from nscc.words import machine_file
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost

@@ -26,9 +26,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import target_dict, target_from_dict
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.target.load import target_dict, target_from_dict
 from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.machine import Machine, StatePlanes

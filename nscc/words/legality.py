@@ -9,10 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.operations import Effect, Op, Phase
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import DEFAULT_NAME, load_target, parse_target
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Span
-from nscc.target.load import DEFAULT_NAME, load_target, parse_target
-from nscc.target.target import Target
 from nscc.words import machine_file
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown

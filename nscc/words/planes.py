@@ -11,10 +11,10 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.suggest import meant
 from nscc.files import reads
 from nscc.npy import npy_header, npy_values
-from nscc.target.target import Target
 from nscc.words.draft import Faults, PlaneDraft, shown
 
 _LARGEST_FILE = 1 << 28

@@ -11,8 +11,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
+from nscc.chips.target import Target
 from nscc.operations import Op, op
-from nscc.target.target import Target
 from nscc.words.container import Container
 
 SPREADING_ERRORS = 3 / 4

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 
 DRAIN = -1
 """Where light goes that no tap shall have, where a tap's number stands for the tap."""

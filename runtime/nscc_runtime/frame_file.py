@@ -34,8 +34,8 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.target.target import Target
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc_runtime.effects import Effect, Selection, everything, marks, registered
 from nscc_runtime.effects.parts import Moving

@@ -14,9 +14,9 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.diagnostics.arguments import shown, wrong_argument
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light

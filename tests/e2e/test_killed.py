@@ -83,7 +83,7 @@ def killed(folder: Path, arguments: Sequence[str], again: Path) -> int:
 def test_a_tradeoff_ends_in_the_same_table(tmp_path: Path) -> None:
     from dataclasses import replace
 
-    from nscc.target.load import builtin_target, target_toml
+    from nscc.chips.load import builtin_target, target_toml
 
     small = replace(builtin_target("scamp5"), rows=64, cols=64)
     folders = [tmp_path / name for name in ("whole", "killed")]

@@ -79,7 +79,7 @@ def test_meta_says_which_effects_were_forced_and_which_sensor(folder: Path) -> N
 
 
 def test_the_digest_is_of_the_resolved_values(folder: Path) -> None:
-    from nscc.target.load import load_target
+    from nscc.chips.load import load_target
     from nscc_runtime.sensor import default_sensor
 
     assert run(folder, "--effects", "none").status == 0

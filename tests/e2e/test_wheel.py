@@ -56,7 +56,7 @@ def test_only_own_names_in_site_packages(elsewhere: Path) -> None:
 def test_wheel_holds_grammar_targets_pages_and_types(elsewhere: Path) -> None:
     site = site_packages(elsewhere / "venv")
     assert (site / "nscc/syntax/nsl.lark").is_file()
-    assert (site / "nscc/target/tables/scamp5.toml").is_file()
+    assert (site / "nscc/chips/tables/scamp5.toml").is_file()
     assert len(list((site / "nscc/diagnostics/pages").glob("NS*.md"))) > 50
     assert (site / "nscc_training/protocol_files/sci8.toml").is_file()
     for run in ("hdr", "clip"):

@@ -11,7 +11,7 @@ from added_package import add_package, nscc_with
 SOURCE = '''
 from dataclasses import replace
 from pathlib import Path
-from nscc.target.load import builtin_target
+from nscc.chips.load import builtin_target
 TABLE = """
 name = "tiny"
 [array]

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from hashlib import sha256
 
 from loader_twin.parsing import Held, Limits, Refusal
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc_runtime.device.messages import DATA, Begin, Declare, Entry, Fault, State
 from nscc_runtime.device.objects import program_digest, target_digest
 from nscc_runtime.device.packets import MOST_DATA

@@ -14,7 +14,7 @@ from zlib import adler32, crc32
 from loader_twin.intake import Intake
 from loader_twin.parsing import Held, Limits, Refusal
 from loader_twin.timing import ON_TIME
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc_runtime.device import messages, packets
 from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
 from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet

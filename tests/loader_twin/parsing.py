@@ -21,7 +21,7 @@ from loader_twin.timing import (
     fixed_point,
     frame_time,
 )
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.container import Container, Launch, Word
 from nscc.words.encoding import matching
 from nscc.words.legality import split_pairs, target_fault

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import matching
 from nscc_runtime.device.objects import AS_IT_IS

@@ -16,7 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from nscc_command import invoke
 
-from nscc.target.load import builtin_target, target_toml
+from nscc.chips.load import builtin_target, target_toml
 
 pytestmark = pytest.mark.filterwarnings("error::RuntimeWarning")
 

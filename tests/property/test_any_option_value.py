@@ -11,7 +11,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from nscc_command import invoke
 
-from nscc.target.load import builtin_target, target_toml
+from nscc.chips.load import builtin_target, target_toml
 from nscc_runtime.effects.registry import parameters
 
 pytestmark = pytest.mark.filterwarnings("error::RuntimeWarning")

@@ -13,10 +13,10 @@ from looks_oracle import FULL_WELL_E, Interpreter
 from looks_programs import random_program
 from marks import slow
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected

@@ -16,10 +16,10 @@ from lowering_oracle import (
     program_from,
 )
 
+from nscc.chips.load import load_target
 from nscc.lower.plan import LOWERINGS, Misfit
 from nscc.prove.proof import prove
 from nscc.prove.replay import shutters
-from nscc.target.load import load_target
 from nscc.words.legality import decoded
 
 

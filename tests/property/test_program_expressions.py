@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from program_oracle import NoNumber, program_of, shutters, statements, table_of, value
 
+from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.syntax import tree as t
-from nscc.target.load import load_target
 
 NUMBERS = st.one_of(
     st.integers(0, 9), st.sampled_from([61, 62, 2**31, 2**32 + 1, 2**53 + 1, 10**18, 2**62 - 1])

@@ -7,15 +7,15 @@ from dataclasses import replace
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import (
+from nscc.chips.load import (
     builtin_target,
     parse_target,
     target_dict,
     target_from_dict,
     target_toml,
 )
-from nscc.target.target import SCHEMA
+from nscc.chips.target import SCHEMA
+from nscc.diagnostics.diagnostic import Rejected
 
 WHOLE = target_toml(builtin_target("scamp5"))
 PIECES = st.sampled_from(

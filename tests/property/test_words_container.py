@@ -13,10 +13,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import OPERATIONS, READ_LINES, Op, op
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.assembly import assemble
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.disassembly import disassemble

@@ -16,10 +16,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from nscc_command import invoke
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.file import from_bytes, to_bytes
 
 PROGRAM = """nsl 1

@@ -20,6 +20,7 @@ from nscc.cache.digest import digest, version_digest
 from nscc.cache.results import LEAST_LEVEL, Results, results_of_user
 from nscc.cache.store import Store
 from nscc.cache.values import from_json, to_json
+from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
 from nscc.emit.report import report, report_bytes
 from nscc.logic.generate import GeneratorFault, solutions
@@ -27,7 +28,6 @@ from nscc.logic.problem import Demand, Gate, Machine, Problem, Solution
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.syntax.parse import parse
-from nscc.target.load import builtin_target
 from nscc.words.file import to_bytes
 
 TEXTS = {

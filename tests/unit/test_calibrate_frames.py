@@ -15,8 +15,8 @@ from nscc_command import invoke
 from PIL import Image
 from scipy.io import savemat
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target
 from nscc_runtime.calibrate import Stack, calibrated
 from nscc_runtime.sensor import load_sensor
 

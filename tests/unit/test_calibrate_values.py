@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from calibration_frames import DARK_TIMES, FLAT_TIMES, LIGHT, TOP, Chip, taken, truth
 
-from nscc.target.load import builtin_target
+from nscc.chips.load import builtin_target
 from nscc_runtime.calibrate import Calibration, Chain, Stack, calibrated, messages, parameters
 
 CHIPS = {

@@ -12,9 +12,9 @@ import pytest
 from nscc_command import invoke
 from numpy.typing import NDArray
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.program.looking import level_steps
-from nscc.target.load import builtin_target
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light

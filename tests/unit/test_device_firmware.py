@@ -19,8 +19,8 @@ from device_sessions import new_host, uploaded_and_captured
 from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 
+from nscc.chips.load import builtin_names, builtin_target, load_target, target_toml
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_names, builtin_target, load_target, target_toml
 from nscc.words.encoding import decode
 from nscc_runtime.device import firmware
 from nscc_runtime.device.board import EmulatedChip

@@ -18,10 +18,10 @@ from device_sessions import TARGET, ChipAtOnce, chip_of, examples, new_host, san
 from device_simulation import Simulation
 from loader_twin.loader import Loader
 
+from nscc.chips.load import target_toml
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import target_toml
 from nscc.words.container import Container, Launch
 from nscc_runtime.device import tasks
 from nscc_runtime.device.chip import channels_of, frame_of

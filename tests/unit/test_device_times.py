@@ -14,8 +14,8 @@ from device_simulation import Simulation
 from emulator_programs import target_of
 from loader_twin.loader import Loader
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.target import Target
 from nscc_runtime.device import firmware
 from nscc_runtime.device.measured_times import Times, measured
 from nscc_runtime.device.serving import Loaded

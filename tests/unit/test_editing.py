@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from syntax_text import bare
 
+from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
 from nscc.editing.actions import all_mended, fixes_at
 from nscc.editing.complete import complete
@@ -22,7 +23,6 @@ from nscc.editing.rename import CannotRename, renamed
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options
 from nscc.source import Source, Span
-from nscc.target.load import builtin_target
 from nscc.words.disassembly import disassemble
 
 ROOT = Path(__file__).parents[2]

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from nscc_command import invoke
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target
 from nscc_runtime.effects import (
     CannotHave,
     InLoop,

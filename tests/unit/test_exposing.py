@@ -15,7 +15,7 @@ from nscc_command import invoke
 
 import nscc
 import nscc_runtime
-from nscc.target.load import builtin_target
+from nscc.chips.load import builtin_target
 from nscc_cli.run import command
 from nscc_runtime.frame_file import KEEP
 from nscc_runtime.simulate import Request

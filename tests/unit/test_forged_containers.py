@@ -14,10 +14,10 @@ import numpy as np
 import pytest
 from conftest import RunNscc
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.soundness import faults

@@ -12,6 +12,7 @@ from lowering_oracle import lowered_as, program_from
 from marks import slow
 from nscc_command import invoke
 
+from nscc.chips.load import builtin_target
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.generate import solutions
@@ -20,7 +21,6 @@ from nscc.lower import gates
 from nscc.lower.lowered import lay_out
 from nscc.pipeline import LEVELS, Options
 from nscc.source import Source
-from nscc.target.load import builtin_target
 
 TEXTS = {
     "b": "frame 40 slots of 1ms code stop : 0..39 open when n < stop",

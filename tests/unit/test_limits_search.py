@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 from marks import slow
 
+from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.limits.families import families, random_rows
 from nscc.limits.search import GIVE_UP_AFTER, Trial, candidates, explore, largest
 from nscc.pipeline import Options
 from nscc.program.capacity import bits_needed, impossible_from, largest_with
 from nscc.source import Source
-from nscc.target.load import load_target
 
 
 def explored(sizes, fits, budget=100):

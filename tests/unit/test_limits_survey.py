@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from nscc_command import invoke
 
+from nscc.chips.load import load_target, target_toml
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.limits.families import families
@@ -16,7 +17,6 @@ from nscc.limits.survey import survey
 from nscc.limits.table import limits_json, limits_text
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import load_target, target_toml
 
 SCAMP5 = load_target("scamp5", Path())
 TINY = replace(

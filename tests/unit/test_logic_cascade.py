@@ -11,12 +11,12 @@ from gates_oracle import asked_of, bits, book, words_if_right
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 from marks import slow
 
+from nscc.chips.load import load_target
 from nscc.logic import generate
 from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget
 from nscc.logic.problem import Demand, GaveUp, Machine, Problem
 from nscc.prove.proof import prove
-from nscc.target.load import load_target
 from nscc.words.legality import decoded
 
 SCAMP5 = Machine(13, True, None, None, False)

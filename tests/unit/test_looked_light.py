@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nscc.chips.load import builtin_target
 from nscc.pipeline import Options, run_passes
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame

@@ -9,7 +9,7 @@ import pytest
 
 import nscc
 import nscc_runtime
-from nscc.target.load import builtin_target
+from nscc.chips.load import builtin_target
 from nscc_runtime import capture
 
 _SIDE, _FRAMES = 48, 5

@@ -10,11 +10,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from nscc.chips.load import builtin_target
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Severity
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.container import Container
 from nscc_runtime import captures
 from nscc_runtime.effects import everything

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from nscc.chips.load import builtin_target
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.container import Container
 from nscc.words.legality import decoded
 from nscc_runtime.effects import CannotHave, registry, selected

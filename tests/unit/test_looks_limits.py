@@ -8,8 +8,8 @@ from dataclasses import replace
 import pytest
 
 import nscc
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target
 
 SMALL_WELL = replace(
     builtin_target("scamp5"), name="mine", rows=8, cols=8, full_well_e=10000.0, readout="full"

@@ -14,12 +14,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import OPERATIONS, Effect, Op, Phase, op
 from nscc.pipeline import Options, run_passes
 from nscc.prove.proof import prove
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.words.container import Container, Kernel, Launch
 from nscc.words.encoding import encode
 from nscc.words.legality import decoded

@@ -16,9 +16,9 @@ from lowering_oracle import (
 )
 from program_oracle import program_of
 
+from nscc.chips.load import load_target
 from nscc.lower.plan import LOWERINGS, Misfit
 from nscc.prove.proof import prove
-from nscc.target.load import load_target
 from nscc.words.legality import decoded
 
 B = "code stop : 0..N\nopen when n < stop"

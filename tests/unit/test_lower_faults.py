@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from marks import slow
 
+from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import load_target
 
 BUMPS = "code a : 0..N - 1\ncode b : 1..N\nrequire a < b\nopen when a <= n < b"
 E16 = "frame 16 slots of 1ms\ncode bits : bit[16]\nopen when bits[n]"

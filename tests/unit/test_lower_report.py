@@ -14,11 +14,11 @@ import pytest
 from emulator_oracle import Chip
 from lowering_oracle import words_at
 
+from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.emit.report import report
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import load_target
 from nscc.words.legality import decoded
 
 TEXTS = {

@@ -14,8 +14,8 @@ from notebook_page import Page, checked
 import nscc
 import nscc_runtime
 from nscc import html
+from nscc.chips.load import builtin_target
 from nscc.emit.notebook import shutter_chart
-from nscc.target.load import builtin_target
 
 TARGET = replace(builtin_target("scamp5"), rows=6, cols=8)
 TEXT = """nsl 1

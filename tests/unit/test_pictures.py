@@ -20,7 +20,7 @@ from matplotlib.text import Text
 from PIL import Image as PillowImage
 
 import nscc
-from nscc.target.load import builtin_target
+from nscc.chips.load import builtin_target
 from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.merge import Readout

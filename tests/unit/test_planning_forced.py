@@ -13,7 +13,7 @@ import pytest
 
 import nscc
 import nscc_runtime
-from nscc.target.load import builtin_target
+from nscc.chips.load import builtin_target
 from nscc_runtime import capture
 
 # What is forced off here breaks its tolerance on purpose, and a capture says so.

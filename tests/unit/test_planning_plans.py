@@ -14,8 +14,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from plan_cases import plan_of
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target
 from nscc_runtime.effects import optional, registered
 from nscc_runtime.effects.parameters import MOST_E
 from nscc_runtime.planning.plan import Plan

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import nscc
+from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import load_target
 
 ROWS, COLS = 5, 9
 STREAM = replace(load_target("dual-tap", Path()), rows=ROWS, cols=COLS, name="small")

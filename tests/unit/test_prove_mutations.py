@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 from lowering_oracle import container_of, does_as_told, lowered_as, program_from
 
+from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import (
     ANALOG_SOURCES,
@@ -23,7 +24,6 @@ from nscc.operations import (
     op,
 )
 from nscc.prove.proof import prove
-from nscc.target.load import load_target
 from nscc.words.container import Kernel
 from nscc.words.encoding import encode, matching
 from nscc.words.legality import decoded

@@ -13,10 +13,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
+from nscc.chips.load import builtin_target, target_toml
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import builtin_target, target_toml
 from nscc_runtime import capture, sensor_for
 
 pytestmark = [

@@ -14,12 +14,12 @@ from device_simulation import Simulation
 from emulator_programs import bumps, target_of
 from loader_twin.loader import Loader
 
+from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.operations import Op
 from nscc.pipeline import Options
 from nscc.prove.proof import prove
 from nscc.source import Source
-from nscc.target.target import Target
 from nscc.words import readout as readout_words
 from nscc.words.container import Container
 from nscc.words.legality import decoded

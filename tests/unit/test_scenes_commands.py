@@ -21,7 +21,7 @@ PIXELS = "pixels stop = tile [[4, 3], [2, 1]]\n"
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    from nscc.target.load import builtin_target, target_toml
+    from nscc.chips.load import builtin_target, target_toml
 
     monkeypatch.chdir(tmp_path)
     text = target_toml(builtin_target("scamp5"))

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from PIL import Image
 from scipy.io import savemat
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.target.load import builtin_target
 from nscc_runtime.scenes import Exposure, Laid, Scene, laid_scene, load_scene
 from nscc_runtime.scenes.colour import srgb_to_linear
 

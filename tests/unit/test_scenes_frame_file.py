@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target
 from nscc.words.container import Container, DecodeTable, packed_shutters
 from nscc.words.shutters import shutters_of
 from nscc_runtime.effects import selected

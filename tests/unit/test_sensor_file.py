@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from nscc.chips.load import builtin_names, builtin_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_names, builtin_target
 from nscc_runtime.effects.parameters import HEADINGS
 from nscc_runtime.sensor import (
     default_sensor,

@@ -13,8 +13,8 @@ import pytest
 from nscc_command import invoke
 
 import nscc
+from nscc.chips.load import builtin_target
 from nscc.emit.products import SUFFIXES
-from nscc.target.load import builtin_target
 
 ROWS, COLS = 6, 5
 TARGET = replace(builtin_target("scamp5"), rows=ROWS, cols=COLS)

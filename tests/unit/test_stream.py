@@ -15,12 +15,12 @@ from program_oracle import table_of
 
 import nscc
 import nscc_runtime
+from nscc.chips.load import load_target, target_toml
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.emit.products import emitted
 from nscc.prove.stream import prove_stream
 from nscc.shutter_program import ShutterProgram
-from nscc.target.load import load_target, target_toml
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc.words.stream import DRAIN, Stream, schedule

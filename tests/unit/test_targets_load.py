@@ -7,9 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc.source import Source
-from nscc.target.load import (
+from nscc.chips.load import (
     builtin_names,
     builtin_target,
     load_target,
@@ -17,7 +15,9 @@ from nscc.target.load import (
     target_from_dict,
     target_toml,
 )
-from nscc.target.target import SCHEMA, STREAM_SCHEMA, Target
+from nscc.chips.target import SCHEMA, STREAM_SCHEMA, Target
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected
+from nscc.source import Source
 
 MINIMAL = """\
 name = "mine"

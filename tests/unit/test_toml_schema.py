@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
+from nscc.chips.load import builtin_target
 from nscc.source import Source
-from nscc.target.load import builtin_target
 from nscc.toml.files import file_text
 from nscc.toml.kinds import Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Key, Schema

@@ -12,10 +12,10 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
+from nscc.chips.load import builtin_target, target_toml
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import builtin_target, target_toml
 from nscc_runtime import capture
 from nscc_runtime.effects import selected
 from nscc_runtime.execution.program import Program

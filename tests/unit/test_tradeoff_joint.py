@@ -11,11 +11,11 @@ import pytest
 from nscc_command import invoke
 from PIL import Image
 
+from nscc.chips.load import builtin_target, target_toml
 from nscc.compiler import compile_source
 from nscc.containers import with_pixels
 from nscc.pipeline import Options
 from nscc.source import Source
-from nscc.target.load import builtin_target, target_toml
 from nscc.tradeoff.points import COLUMNS, STAGES, Point
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.slots import NotJoined, in_fewer, with_slot_us

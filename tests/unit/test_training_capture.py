@@ -7,7 +7,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc.target.load import load_target  # noqa: E402
+from nscc.chips.load import load_target  # noqa: E402
 from nscc_runtime.emulator import expose  # noqa: E402
 from nscc_runtime.frame_file import read_out as emulated_read_out  # noqa: E402
 from nscc_runtime.light import Light  # noqa: E402

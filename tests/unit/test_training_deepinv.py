@@ -19,7 +19,7 @@ pytest.importorskip("deepinv")
 
 import nscc  # noqa: E402
 import nscc_runtime  # noqa: E402
-from nscc.target.load import builtin_target  # noqa: E402
+from nscc.chips.load import builtin_target  # noqa: E402
 from nscc_training import SensorModel, ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.deepinv import PixelShutters, SensorNoise  # noqa: E402
 

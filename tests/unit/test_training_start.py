@@ -10,8 +10,8 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
+from nscc.chips.load import load_target  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
-from nscc.target.load import load_target  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.encoders import Encoder  # noqa: E402
 from nscc_training.loop.setup import make_parts, started_encoder  # noqa: E402

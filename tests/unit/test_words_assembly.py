@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from nscc.chips.load import builtin_target, target_toml
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.operations import op
 from nscc.source import Source
-from nscc.target.load import builtin_target, target_toml
 from nscc.words.assembly import assemble, assemble_words
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.cost import frame_cost

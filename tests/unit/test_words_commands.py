@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 
+from nscc.chips.load import builtin_target, load_target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.load import builtin_target, load_target
 from nscc_cli import targets
 from nscc_cli.containers import asm, diff, disasm
 

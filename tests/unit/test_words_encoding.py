@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.macros import MNEMONICS, OperandError, expand
 from nscc.operations import BY_NAME, DIGITAL_WRITE, OPERATIONS, Effect, Op, Phase, op, pair
-from nscc.target.load import builtin_target
 from nscc.words.encoding import decode, encode, matching, word_lines, word_text
 from nscc.words.legality import split_pairs, target_fault
 

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import load_target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Compiled
-from nscc.target.load import load_target
 from nscc.words.container import Container
 from nscc_training.codes_files import codes_bytes
 from nscc_training.mask_files import Floats, read_mask

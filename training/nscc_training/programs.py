@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
 from nscc.compiler import compile_file, compile_source
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.pipeline import Compiled, Options
 from nscc.program.analyse import analyse
 from nscc.source import Source
 from nscc.syntax.parse import parse
-from nscc.target.load import load_target
-from nscc.target.target import Target
 from nscc_training.codes_files import Codes, codes_bytes
 from nscc_training.design.looking import Schedule
 from nscc_training.design.text import frame_text, looking_text

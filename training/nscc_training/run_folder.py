@@ -9,10 +9,10 @@ from typing import Any
 
 import torch
 
+from nscc.chips.load import load_target
 from nscc.diagnostics.rejection import rejected
 from nscc.files import file_sha256, read_whole, reads
 from nscc.npy import check_size
-from nscc.target.load import load_target
 from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.encoders import Encoder

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.autograd import Function
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc_runtime.effects import everything
 from nscc_runtime.sensor import Sensor
 from nscc_training.draws import normal

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from nscc.target.load import DEFAULT_NAME, load_target
+from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.pictures.look import look

@@ -14,12 +14,12 @@ from math import ceil
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.emit.cpp.bitmap import image_width
 from nscc.emit.cpp.kernels import calls_words
 from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
 from nscc.emit.cpp.text import Call, comment, literal, part, section
 from nscc.lower.timeline import RETENTION_SHARE
-from nscc.target.target import Target
 
 _REFRESHES_IN_A_LIFE = 4
 

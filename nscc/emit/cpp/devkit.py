@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from dataclasses import dataclass
 
+from nscc.chips.target import Target
 from nscc.emit.cpp.patterns import ADDRESS_BITS
 from nscc.operations import ANALOG_WRITE
-from nscc.target.target import Target
 from nscc.words.container import Container
 
 _SIDE = 1 << ADDRESS_BITS

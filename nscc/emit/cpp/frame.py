@@ -15,9 +15,9 @@ from fractions import Fraction
 from itertools import accumulate
 from math import ceil
 
+from nscc.chips.target import Target
 from nscc.emit.cpp.text import part, remarked
 from nscc.operations import Effect
-from nscc.target.target import Target
 from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
 from nscc.words.text import ranges_text

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from math import ceil
 from pathlib import PurePath
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.emit.cpp.bitmap import bitmap
 from nscc.emit.cpp.codes import Loading, loading_lines, loading_of, loading_rate
@@ -34,7 +35,6 @@ from nscc.program.program import Program
 from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
-from nscc.target.target import Target
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
 from nscc.words.readout import converter_of, preparation_of

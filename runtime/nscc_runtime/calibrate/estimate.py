@@ -9,8 +9,8 @@ from typing import Literal
 
 import numpy as np
 
+from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.target.target import Target
 from nscc_runtime.calibrate.dark import Dark, dark_of
 from nscc_runtime.calibrate.fit import propagated, root, shared_variance
 from nscc_runtime.calibrate.frames import Stack, grouped, load_stack

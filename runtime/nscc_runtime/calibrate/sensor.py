@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from math import sqrt
 from typing import Literal
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc_runtime.calibrate.chain import Chain
 from nscc_runtime.calibrate.estimate import Calibration, Quantity
 from nscc_runtime.sensor import Sensor, completed, schema

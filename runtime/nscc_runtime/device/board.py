@@ -18,7 +18,7 @@ from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import packed_plane
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc.words.container import Container
     from nscc_runtime.interface import Exposure
     from nscc_runtime.light import Light

@@ -36,7 +36,7 @@ from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.sensor import Sensor, default_sensor
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc.words.container import Container
     from nscc_runtime.light import Light
 

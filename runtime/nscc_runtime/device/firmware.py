@@ -27,7 +27,7 @@ from nscc_runtime.device.recording import Job, Recording
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc_runtime.device.board import EmulatedChip, Executed
 
 _PACKAGE = Path(__file__).resolve().parents[1]

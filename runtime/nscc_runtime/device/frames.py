@@ -9,10 +9,10 @@ from pathlib import Path
 from time import monotonic, sleep
 from typing import Any
 
+from nscc.chips.load import load_target, target_names
+from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.files import write_whole
-from nscc.target.load import load_target, target_names
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import with_table

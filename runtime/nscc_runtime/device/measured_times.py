@@ -13,8 +13,8 @@ from random import SystemRandom
 
 import numpy as np
 
+from nscc.chips.target import Target
 from nscc.operations import Op, op
-from nscc.target.target import Target
 from nscc.words.encoding import encode
 from nscc_runtime.device import tasks
 from nscc_runtime.device.host import Task

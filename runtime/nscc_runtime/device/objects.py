@@ -30,9 +30,9 @@ from struct import Struct
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import target_dict
+from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc.target.load import target_dict
-from nscc.target.target import Target
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import refuse_planes
 from nscc_runtime.device.messages import Begin, Entry

@@ -23,7 +23,7 @@ from nscc_runtime.device.firmware import (
 )
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc_runtime.device.board import EmulatedChip
     from nscc_runtime.device.recording import Job
 

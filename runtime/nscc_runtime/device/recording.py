@@ -15,7 +15,7 @@ from nscc.words.planes import codes_of_planes
 from nscc_runtime.device.objects import RUN, WORD, unpacked_plane
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
 
 _JOB = Struct("<IIII")
 _READOUT = Struct("<Id")

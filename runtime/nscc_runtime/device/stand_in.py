@@ -7,9 +7,9 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Literal
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.target.target import Target
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.faults import Faults

@@ -10,9 +10,9 @@ import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
 from nscc.operations import ANALOG_SOURCES, DIGITAL_SOURCES, OPERATIONS, Effect, Op, Phase, op, pair
-from nscc.target.load import load_target
-from nscc.target.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import encode, masks
 from nscc.words.readout import spreading

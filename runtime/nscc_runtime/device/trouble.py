@@ -6,9 +6,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
 
+from nscc.chips.target import Target
 from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.target import Target
 from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
 from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.toml.kinds import Number
 from nscc.toml.schema import Key
 from nscc_runtime.effects.sensor import Sensor

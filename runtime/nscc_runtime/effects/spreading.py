@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.words.readout import SPREADING_ERRORS
 from nscc_runtime.effects.adc import ELECTRONS_PER_LSB
 from nscc_runtime.effects.effect import Effect, InLoop

@@ -20,7 +20,7 @@ from nscc.operations import Effect, Op, Phase
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.target.target import Target
+    from nscc.chips.target import Target
     from nscc.words.container import Container
 
 

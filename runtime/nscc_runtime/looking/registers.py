@@ -7,8 +7,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.operations import Effect, Op, Phase
-from nscc.target.target import Target
 
 Bits = NDArray[np.int8]
 """0, 1 or UNKNOWN."""

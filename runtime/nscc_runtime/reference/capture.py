@@ -16,8 +16,8 @@ from math import inf
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.target import Target
 from nscc.operations import OPERATIONS, Effect
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection, everything
 from nscc_runtime.effects.parts import Errors, Leak, WordGain

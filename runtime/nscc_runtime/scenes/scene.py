@@ -6,8 +6,8 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc.target.target import Target
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.scenes.bracket import parse_times

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from functools import cache, lru_cache
 from pathlib import Path
 
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.target.target import Target
 from nscc.toml.files import WIDTH, file_bytes, file_text, file_values
 from nscc.toml.schema import Codes, Schema
 from nscc_runtime.effects.effect import Effect

@@ -10,7 +10,7 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import CountedLight, Errors, Soft, WordGain
 from nscc_runtime.effects.selection import everything

@@ -11,10 +11,10 @@ from typing import Literal, get_args
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import load_target
 from nscc.compiler import compile_source
 from nscc.pipeline import Compiled, Options
 from nscc.source import Source
-from nscc.target.load import load_target
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.design.chip import CURVES, Chip, Curve
 from nscc_training.design.looking import Expected, Model, Schedule

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import count
 
+from nscc.chips.target import Target
 from nscc.program.looking import level_steps
 from nscc.source import Source
 from nscc.syntax.format import format_source
-from nscc.target.target import Target
 from nscc_training.design.looking import Schedule
 from nscc_training.design.tile import Tile
 

@@ -15,12 +15,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.chips.load import builtin_target
+from nscc.chips.target import Target
 from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.program.looking import level_steps
 from nscc.source import Source
-from nscc.target.load import builtin_target
-from nscc.target.target import Target
 from nscc.words.container import Container
 from nscc_runtime import capture
 from nscc_runtime.effects import Selection, selected

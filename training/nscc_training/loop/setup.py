@@ -11,10 +11,10 @@ import numpy as np
 import torch
 from torch import Tensor, nn
 
+from nscc.chips.load import load_target, parse_target, read_target
+from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import check_size
-from nscc.target.load import load_target, parse_target, read_target
-from nscc.target.target import Target
 from nscc_runtime.effects import selected
 from nscc_runtime.sensor import Sensor, default_sensor, parse_sensor, read_sensor
 from nscc_training import programs

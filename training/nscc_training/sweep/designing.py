@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from pathlib import Path
 
+from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc.files import write_whole
-from nscc.target.load import DEFAULT_NAME, load_target
 from nscc.toml.kinds import Integer, Number, Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.light import light_files, scene_keys, scene_of, sensor_keys, sensor_of

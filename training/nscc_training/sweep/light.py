@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from nscc.target.target import Target
+from nscc.chips.target import Target
 from nscc.toml.kinds import Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Values

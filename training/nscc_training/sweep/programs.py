@@ -8,13 +8,13 @@ from dataclasses import MISSING, replace
 from math import prod
 from pathlib import Path
 
+from nscc.chips.load import DEFAULT_NAME, load_target
+from nscc.chips.target import SCHEMA, Target
 from nscc.limits.families import program_text
 from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.source import Source
 from nscc.syntax.parse import read_source
-from nscc.target.load import DEFAULT_NAME, load_target
-from nscc.target.target import SCHEMA, Target
 from nscc.toml.kinds import Axis, Integer, Number, Several, Text
 from nscc.toml.schema import Key
 from nscc_training.code_choices import STARTS

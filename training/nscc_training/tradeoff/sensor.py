@@ -13,13 +13,13 @@ from typing import Any
 
 import numpy as np
 
+from nscc.chips.load import load_target
+from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.lower.plan import Lowering
 from nscc.pipeline import Compiled
 from nscc.program.program import Codes
 from nscc.source import Source
-from nscc.target.load import load_target
-from nscc.target.target import Target
 from nscc.tradeoff.points import Point, Refused
 from nscc.tradeoff.rows import Rows
 from nscc.tradeoff.synthesis import Case, Way, compiled_or_not

@@ -14,14 +14,14 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from nscc.chips.registers import contradictions, tap_contradictions
+from nscc.chips.target import SCHEMA, Target, schema_of
+from nscc.chips.words import words_toml
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
-from nscc.target.registers import contradictions, tap_contradictions
-from nscc.target.target import SCHEMA, Target, schema_of
-from nscc.target.words import words_toml
 from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.kinds import Several
 from nscc.toml.schema import Found, Key, keys_of

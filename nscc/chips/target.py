@@ -12,8 +12,8 @@ from dataclasses import MISSING, dataclass, replace
 from functools import partial
 from typing import Any, Literal
 
+from nscc.chips.words import OwnWords
 from nscc.operations import Operation
-from nscc.target.words import OwnWords
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
 from nscc.toml.schema import Codes, Key, Schema, key, keys_of
 
