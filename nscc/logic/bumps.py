@@ -24,12 +24,17 @@ class Bumps:
     step: tuple[int, ...]
     steps: int
 
-    def firsts(self) -> list[tuple[int, int]]:
-        """(step, demand) for every step: the first demand in it."""
+    def groups(self, size: int = 1) -> list[tuple[int, int]]:
+        """(group, demand) for every group of `size` steps: the first demand in it."""
         first: dict[int, int] = {}
         for demand, step in enumerate(self.step):
-            first.setdefault(step, demand)
+            first.setdefault(step // size, demand)
         return list(first.items())
+
+    @property
+    def length(self) -> int:
+        """The longest bump in steps."""
+        return int((self.stop - self.start).max(initial=0))
 
     @property
     def never(self) -> NDArray[np.bool_]:

@@ -16,6 +16,7 @@ from nscc.logic import (
     nested,
     paired_bumps,
     states,
+    windows,
 )
 from nscc.logic.cascade import cascade
 from nscc.logic.cubes import Budget, Encoding, emit
@@ -92,6 +93,8 @@ GENERATORS: dict[str, Generator] = {
     "one_hot": _emitted("direct", encodings.one_hot),
     "digits": Generator("family", nested.digits),
     "counted": Generator("family", nested.counted),
+    "windows": Generator("family", windows.windows),
+    "toggled_windows": Generator("family", windows.toggled_windows),
     "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
     "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),

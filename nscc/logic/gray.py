@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 Numbers = TypeVar("Numbers", int, NDArray[np.int64])
 
+
 def gray(number: Numbers) -> Numbers:
     """The reflected binary code: the codes of neighbours differ in one bit."""
     return number ^ (number >> 1)

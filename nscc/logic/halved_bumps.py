@@ -61,7 +61,7 @@ class _Writer:
             (0, "open"),
         ]
         before: dict[int, tuple[Segment, ...]] = {}
-        for step, demand in self.bumps.firsts():
+        for step, demand in self.bumps.groups():
             if step < border:
                 self._first_half(step, self.kept[demand])
             elif step == border:

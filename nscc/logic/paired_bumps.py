@@ -93,7 +93,7 @@ class _Writer:
         ]
         if self.form is not _Form.FLAG:
             planes.append((0, "open"))
-        before = {demand: self._slot(step) for step, demand in bumps.firsts()}
+        before = {demand: self._slot(step) for step, demand in bumps.groups()}
         name = f"both ends in groups of two, a cube each, {self.form.value}"
         return Script(name, planes, before=before, closing=self.planes.restore())
 

@@ -1,0 +1,187 @@
+"""Windows: bumps of one length, which only the end of the frame may cut.
+
+Time is cut into groups as long as the bump, so that an open bump began in this group or in the one
+before, and a start is a group and an offset. In one of the two groups the shutter is open from
+its offset on, in the other up to it. The planes of the offset are stored inverted for every other
+group, so that both cases read them alike, and groups are in Gray code: the planes that two
+neighbours share pick out both at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from enum import Enum
+from itertools import product
+
+import numpy as np
+
+from nscc.logic.bumps import Bumps, bumps_of
+from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
+from nscc.logic.gray import cycle, gray
+from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
+from nscc.logic.walk import Script, walk
+from nscc.truth import set_bits
+
+
+def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Offsets in mixed-radix thermometers, some planes held both ways round where there is room."""
+    bumps = bumps_of(problem)
+    length = _length(bumps)
+    if length > _LONGEST:
+        raise GaveUp("covers of longer bumps become shorter than windows")
+    groups = -(-bumps.steps // length)
+    bits = max(1, (groups - 1).bit_length())
+    codes = cycle(groups, bits)
+    room = machine.registers - 1 - bits
+    tried = 0
+    choices = radices_of(room + length.bit_length(), length)
+    for chosen in sorted(choices, key=lambda r: (len(r), sum(r))):
+        held = sum(chosen) - len(chosen)
+        for doubled, low in product((False, True), range(bits, -1, -1)):
+            if held * (1 + doubled) + low > room:
+                continue
+            for turns in _Turns if low < bits else (_Turns.WITH,):
+                script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
+                for solution in walk(problem, machine, script, steps):
+                    yield solution
+                    tried += 1
+            # A walk takes as long as the frame has steps.
+            if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
+                return
+
+
+# Longer bumps take fewer words as covers of the shutter's number, once these are improved.
+_LONGEST = 5
+_MOST_TRIED = 48
+
+
+class _Turns(Enum):
+    """When the bit in which a group differs from the one before is turned over: it is not read
+    in that group, unless one of the two groups has to be told from the other."""
+
+    WITH = "with the group"
+    AFTER = "with the next group"
+    EVEN = "with the group if that is even, else with the next"
+
+
+def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
+    """Offsets in Gray code, few registers: every step turns the state of those that it hits over,
+    of those that began in this group as of those that began in the one before."""
+    bumps = bumps_of(problem)
+    length = _length(bumps)
+    high = max(1, (-(-bumps.steps // length) - 1).bit_length())
+    low = (length - 1).bit_length()
+    for in_flag in (True, False):
+        scratch = machine.registers - high - low - (not in_flag)
+        if scratch < 2 or (in_flag and not problem.flag_lasts):
+            continue
+        script = _toggle_script(bumps, length, high, low, in_flag, scratch > 2)
+        yield from walk(problem, machine, script, steps)
+
+
+def _toggle_script(
+    bumps: Bumps, length: int, high: int, low: int, in_flag: bool, roomy: bool
+) -> Script:
+    if np.any(bumps.never):
+        raise GaveUp("shutters that never open have no window")
+    planes = binary_planes("offset in its group, Gray bit", gray(bumps.start % length), low)
+    planes += binary_planes("group, Gray bit", gray(bumps.start // length), high)
+    state = "FLAG" if in_flag else "s0"
+    before: dict[int, tuple[Segment, ...]] = {}
+    standing = 0
+    for step, i in bumps.groups():
+        now, place = divmod(step, length)
+        wanted = gray(now) << low | gray(place)
+        flips = turned_over(set_bits(standing ^ wanted))
+        standing = wanted
+        # A NOR that leaves out the bit in which this group's code differs from the last one's holds
+        # for both groups: those that open now and those that opened one length ago.
+        apart = (now & -now).bit_length() - 1 + low if now else -1
+        hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
+        turn = _turn_state(state, roomy) if now else _open_state(state)
+        before[i] = (*flips, (Gate("NOR", "t0", hit),), turn)
+    closing = turned_over(set_bits(standing))
+    opening: tuple[Segment, ...] = ((Gate("CLR", "s0", ()),),)
+    if in_flag:
+        opening = ((Gate("CLR", "t0", ()), Gate("WHERE", "FLAG", ("t0",))),)
+    name = f"groups of {length} and offsets in Gray code, each hit turns the state over"
+    return Script(name, planes, 0 if in_flag else 1, opening, before, closing, in_flag)
+
+
+def _open_state(state: str) -> Segment:
+    """state := state OR t0: in the first group nothing closes."""
+    if state == "FLAG":
+        return (Gate("OR", "t0", ("t0", state)), Gate("WHERE", state, ("t0",)))
+    return (Gate("OR", state, (state, "t0")),)
+
+
+def _turn_state(state: str, roomy: bool) -> Segment:
+    """state := state XOR t0; `roomy`: with three scratch registers, else with two.
+
+    t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
+    XOR.
+    """
+    on, off = ("t0", "t2") if roomy else ("t1", "t0")
+    last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
+    return (
+        Gate("NOR", "t1", (state, "t0")),
+        Gate("NOR", off, ("t0", "t1")),
+        Gate("NOR", on, ("t1", state)),
+        last,
+    )
+
+
+def _length(bumps: Bumps) -> int:
+    length = bumps.length
+    # A bump that the end of the frame cuts is a whole one as far as the frame goes.
+    whole = np.minimum(bumps.start + length, bumps.steps)
+    if length < 2 or np.any((bumps.stop != whole) & ~bumps.never):
+        raise GaveUp("bumps of different lengths")
+    if 2 * length > bumps.steps:
+        raise GaveUp("bumps longer than half of the frame")
+    return length
+
+
+def _script(
+    bumps: Bumps,
+    length: int,
+    chosen: Sequence[int],
+    codes: Sequence[int],
+    bits: int,
+    doubled: bool,
+    low: int,
+    turns: _Turns,
+) -> Script:
+    """`codes` are those of the groups. `doubled`: offset planes both ways round; so are the `low`
+    lowest bits of the group.
+    """
+    # At place m those of this group are open if offset <= m, those of the group before if not. One
+    # of the two groups is odd: with the planes of odd ones turned over, both read a plane alike.
+    group = np.where(bumps.never, 0, bumps.start // length)
+    everything = (1 << len(bumps.start)) - 1
+    planes = [
+        (plane, f"offset in its group, {digit}, turned in odd groups")
+        for plane, digit in thermometers(bumps.start % length, chosen, group % 2 == 1)
+    ]
+    if doubled:
+        planes += [(everything & ~plane, f"{text}, inverted") for plane, text in planes]
+    place: list[int] = []
+    coded = np.array(codes, dtype=np.int64)[group]
+    for bit, (plane, text) in enumerate(binary_planes("group, Gray bit", coded, bits)):
+        place.append(len(planes))
+        planes.append((plane, text))
+        if bit < low:
+            planes.append((everything & ~plane, f"{text}, inverted"))
+    before: dict[int, tuple[Segment, ...]] = {}
+    standing = 0
+    for now, i in bumps.groups(length)[1:]:
+        behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and now % 2 == 1)
+        asked = codes[now - behind]
+        before[i] = turned_over(place[b] for b in set_bits(asked ^ standing) if b >= low)
+        standing = asked
+    closing = turned_over(place[b] for b in set_bits(standing) if b >= low)
+    radices = " x ".join(str(r) for r in chosen)
+    name = f"groups of {length} in Gray code, offset in digits {radices}"
+    if doubled or low:
+        name += ", some both ways round"
+    return Script(name, planes, before=before, closing=closing)
