@@ -171,7 +171,8 @@ csv_options = section(
 )
 tradeoff_options = section(
     OUTPUT,
-    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
+    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."),
+    csv_options,
 )
 """Where a tradeoff's products go."""
 

@@ -144,13 +144,17 @@ def _run_on_emulator(
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
         lambda: exposed.response(sensor), taken.plan_file,
     )  # fmt: skip
-    if taken.plan is not None:
+    if taken.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
 
         table = plan_table(taken.plan, taken.audit)
         if exposed.pieces > 1:
             table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
         done(table + "\n")
+    elif taken.plan is not None:
+        done(f"{taken.plan.line}; {timings.emulation_s:.2g} s")
+        if taken.audit is not None:
+            done(str(taken.audit))
     alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
     colours = "colours" in exposed.laid
     done(summary(container, frame, files, alike=alike, colours=colours))

@@ -119,13 +119,14 @@ def name(stem: str, sources: Iterable[str]) -> str:
 
 
 def _own_root(text: str) -> str:
-    """LLVM code with the processor's square root, for which numba calls the C library's."""
-    kept, calls = re.subn(r"^declare double @sqrt\(.*\n", "", text, flags=re.MULTILINE)
-    if not calls:
-        return text
-    intrinsic = "declare double @llvm.sqrt.f64(double"
-    kept = kept.replace("@sqrt(", "@llvm.sqrt.f64(")
-    return kept if intrinsic in kept else f"{kept}\n{intrinsic})\n"
+    """LLVM code with the processor's square roots, for which numba calls the C library's."""
+    for name, kind, intrinsic in (("sqrt", "double", "f64"), ("sqrtf", "float", "f32")):
+        text, calls = re.subn(rf"^declare {kind} @{name}\(.*\n", "", text, flags=re.MULTILINE)
+        declared = f"declare {kind} @llvm.sqrt.{intrinsic}({kind}"
+        text = text.replace(f"@{name}(", f"@llvm.sqrt.{intrinsic}(")
+        if calls and declared not in text:
+            text += f"\n{declared})\n"
+    return text
 
 
 def _machine(llvm: Any) -> Any:

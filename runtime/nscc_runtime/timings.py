@@ -9,6 +9,9 @@ from dataclasses import dataclass, field
 from time import perf_counter
 
 
+_EMULATION = ("analyse", "plan", "expose", "audit")
+
+
 @dataclass
 class Timings:
     """Seconds spent in each part of a run."""
@@ -23,6 +26,11 @@ class Timings:
             yield
         finally:
             self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - begin
+
+    @property
+    def emulation_s(self) -> float:
+        """Seconds of planning, exposing and auditing, without compiling loops or files."""
+        return sum(self.seconds.get(f"{name}_s", 0.0) for name in _EMULATION)
 
     def json(self) -> bytes:
         """The file of --timings."""

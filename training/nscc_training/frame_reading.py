@@ -60,6 +60,14 @@ def read_frame(path: Path) -> FrameRead:
     return FrameRead(codes, full, file.meta, shutter, opened)
 
 
+def refuse_missing(path: Path) -> None:
+    """Raise Rejected (NS0819) for a file that cannot be opened, before anything slow is loaded."""
+    try:
+        path.open("rb").close()
+    except OSError as error:
+        raise no_frame(path, why_no_arrays(error)) from error
+
+
 def by_colour(values: Array, in_colours: bool) -> Array:
     """What frame files hold of an exposure, ([colours,] buckets, rows, cols), as `FrameRead` has
     it: (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""

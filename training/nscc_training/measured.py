@@ -2,20 +2,30 @@
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor
 
-from nscc_training.sensor_model import SensorModel
+if TYPE_CHECKING:
+    from torch import Tensor
+
+    from nscc_training.sensor_model import SensorModel
+
+Array = TypeVar("Array", "Tensor", NDArray[Any])
+"""Tensors of torch or arrays of numpy: both have the operators and functions that follow."""
+
+
+def namespace(array: object) -> Any:
+    """Return the module whose functions take the array: numpy or torch."""
+    return sys.modules[type(array).__module__.partition(".")[0]]
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
+class Measured(Generic[Array]):
     """Frames of one exposure, B of them (buckets), and how they came about.
 
     `value` (batch, B, rows, cols) is sum over N of `mask` (batch or 1, B, N, rows, cols) times the
@@ -24,99 +34,113 @@ class Measured:
     slots for one.
     """
 
-    value: Tensor
-    mask: Tensor
-    variance: Tensor
-    saturated: Tensor
+    value: Array
+    mask: Array
+    variance: Array
+    saturated: Array
 
     @classmethod
-    def exact(cls, value: Tensor, mask: Tensor) -> Measured:
+    def exact(cls, value: Array, mask: Array) -> Measured[Array]:
         """One frame (batch, rows, cols) without noise; the mask (batch or 1, N, rows, cols)."""
-        value = value.unsqueeze(1)
-        return cls(
-            value, mask.unsqueeze(1), torch.zeros_like(value),
-            torch.zeros_like(value, dtype=torch.bool),
-        )  # fmt: skip
+        value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
+        return cls(value, mask[:, None], nothing, nothing != 0)
 
     @classmethod
     def read(
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
-    ) -> Measured:
+    ) -> Measured[NDArray[Any]]:
         """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
 
         `masks` are (B, N, rows, cols).
         """
-        codes = torch.from_numpy(np.ascontiguousarray(frames, np.float32))[None]
-        value = codes * sensor.electrons_per_lsb
+        codes = np.asarray(frames, np.float32)[None]
+        value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
-        variance = torch.full_like(value, noise_lsb2 * sensor.electrons_per_lsb**2)
+        variance = np.full_like(value, noise_lsb2 * sensor.electrons_per_lsb**2)
         if sensor.shot_noise:
-            variance = variance + value.clamp(min=0)
+            variance = variance + value.clip(min=0)
         full = codes >= sensor.full_code
-        opened = torch.from_numpy(np.ascontiguousarray(masks, np.float32))
-        return cls(value, opened[None], variance, full)
+        return Measured(value, np.asarray(masks, np.float32)[None], variance, full)
 
-    def over(self, unit: Tensor) -> Measured:
+    def tensors(self: Measured[NDArray[Any]]) -> Measured[Tensor]:
+        """The same for torch; arrays share their memory with it."""
+        import torch
+
+        parts = (self.value, self.mask, self.variance, self.saturated)
+        return Measured(*(torch.from_numpy(np.ascontiguousarray(part)) for part in parts))
+
+    def over(self, unit: Array) -> Measured[Array]:
         """The same in other units (batch,) of light."""
         unit = unit.reshape(-1, 1, 1, 1)
-        return replace(self, value=self.value / unit, variance=self.variance / unit.square())
+        return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
-    def of(self, clip: Tensor) -> Tensor:
+    def of(self, clip: Array) -> Array:
         """The frames that a clip (batch, N, rows, cols) would give."""
-        return (self.mask * clip.unsqueeze(1)).sum(dim=2)
+        frames: Array = (self.mask * clip[:, None]).sum(2)
+        return frames
 
-    def missing(self, seen: Tensor, target: Tensor) -> Tensor:
+    def missing(self, seen: Array, target: Array) -> Array:
         """How far a clip's frames are from a target; where saturated, more is never too much."""
         gap = target - seen
-        return torch.where(self.saturated, gap.clamp(min=0), gap)
+        least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
+        return least
 
-    def trust(self, sigma: Tensor) -> Tensor:
+    def trust(self, sigma: Array) -> Array:
         """The part of a difference that is the clip's error, of standard deviation `sigma`
         (batch,), and not the frames' noise; as `value`."""
-        spread = self.energy * sigma.reshape(-1, 1, 1, 1).square()
-        part: Tensor = spread / (spread + self.variance).clamp(min=1e-20)
+        spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
+        part: Array = spread / (spread + self.variance).clip(min=1e-20)
         return part
 
-    def correction(self, gap: Tensor, sigma: Tensor) -> Tensor:
+    def correction(self, gap: Array, sigma: Array) -> Array:
         """What to add to a clip for frames that differ by `gap`: its most likely error if that has
         the standard deviation `sigma` everywhere. Without noise, and with frames that share no
         light, this is the projection onto all clips that give the frames."""
         if self.disjoint:
-            noise = self.variance / sigma.reshape(-1, 1, 1, 1).square()
-            shares = gap / (self.energy + noise).clamp(min=1e-6)
-            return (self.mask * shares.unsqueeze(2)).sum(dim=1)
-        weights = torch.linalg.solve(self._joint(sigma), gap.permute(0, 2, 3, 1))
-        found: Tensor = (self.mask * weights.permute(0, 3, 1, 2).unsqueeze(2)).sum(dim=1)
-        return found
+            noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
+            shares = gap / (self.energy + noise).clip(min=1e-6)
+        else:
+            of, last = namespace(gap), namespace(gap).moveaxis(gap, 1, -1)[..., None]
+            shares = of.moveaxis(of.linalg.solve(self._joint(sigma), last)[..., 0], -1, 1)
+        change: Array = (self.mask * shares[:, :, None]).sum(1)
+        return change
 
     @cached_property
     def disjoint(self) -> bool:
         """Whether no light of a pixel is in two frames, as in those of a film: then what one frame
         lacks says nothing of the others."""
-        shared = (self.mask != 0).sum(dim=1) > 1
+        shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
-    def _joint(self, sigma: Tensor) -> Tensor:
+    def _joint(self, sigma: Array) -> Array:
         """(batch, rows, cols, B, B): how frames of a pixel vary together, over sigma squared."""
-        masks = self.mask.permute(0, 3, 4, 1, 2)
-        noise = self.variance.permute(0, 2, 3, 1) / sigma.reshape(-1, 1, 1, 1).square()
+        of = namespace(self.mask)
+        masks = of.moveaxis(self.mask, (1, 2), (3, 4))
+        noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
         # A frame that a pixel is never open in says nothing, and is not to divide by 0.
-        return masks @ masks.mT + torch.diag_embed(noise + 1e-4)
+        one = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
+        joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * one
+        return joint
 
     @property
-    def energy(self) -> Tensor:
+    def energy(self) -> Array:
         """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
-        return self.mask.square().sum(dim=2)
+        squares: Array = (self.mask**2).sum(2)
+        return squares
 
-    def mean(self) -> Tensor:
+    def mean(self) -> Array:
         """The light (batch, rows, cols) that each pixel's open slots had on average, 0 where none
         was open."""
-        total = self.mask.sum(dim=(1, 2))
-        return torch.where(total > 0, self.value.sum(dim=1) / total.clamp(min=1e-6), 0.0)
+        total = self.mask.sum((1, 2))
+        light = self.value.sum(1) / total.clip(min=1e-6)
+        known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
+        return known
 
-    def planes(self) -> Tensor:
+    def planes(self: Measured[Tensor]) -> Tensor:
         """What a denoiser sees of it, (batch, 3, N, rows, cols): all frames' mask, their value over
         it, and the standard deviation of that, at most 1: the same for all N but the mask."""
+        import torch
+
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)
         total = mask.sum(dim=1)
         opened = total > 0

@@ -12,7 +12,9 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
 from nscc_training.mask_files import Floats, array_names, read_mask, real_array, refused
-from nscc_training.reconstruct import Reconstruction
+from nscc_training.measured import Measured
+from nscc_training.reconstruction import Reconstruction
+from nscc_training.untrained import Method, gap_tv_clip, method_for
 
 _KEYS = frozenset(("mask", "meas"))
 
@@ -111,23 +113,22 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
     )
 
 
-def reconstruct_measurement(measurement: Measurement, noise: NoiseModel) -> Reconstruction:
+def reconstruct_measurement(
+    measurement: Measurement, noise: NoiseModel, method: Method | None = None
+) -> Reconstruction:
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement a slot."""
-    import torch
-
-    from nscc_training.any_code.decode import decoded_clip
-    from nscc_training.measured import Measured
-
-    begin = perf_counter()
-    opened = torch.from_numpy(np.ascontiguousarray(measurement.mask, np.float32))[None, None]
+    method, begin = method_for(still=False, method=method), perf_counter()
+    opened = np.asarray(measurement.mask, np.float32)[None, None]
     clips: list[NDArray[np.float32]] = []
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
-        value, spread = (
-            torch.from_numpy(np.ascontiguousarray(part, np.float32))[None, None]
-            for part in (values, variance)
-        )
-        full = torch.zeros_like(value, dtype=torch.bool)
-        clips.append(decoded_clip(Measured(value, opened, spread, full))[0].numpy())
+        value, spread = (np.asarray(part, np.float32)[None, None] for part in (values, variance))
+        measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
+        if method == "gap-tv":
+            clips.append(gap_tv_clip(measured))
+            continue
+        from nscc_training.any_code.decode import decoded_clip
+
+        clips.append(decoded_clip(measured.tensors())[0].numpy())
     light = np.concatenate(clips)
-    return Reconstruction(light, False, False, (), perf_counter() - begin)
+    return Reconstruction(light, False, False, (), perf_counter() - begin, method)

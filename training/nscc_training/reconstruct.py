@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
 from time import perf_counter
@@ -18,46 +17,18 @@ from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
-from nscc_runtime.formats import Content
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.dark import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks import LOOKS
 from nscc_training.frame_reading import FrameRead, no_frame, read_frame
 from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
+from nscc_training.reconstruction import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
 """Effects that training has without `[sensor] effects`."""
 _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
-_OVEREXPOSED = 0.5
-"""Above this part of saturated pixels most of a picture is guessed."""
-
-
-@dataclass(frozen=True, eq=False)
-class Reconstruction:
-    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons a
-    slot, float32; with an axis of red, green and blue at the end if `colour`.
-
-    `messages` are doubts about the frame; `decode_s` seconds that the decoder took.
-    """
-
-    light: NDArray[np.float32]
-    still: bool
-    colour: bool
-    messages: tuple[Diagnostic, ...]
-    decode_s: float
-
-    @property
-    def content(self) -> Content:
-        """The reconstruction for every format that it can be written in."""
-        arrays = {"image" if self.still else "video": self.light}
-        # Time is the last axis of clips in MATLAB.
-        turned = arrays if self.still else {"video": np.moveaxis(self.light, 0, -1)}
-        return Content(
-            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
-            usual="log" if self.still else "srgb",
-        )  # fmt: skip
 
 
 def reconstruct(
@@ -180,19 +151,6 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
             notes=("what these do to codes, the decoder takes for light",),
             helps=('train with `[sensor] effects = "all"`', *_DARK_HELPS),
         )
-
-
-def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
-    """NS0844, a warning, where most of a frame's pixels are saturated."""
-    part = float(saturated.mean()) if saturated.size else 0.0
-    if part > _OVEREXPOSED:
-        yield Diagnostic(
-            "NS0844",
-            f"{100 * part:.3g} % of the pixels of '{name}' are saturated",
-            severity=Severity.WARNING,
-            notes=("of these a decoder knows only that there was so much light or more",),
-            helps=("expose the scene for less light, or with shutters some of which close early",),
-        )  # fmt: skip
 
 
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:

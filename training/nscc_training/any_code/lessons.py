@@ -86,7 +86,7 @@ def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
 
 def measured_lesson(
     lesson: Lesson, generator: torch.Generator
-) -> tuple[Tensor, Measured, Tensor | None]:
+) -> tuple[Tensor, Measured[Tensor], Tensor | None]:
     """Return the truth of a lesson, what is measured of it, and the display's white (batch,).
 
     The white is given for filmed lessons, in whose unit errors are counted as a display shows them.

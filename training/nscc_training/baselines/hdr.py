@@ -28,17 +28,26 @@ def merged(
     variance = (exposure + read_noise_e**2 + electrons_per_lsb**2 / 12) / share**2
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share
+    return merge_neighbours(
+        light, precision, np.where(saturated & (open_share > 0), light, -np.inf)
+    )
+
+
+def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Picture:
+    """Return the mean of the light around each pixel, weighted by precision, and at least `least`.
+
+    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0.
+    """
     weighted = precision * light
-    found = np.full(frame.shape, np.nan)
+    found = np.full(light.shape, np.nan)
     reach = 2
-    while np.isnan(found).any() and reach <= 2 * max(frame.shape):
+    while np.isnan(found).any() and reach <= 2 * max(light.shape):
         total = _tent(precision, reach) + (_OWN - 1) * precision
         value = _tent(weighted, reach) + (_OWN - 1) * weighted
         here = np.isnan(found) & (total > 0)
         found[here] = value[here] / total[here]
         reach *= 2
-    found = np.where(np.isnan(found), light, found)
-    return np.where(saturated & (open_share > 0), np.maximum(found, light), found)
+    return np.maximum(np.where(np.isnan(found), light, found), least)
 
 
 def _tent(values: Picture, reach: int) -> Picture:

@@ -10,13 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training.baselines.dictionary import dictionary_clip, made_dictionary
+from nscc_training.baselines.gap_tv import INNER, TIME, WEIGHT, gap_tv_of
 from nscc_training.baselines.tv import Clip, tv_denoise
+from nscc_training.measured import Measured
 
-WEIGHT = 0.1
 ITERATIONS = 40
-_INNER = 5
-_TIME = 0.3
-"""Differences from frame to frame weigh less than those between pixels: things move."""
 _RIDGE = 0.01
 
 
@@ -24,15 +22,11 @@ def gap_tv(
     measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:  # fmt: skip
-    """Generalised alternating projection with TV (Yuan 2016), accelerated."""
-    energy = _energy(mask)
-    clip = mask * (measurement / energy)
-    target = np.zeros_like(measurement)
-    for _ in range(iterations):
-        seen = np.einsum("trc,trc->rc", mask, clip)
-        target += measurement - seen
-        clip = tv_denoise(clip + mask * ((target - seen) / energy), weight, _INNER, _TIME)
-    return clip
+    """GAP-TV that begins with the measurement, spread over the open frames of each pixel."""
+    measured = Measured.exact(measurement[None], mask[None])
+    start = adjoint(measurement, mask)[None]
+    clips, _ = gap_tv_of(measured, iterations, weight=weight, start=start)
+    return np.asarray(clips[0])
 
 
 def admm_tv(
@@ -47,7 +41,7 @@ def admm_tv(
         split = clip + dual
         seen = np.einsum("trc,trc->rc", mask, split)
         split += mask * ((measurement - seen) / energy)
-        clip = tv_denoise(split - dual, weight, _INNER, _TIME)
+        clip = tv_denoise(split - dual, weight, INNER, TIME)
         dual -= split - clip
     return clip
 

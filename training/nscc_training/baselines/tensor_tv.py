@@ -1,4 +1,4 @@
-"""Total variation and GAP-TV of batches of clips, as operators of torch on any device."""
+"""Total variation of batches of clips, as an operator of torch on any device."""
 
 from __future__ import annotations
 
@@ -6,40 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.loops import Volume, denoise
-from nscc_training.measured import Measured
-
-START = 20
-"""Iterations of GAP-TV that decoders begin with."""
-_WEIGHT, _INNER, _TIME = 0.1, 5, 0.3
-_FAR = 1.0
-"""What a clip is taken to be wrong by while GAP-TV runs: frames are believed as they are."""
-
-
-def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tensor]:
-    """GAP-TV of so many iterations: the clip (batch, N, rows, cols), and its target as
-    `gap_step` takes it. Frames in several buckets, saturated and noisy ones too.
-
-    It begins with a clip in which nothing moves, each pixel's light spread over the frame. From a
-    dark one light would come only to slots that are open, and by smoothing to those near them: of
-    64 slots, of which some are open nowhere, these would stay a fifth too dark.
-    """
-    far = measured.value.new_full((len(measured.value),), _FAR)
-    target = measured.value
-    clip = measured.mean().unsqueeze(1).expand(-1, measured.mask.shape[2], -1, -1)
-    for _ in range(iterations):
-        clip, target = gap_step(measured, clip, target, far)
-        clip = tv_denoised(clip, _WEIGHT, _INNER, _TIME).to(clip)
-    return clip, target
-
-
-def gap_step(
-    measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
-) -> tuple[Tensor, Tensor]:
-    """A clip led towards the frames, and the frames as they are asked for from now on."""
-    seen = measured.of(clip)
-    target = target + measured.missing(seen, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(seen, target), sigma), target
+from nscc_training.baselines.tv import tv_denoised_arrays
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
@@ -49,17 +16,9 @@ def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> T
     On the CPU a compiled loop goes over the pixels, because torch's operators go over the memory
     fifteen times as often; on other devices they are used. No gradient passes.
     """
-    # The same memory as arrays: nothing is copied.
-    image = np.asarray(np.from_dlpack(clips.detach().float().contiguous()), np.float32)
-    field = np.zeros((3, *image.shape), np.float32)
-    out = np.empty_like(image)
-    batch, frames, rows, cols = image.shape
-    volume = Volume(
-        clips=batch, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
-        time=time,
-    )  # fmt: skip
-    denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
-    return torch.from_numpy(out)
+    # The same memory as an array: nothing is copied.
+    image = np.from_dlpack(clips.detach().float().contiguous())
+    return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
 @tv_denoised.register_kernel(None)

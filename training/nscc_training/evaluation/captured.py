@@ -69,16 +69,14 @@ class Captured:
         scale_e = scene.scale_e if isinstance(scene, Window) else 1.0
         return float(scale_e * len(scene.light_e) / slots)
 
-    def measured(self) -> Measured:
+    def measured(self) -> Measured[Tensor]:
         """Return the frames as the decoder for any code takes them, all in electrons."""
-        import torch
-
         from nscc_training.measured import Measured
 
         if self.model is None:
-            return Measured.exact(*map(torch.from_numpy, (self.codes, self.tile)))
+            return Measured.exact(self.codes, self.tile).tensors()
         masks = self.share[None, None].astype(np.float32) if self.is_still else self.masks
-        return Measured.read(self.codes, masks, self.model)
+        return Measured.read(self.codes, masks, self.model).tensors()
 
     def corner(self, size: int) -> Captured:
         """Return the upper left corner of the same frames."""

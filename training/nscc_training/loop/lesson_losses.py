@@ -13,7 +13,7 @@ from nscc_training.any_code.lessons import Lesson, measured_lesson, noisy
 from nscc_training.any_code.network import SEEN
 from nscc_training.any_code.stages import schedule, stage
 from nscc_training.any_code.stills import coded_light, started_still, still_schedule, still_stage
-from nscc_training.baselines.tensor_tv import gap_tv_of
+from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
 from nscc_training.data.exposures import quantiles
 from nscc_training.loop.setup import Parts

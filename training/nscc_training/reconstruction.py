@@ -1,0 +1,58 @@
+"""What a decoder makes of a frame, and doubts about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc_runtime.formats import Content
+
+_OVEREXPOSED = 0.5
+"""Above this part of saturated pixels most of a picture is guessed."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reconstruction:
+    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons a
+    slot, float32; with an axis of red, green and blue at the end if `colour`.
+
+    `messages` are doubts about the frame; `decode_s` seconds that the decoder took; `method` how
+    the decoder for any code found it.
+    """
+
+    light: NDArray[np.float32]
+    still: bool
+    colour: bool
+    messages: tuple[Diagnostic, ...]
+    decode_s: float
+    method: str = ""
+
+    @property
+    def content(self) -> Content:
+        """The reconstruction for every format that it can be written in."""
+        arrays = {"image" if self.still else "video": self.light}
+        if self.method:
+            arrays["method"] = np.array(self.method)
+        # Time is the last axis of clips in MATLAB.
+        turned = arrays if self.still else arrays | {"video": np.moveaxis(self.light, 0, -1)}
+        return Content(
+            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
+            usual="log" if self.still else "srgb",
+        )  # fmt: skip
+
+
+def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
+    """NS0844, a warning, where most of a frame's pixels are saturated."""
+    part = float(saturated.mean()) if saturated.size else 0.0
+    if part > _OVEREXPOSED:
+        yield Diagnostic(
+            "NS0844",
+            f"{100 * part:.3g} % of the pixels of '{name}' are saturated",
+            severity=Severity.WARNING,
+            notes=("of these a decoder knows only that there was so much light or more",),
+            helps=("expose the scene for less light, or with shutters some of which close early",),
+        )  # fmt: skip
