@@ -121,7 +121,7 @@ def done(text: str) -> None:
 def say_compiling(loop: Any, what: str) -> None:
     """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
     if not loop.is_compiled():
-        done(f"compiling {what} for this processor: once, some seconds")
+        done(loop.compiling(what))
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:

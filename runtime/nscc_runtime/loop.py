@@ -136,8 +136,19 @@ class Loop(Generic[_P]):
 
     def is_compiled(self) -> bool:
         """Whether the machine code is there: if not, its first use takes some seconds."""
+        return "linked" in vars(object_file(self.module)) or self.is_kept()
+
+    def is_kept(self) -> bool:
+        """Whether a file holds the machine code, for other runs too."""
         file = object_file(self.module)
-        return "linked" in vars(file) or machine_code.kept(file.name, file.folders) is not None
+        return machine_code.kept(file.name, file.folders) is not None
+
+    def compiling(self, what: str) -> str:
+        """Return a line which says that `what` is compiled, and whether it is kept."""
+        if machine_code.can_keep(object_file(self.module).folders):
+            return f"compiling {what} for this processor: once, some seconds"
+        return ("compiling loops: some seconds in every run, because no cache folder can be "
+                "written; XDG_CACHE_HOME names one")  # fmt: skip
 
     def load(self) -> None:
         """Have the machine code ready, compiled if need be."""

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
+from nscc_runtime.machine_code import working_s
 from nscc_training.mask_files import Floats, array_names, read_mask, real_array, refused
 from nscc_training.measured import Measured
 from nscc_training.reconstruction import Reconstruction
@@ -117,7 +117,7 @@ def reconstruct_measurement(
     measurement: Measurement, noise: NoiseModel, method: Method | None = None
 ) -> Reconstruction:
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement a slot."""
-    method, begin = method_for(still=False, method=method), perf_counter()
+    method, begin = method_for(still=False, method=method), working_s()
     opened = np.asarray(measurement.mask, np.float32)[None, None]
     clips: list[NDArray[np.float32]] = []
     for values in measurement.values:
@@ -131,4 +131,4 @@ def reconstruct_measurement(
 
         clips.append(decoded_clip(measured.tensors())[0].numpy())
     light = np.concatenate(clips)
-    return Reconstruction(light, False, False, (), perf_counter() - begin, method)
+    return Reconstruction(light, False, False, (), working_s() - begin, method)

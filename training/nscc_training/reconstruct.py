@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 from hashlib import sha256
 from pathlib import Path
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +16,7 @@ from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
+from nscc_runtime.machine_code import working_s
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.dark import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks import LOOKS
@@ -46,7 +46,7 @@ def reconstruct(
     a dark one that is of another program or has seen light (the same).
     """
     folder = load_run(run, trust_code=trust_code)
-    read, begin = read_frame(frame), perf_counter()
+    read, begin = read_frame(frame), working_s()
     offset: NDArray[np.float64] | None = None
     doubts: tuple[Diagnostic, ...] = ()
     if dark is not None:
@@ -54,7 +54,7 @@ def reconstruct(
         size = (folder.parts.target.rows, folder.parts.target.cols)
         offset, doubts = found.offset, found.checked(read.meta, size, force=force)
     light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
-    messages, seconds = (*messages, *doubts), perf_counter() - begin
+    messages, seconds = (*messages, *doubts), working_s() - begin
     return Reconstruction(light, folder.parts.still, len(read.frame) > 1, messages, seconds)
 
 

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from pathlib import Path
-from time import perf_counter
 from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
+from nscc_runtime.machine_code import working_s
 from nscc_training.any_code.frames import CodedFrame, read_coded_frames
 from nscc_training.reconstruction import Reconstruction, overexposed
 from nscc_training.untrained import Method, gap_tv_clip, merged_still, method_for
@@ -35,12 +35,12 @@ def reconstruct_any(
     every = read_coded_frames(frame, program, dark, doubts.append)
     still = (kind or ("image" if every[0].is_still else "video")) == "image"
     method = method_for(still, method)
-    begin = perf_counter()
+    begin = working_s()
     made = [_light(coded, still, method) for coded in every]
     light = np.stack(made, axis=-1) if len(made) > 1 else made[0]
     full = np.stack([coded.saturated for coded in every])
     messages = (*doubts, *overexposed(str(frame), full))
-    return Reconstruction(light, still, len(made) > 1, messages, perf_counter() - begin, method)
+    return Reconstruction(light, still, len(made) > 1, messages, working_s() - begin, method)
 
 
 def _light(coded: CodedFrame, still: bool, method: Method) -> NDArray[np.float32]:

@@ -7,14 +7,17 @@ stands around them (heading, legend, names of rows) grows outwards, and saving t
 from __future__ import annotations
 
 import io
+import logging
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import cache
 from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.diagnostics.rejection import rejected
 from nscc_runtime.pictures.look import Look, look
 
 if TYPE_CHECKING:
@@ -49,12 +52,29 @@ def _settings(chosen: Look) -> dict[Any, Any]:  # matplotlib lists every key as 
     }  # fmt: skip
 
 
+@cache
+def _matplotlib() -> Any:
+    """Import matplotlib without its warnings about cache folders: what it keeps there is small."""
+    logger = logging.getLogger("matplotlib")
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        import matplotlib.font_manager
+    except OSError as error:
+        raise rejected(
+            "NS0784", "pictures need a folder for matplotlib's list of fonts: none can be written",
+            helps=("name one: MPLCONFIGDIR=FOLDER, or TMPDIR=FOLDER",),
+        ) from error  # fmt: skip
+    finally:
+        logger.setLevel(level)
+    return matplotlib
+
+
 @contextmanager
 def style() -> Iterator[None]:
     """The one style in the present look, whatever the user's plotting settings; figures are made
     and saved in it."""
-    import matplotlib
-
+    matplotlib = _matplotlib()
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_settings(look()))
