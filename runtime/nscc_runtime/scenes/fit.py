@@ -24,7 +24,7 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 Fit = Literal["crop", "scale", "tiles"]
 FITS: tuple[Fit, ...] = get_args(Fit)
 
-MOST_PIXELS = 1 << 27
+MOST_PIXELS = 1 << 26
 """A picture in pieces may have so many pixels: a frame takes some 30 bytes for each."""
 
 
@@ -129,7 +129,7 @@ def _resized(light: NDArray[np.float32], wanted: tuple[int, int]) -> NDArray[np.
 
 def in_colour(stored: NDArray[Any]) -> bool:
     """Whether a stored picture has colours that differ anywhere."""
-    return stored.ndim == 3 and bool((stored != stored[..., :1]).any())
+    return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
 
 
 def changes(where: Layout, colour: bool, name: str) -> list[Diagnostic]:

@@ -231,7 +231,7 @@ def _load_path(request: _Request, path: Path) -> Laid:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
         usual = picture_files.default_transfer(path)
-        return _picture(request, picture_files.open_pages(path), usual)
+        return _picture(request, picture_files.open_pages(path, large=True), usual)
     if suffix in clips.CLIPS:
         pages = clips.open_clip(path)
         _say_notes(request, pages)
@@ -391,6 +391,6 @@ def _light(
         window = slice(top, top + request.window.rows), slice(left, left + request.window.cols)
     values = picture_light(
         stored, transfer, name, channel=request.channel, white=request.white, window=window,
-        warn=request.warn,
+        size=where.size if where.fit == "scale" else None, warn=request.warn,
     )  # fmt: skip
     return placed(values, where), where

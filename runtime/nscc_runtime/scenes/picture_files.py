@@ -22,6 +22,7 @@ from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
 from nscc_runtime.scenes.exr_pictures import exr_pages
+from nscc_runtime.scenes.large_pictures import large_pages, without_pillow_limit
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.picture_heads import png_head, read_radiance
@@ -45,10 +46,11 @@ def transfer_of(path: Path) -> Transfer:
     return named or default_transfer(path)
 
 
-def open_pages(path: Path) -> Pages:
+def open_pages(path: Path, large: bool = False) -> Pages:
     """The pictures in a file: one, or those of a file of several, which are a clip.
 
-    Alpha is dropped; the rotation noted in a photograph is applied.
+    Alpha is dropped; the rotation noted in a photograph is applied. `large` admits single pictures
+    of 8 bits a sample with up to `MOST_LARGE_PIXELS`.
 
     Raises
     ------
@@ -57,8 +59,10 @@ def open_pages(path: Path) -> Pages:
     """
     reads(path)
     with _readable(path):
-        refuse_huge(path)
-        pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
+        pages = large_pages(path) if large else None
+        if pages is None:
+            refuse_huge(path)
+            pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
 
     def read() -> Iterator[tuple[str, NDArray[Any]]]:
         pictures = pages.read()
@@ -139,12 +143,12 @@ def _pillow_pages(path: Path) -> Pages:
     """The frames of a file, an animation's laid over those before."""
     from PIL import Image, ImageOps
 
-    with _large_pictures(), Image.open(path) as image:
+    with without_pillow_limit(), Image.open(path) as image:
         count = int(getattr(image, "n_frames", 1))
         refuse_size(path, image.height, image.width)
 
     def read() -> Iterator[NDArray[Any]]:
-        with _large_pictures(), Image.open(path) as image:
+        with without_pillow_limit(), Image.open(path) as image:
             for number in range(count):
                 image.seek(number)
                 upright = ImageOps.exif_transpose(image) if count == 1 else image
@@ -152,18 +156,6 @@ def _pillow_pages(path: Path) -> Pages:
                 yield np.asarray(upright.convert("L" if grey else "RGB"))
 
     return Pages(count, read)
-
-
-@contextmanager
-def _large_pictures() -> Iterator[None]:
-    """Pillow takes panoramas for attacks by their size; `refuse_size` says what is one here."""
-    from PIL import Image
-
-    most, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
-    try:
-        yield
-    finally:
-        Image.MAX_IMAGE_PIXELS = most
 
 
 def _heif_pages(path: Path) -> Pages:

@@ -12,6 +12,9 @@ from nscc.diagnostics.rejection import rejected
 MOST_PIXELS = 1 << 26
 """Of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
 
+MOST_LARGE_PIXELS = 3 * MOST_PIXELS
+"""Of a scene that is one picture of 8 bits a sample: 201 million."""
+
 _MOST_SAMPLES = 4
 """Samples that an OpenEXR file holds, in all its parts and channels, for each of MOST_PIXELS."""
 
@@ -35,7 +38,10 @@ def refuse_size(path: Path, rows: int, cols: int) -> None:
         raise rejected(
             "NS0734",
             f"'{path}' is {rows:,} x {cols:,} pixels: at most {MOST_PIXELS:,} are read",
-            helps=("make the picture smaller, or cut out a part of it",),
+            helps=(
+                "make the picture smaller, or cut out a part of it; a scene that is one picture of "
+                f"8 bits a sample may have {MOST_LARGE_PIXELS:,} pixels",
+            ),
         )
 
 
