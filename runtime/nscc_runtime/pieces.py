@@ -84,6 +84,7 @@ def simulate_scene(
     light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
     about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
+    about |= {"scene_notes": list(scene[0].notes)} if scene[0].notes else {}
     return Taken(simulated, where.widened(container), light, about, container, where, len(made))
 
 

@@ -26,8 +26,9 @@ BUILTIN = Exposure(30000.0)
 """What the builtin scenes get unless asked otherwise: the full well of PIX, at percentile 99."""
 
 
-def parse_exposure(text: str) -> Exposure:
+def parse_exposure(exposure: str | float) -> Exposure:
     """`E` or `E@P`, electrons above 0 and a percentile in 0..100; NS0738 for anything else."""
+    text = str(exposure)
     electrons, at, percentile = text.partition("@")
     try:
         found = Exposure(float(electrons), float(percentile) if at else DEFAULT_PERCENTILE)

@@ -107,11 +107,13 @@ def load_scene(spec: str, **settings: Any) -> Light:
 
 @dataclass(frozen=True, eq=False)
 class Laid:
-    """Light on as many arrays as `where` says; `colour`: it is of a picture or clip in colour."""
+    """Light on as many arrays as `where` says; `colour`: it is of a picture or clip in colour.
+    `notes` say how the file was read where the user may expect something else."""
 
     light: Light
     where: Layout
     colour: bool = False
+    notes: tuple[str, ...] = ()
 
 
 def laid_scene(
@@ -230,12 +232,11 @@ def _load_path(request: _Request, path: Path) -> Laid:
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
-        usual = picture_files.default_transfer(path)
-        return _picture(request, picture_files.open_pages(path, large=True), usual)
+        pages = picture_files.open_pages(path, large=True)
+        return _noted(request, pages, picture_files.default_transfer(path), pages.count == 1)
     if suffix in clips.CLIPS:
         pages = clips.open_clip(path)
-        _say_notes(request, pages)
-        return _clip(request, pages.read(), request.transfer or pages.transfer or "srgb")
+        return _noted(request, pages, "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
@@ -245,19 +246,17 @@ def _load_path(request: _Request, path: Path) -> Laid:
     )
 
 
-def _picture(request: _Request, pages: Pages, usual: Transfer) -> Laid:
-    """A still, or the clip of a file of several pictures; `usual` is the format's curve."""
-    transfer = request.transfer or pages.transfer or usual
-    _say_notes(request, pages)
-    if pages.count > 1:
-        return _clip(request, pages.read(), transfer)
-    _refuse(request, "a still is one frame", "first")
-    return _still(request, lambda: next(pages.read()), transfer)
-
-
-def _say_notes(request: _Request, pages: Pages) -> None:
+def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False) -> Laid:
+    """The still or clip of a file, with the file's notes; `usual` is the curve of its format."""
     for text, help_text in pages.notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
+    transfer = request.transfer or pages.transfer or usual
+    if still:
+        _refuse(request, "a still is one frame", "first")
+        laid = _still(request, lambda: next(pages.read()), transfer)
+    else:
+        laid = _clip(request, pages.read(), transfer)
+    return replace(laid, notes=tuple(f"the scene {text}" for text, _ in pages.notes))
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:

@@ -22,14 +22,14 @@ from nscc_runtime.scenes.load import FramesAre, Laid, laid_scene
 class Scene:
     """A scene as the command line names it, with what it says of it; None: not said.
 
-    `name` is a file, a folder or `builtin:NAME`, `exposure` is text as E[@P], `crop` as R,C.
-    `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
+    `name` is a file, a folder or `builtin:NAME`, `exposure` electrons or text as E[@P], `crop` text
+    as R,C. `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
     `single` takes it as a still. `white` is the sample that is white; `skip` leaves out frames that
     are missing from a folder. `bracket` merges photos, of exposure `times` in seconds, as text.
     """
 
     name: str
-    exposure: str | None = None
+    exposure: str | float | None = None
     transfer: Transfer | None = None
     fps: float | None = None
     crop: str | None = None
