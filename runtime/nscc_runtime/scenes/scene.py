@@ -20,12 +20,38 @@ from nscc_runtime.scenes.load import FramesAre, Laid, laid_scene
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene as the command line names it, with what it says of it; None: not said.
+    """A scene, with the options that `nscc run` has for it; None stands for an option not given.
 
-    `name` is a file, a folder or `builtin:NAME`, `exposure` electrons or text as E[@P], `crop` text
-    as R,C. `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
-    `single` takes it as a still. `white` is the sample that is white; `skip` leaves out frames that
-    are missing from a folder. `bracket` merges photos, of exposure `times` in seconds, as text.
+    Parameters
+    ----------
+    name : str
+        A file, a folder or `builtin:NAME`.
+    exposure : str or float, optional
+        Electrons over the frame for percentile 99 of the scene, or text `E@P` with a percentile.
+    transfer : {"linear", "srgb", "pq", "hlg"}, optional
+        The transfer curve of the samples, instead of that of the file.
+    fps : float, optional
+        Frames a second of a clip; without it a frame a slot.
+    crop : str, optional
+        Row and column of the part that is exposed, `R,C`.
+    frames_are : {"integrals", "samples"}
+        Whether a frame of a clip is the light of its whole time, or of one moment.
+    fit : {"crop", "scale", "tiles"}
+        How a picture of another size comes onto the array.
+    color : bool
+        Expose red, green and blue one after the other.
+    first : int
+        The frame that a clip begins with.
+    single : bool
+        Expose one frame of a clip as a still.
+    white : float, optional
+        The sample that is white.
+    skip : bool
+        Leave out frames that are missing from a folder.
+    bracket : bool
+        Merge the photos of a folder or pattern, which differ in exposure.
+    times : str, optional
+        Exposure times of the photos in seconds, `1/250,1/60`, instead of those of the EXIF.
     """
 
     name: str
