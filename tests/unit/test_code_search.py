@@ -21,7 +21,7 @@ from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
-from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.search import (  # noqa: E402
     MOVING,
@@ -164,7 +164,7 @@ def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
 
 def parts_of(**shutter: object) -> searching.Parts:
     search = {"class": "c", "slots": 8, "length": 2, "tile": [4, 4], "init": "random"}
-    return make_parts(settings_of({
+    return make_setup(settings_of({
         "shutter": {**search, "relaxation": "search", **shutter},
         "decoder": {"learn": False}, "data": {"protocol": "video-v1"}, "train": {"device": "cpu"},
     }))  # fmt: skip
@@ -312,7 +312,7 @@ def test_a_limit_of_words_is_a_search_s_and_is_kept_to_the_end(tmp_path: Path) -
     assert (tmp_path / "never/metrics.csv").exists()
     values["shutter"] = shutter | {"most_words": 0.25, "relaxation": "tried"}
     with pytest.raises(Rejected, match="a search alone stays within words"):
-        make_parts(settings_of(values))
+        make_setup(settings_of(values))
 
 
 def test_what_settles_is_what_validation_found_best(

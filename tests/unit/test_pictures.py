@@ -25,12 +25,12 @@ from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.merge import Readout
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.courses import course_sheet
-from nscc_runtime.pictures.frames import frame_sheet
+from nscc_runtime.pictures.frame_sheet import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.look import LOOKS, Look, contrast, look, looking
+from nscc_runtime.pictures.looking_chart import course_sheet
 from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
-from nscc_runtime.pictures.shutters import shutter_sheet
+from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Choice, Decision
@@ -43,7 +43,7 @@ from nscc_runtime.tradeoff.study import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
-    Asked,
+    MeasuredPlan,
     Study,
 )
 
@@ -118,7 +118,7 @@ def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[
             for m, s, e, t in methods
         )
         asked = tuple(
-            Asked(f"{t:g}e", plan(t, 0.8 * t), 0.9 * t if number else 2e-12)
+            MeasuredPlan(f"{t:g}e", plan(t, 0.8 * t), 0.9 * t if number else 2e-12)
             for number, t in enumerate(tolerances)
         )
         return Study(name, points, asked, 300.0, 2.5, 5e-3, plan(5.0, 3.3, effects), ())

@@ -80,15 +80,13 @@ class _Tally:
         np.add.at(counts, tuple(at.T + 1), 1)
         self._sums = counts.cumsum(0).cumsum(1)
 
-    def held(self, boxes: Boxes) -> NDArray[np.int64]:
+    def count_in(self, boxes: Boxes) -> NDArray[np.int64]:
         """How many of the points each of the boxes holds, to a dot."""
         most = np.array(self._sums.shape * 2) - 1
         corners = np.rint(boxes - np.tile(self._corner, 2)).astype(np.int64)
-        left, bottom, right, top = np.clip(corners, 0, most).T
+        x0, y0, x1, y1 = np.clip(corners, 0, most).T
         sums = self._sums
-        counted: NDArray[np.int64] = (
-            sums[right, top] - sums[left, top] - sums[right, bottom] + sums[left, bottom]
-        )
+        counted: NDArray[np.int64] = sums[x1, y1] - sums[x0, y1] - sums[x1, y0] + sums[x0, y0]
         return counted
 
 
@@ -171,7 +169,8 @@ def _places(axes: Axes, label: Label, size: tuple[float, float], dots: float) ->
     gaps = np.array(_FAR if label.far else _NEAR)
     angles = np.arange(16) * np.pi / 8
     number, gap, angle = (
-        part.ravel() for part in np.meshgrid(np.arange(len(label.anchors)), gaps, angles)
+        grid_values.ravel()
+        for grid_values in np.meshgrid(np.arange(len(label.anchors)), gaps, angles)
     )
     anchors = axes.transData.transform(np.array(label.anchors, float))[number]
     ahead = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -196,17 +195,17 @@ def _costs(
     free &= ~_overlaps(grown, drawn.marks).any(1)
     apart = boxes + dots * np.array([-_SPACE, -_LEADING, _SPACE, _LEADING])
     free &= ~_overlaps(apart, drawn.texts).any(1)
-    free &= _held(grown, drawn.leaders) == 0
+    free &= _count_inside(grown, drawn.leaders) == 0
     costs = places.gaps + _NEXT * places.number + 2 * places.turn
-    covered = drawn.lines.held(grown)
+    covered = drawn.lines.count_in(grown)
     if not label.name:
         free &= covered == 0
     costs += _ON_LINES * (covered > 0) + _ON_LINE * covered
     middles = (drawn.marks[:, :2] + drawn.marks[:, 2:]) / 2
-    own = np.hypot(*(places.nearest - places.anchors).T)
+    own_distance = np.hypot(*(places.nearest - places.anchors).T)
     for middle in middles:
         off = np.hypot(*(np.clip(middle, boxes[:, :2], boxes[:, 2:]) - middle).T)
-        costs += _ASTRAY / dots * np.maximum(own - off, 0)
+        costs += _ASTRAY / dots * np.maximum(own_distance - off, 0)
     return np.where(free, costs, np.inf)
 
 
@@ -221,9 +220,9 @@ def _cheapest(
         cost = costs[place]
         if label.far and places.gaps[place] > _LEADER:
             leader = _between(places.anchors[place], places.nearest[place])
-            if _held(drawn.texts, leader).any():
+            if _count_inside(drawn.texts, leader).any():
                 continue
-            cost += _CROSSED * np.count_nonzero(drawn.lines.held(_around(leader, _STEP)))
+            cost += _CROSSED * np.count_nonzero(drawn.lines.count_in(_around(leader, _STEP)))
         if cost < least:
             best, least = place, cost
     return best
@@ -254,13 +253,13 @@ def _around(points: Points, reach: float) -> Boxes:
     return np.hstack([points - reach, points + reach])
 
 
-def _overlaps(some: Boxes, others: Boxes) -> NDArray[np.bool_]:
+def _overlaps(boxes: Boxes, other_boxes: Boxes) -> NDArray[np.bool_]:
     """Which of (n, 4) overlap which of (m, 4): (n, m)."""
-    a, b = some[:, None], others[None]
+    a, b = boxes[:, None], other_boxes[None]
     return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
 
-def _held(boxes: Boxes, points: Points) -> NDArray[np.int64]:
+def _count_inside(boxes: Boxes, points: Points) -> NDArray[np.int64]:
     """How many of the points each box holds."""
     inside: Any = (boxes[:, None, :2] < points).all(2) & (points < boxes[:, None, 2:]).all(2)
     counted: NDArray[np.int64] = inside.sum(1)

@@ -67,12 +67,12 @@ class _Scale:
         """Where a value is."""
         return float(self.names.index(str(value)) if self.names else value)
 
-    def lay(self, axes: Axes, which: str) -> None:
+    def lay(self, axes: Axes, axis_name: str) -> None:
         """Gives one of a panel's axes, "x" or "y", this scale."""
         if self.logarithmic:
-            axes.set(**{f"{which}scale": "log"})
-        axes.set(**{f"{which}lim": (self.low, self.high)})
-        axis = axes.xaxis if which == "x" else axes.yaxis
+            axes.set(**{f"{axis_name}scale": "log"})
+        axes.set(**{f"{axis_name}lim": (self.low, self.high)})
+        axis = axes.xaxis if axis_name == "x" else axes.yaxis
         if self.names:
             axis.set_ticks(range(len(self.names)), self.names)
         else:
@@ -84,14 +84,18 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     draw."""
     from matplotlib.lines import Line2D
 
-    held = [panel for panel in panels if any(panel.lines.values())]
-    if not held:
+    filled_panels = [panel for panel in panels if any(panel.lines.values())]
+    if not filled_panels:
         raise ValueError("no points to draw")
-    names = list(dict.fromkeys(name for panel in held for name in panel.lines))
-    scales = _scales(held)
-    columns = min(_COLUMNS, len(held))
-    figure, grid = sheet.panels(len(held), (sheet.WIDTH / max(columns, 1.4), _HEIGHT), columns)
-    labels = [_draw(axes, panel, names, scales) for axes, panel in zip(grid, held, strict=True)]
+    names = list(dict.fromkeys(name for panel in filled_panels for name in panel.lines))
+    scales = _scales(filled_panels)
+    columns = min(_COLUMNS, len(filled_panels))
+    figure, grid = sheet.panels(
+        len(filled_panels), (sheet.WIDTH / max(columns, 1.4), _HEIGHT), columns
+    )
+    labels = [
+        _draw(axes, panel, names, scales) for axes, panel in zip(grid, filled_panels, strict=True)
+    ]
     figure.align_ylabels(grid)
     sheet.lay_out(figure)
     homeless = {*names} - {""}
@@ -118,7 +122,7 @@ def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
             for across, upwards in points:
                 values.setdefault(("x", panel.across), []).append(across)
                 values.setdefault(("y", panel.upwards), []).append(upwards)
-    return {key: _Scale.of(held) for key, held in values.items()}
+    return {key: _Scale.of(axis_values) for key, axis_values in values.items()}
 
 
 def _draw(

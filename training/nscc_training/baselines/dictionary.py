@@ -44,12 +44,12 @@ def dictionary_clip(
     total, count = np.zeros(mask.shape), np.zeros((rows, cols))
     for row in _places(rows):
         for col in _places(cols):
-            here = (slice(row, row + SIDE), slice(col, col + SIDE))
-            opened = mask[:, here[0], here[1]].reshape(frames, -1, 1).astype(np.float64)
+            block = (slice(row, row + SIDE), slice(col, col + SIDE))
+            opened = mask[:, block[0], block[1]].reshape(frames, -1, 1).astype(np.float64)
             coded = (opened * volume).sum(axis=0)
-            weights = pursued(coded, measurement[here].astype(np.float64).ravel(), sparsity)
-            total[:, here[0], here[1]] += (atoms @ weights).reshape(frames, SIDE, SIDE)
-            count[here] += 1
+            weights = pursued(coded, measurement[block].astype(np.float64).ravel(), sparsity)
+            total[:, block[0], block[1]] += (atoms @ weights).reshape(frames, SIDE, SIDE)
+            count[block] += 1
     return np.asarray(total / count, np.float32)
 
 
@@ -60,20 +60,20 @@ def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArra
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
     chosen: list[int] = []
-    rest = right
-    found = np.zeros(0)
+    residual = right
+    solution = np.zeros(0)
     enough = _ENOUGH * len(right) ** 0.5
-    while len(chosen) < sparsity and np.linalg.norm(rest) > enough and usable.any():
-        gain = np.where(usable, np.abs(matrix.T @ rest) / np.where(usable, norms, 1.0), -1.0)
+    while len(chosen) < sparsity and np.linalg.norm(residual) > enough and usable.any():
+        gain = np.where(usable, np.abs(matrix.T @ residual) / np.where(usable, norms, 1.0), -1.0)
         best = int(gain.argmax())
         usable[best] = False
         system = solve(matrix[:, [*chosen, best]], right)
         if system.rank <= len(chosen):
             continue
         chosen.append(best)
-        found = system.solution
-        rest = right - matrix[:, chosen] @ found
-    weights[chosen] = found
+        solution = system.solution
+        residual = right - matrix[:, chosen] @ solution
+    weights[chosen] = solution
     return weights
 
 
@@ -87,19 +87,19 @@ def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -
         raise ValueError(f"{len(blocks)} blocks for {atoms} atoms")
     generator = np.random.default_rng(seed)
     chosen = blocks[generator.permutation(len(blocks))[: atoms - 1]]
-    found = _unit(np.concatenate([np.ones((1, blocks.shape[1])), chosen]).T)
+    dictionary = _unit(np.concatenate([np.ones((1, blocks.shape[1])), chosen]).T)
     for _ in range(rounds):
-        weights = _encoded(found, blocks, sparsity)
+        weights = _encoded(dictionary, blocks, sparsity)
         used = np.flatnonzero(np.any(weights != 0, axis=0))
         # blocks = weights @ atoms.T: one least-squares problem for all the atoms in use.
         improved = solve(weights[:, used], blocks).solution.T
-        error = np.square(blocks - weights @ found.T).sum(axis=1)
+        error = np.square(blocks - weights @ dictionary.T).sum(axis=1)
         spare = np.setdiff1d(np.arange(atoms), used)
-        found[:, used] = improved
-        found[:, spare] = blocks[np.argsort(-error)[: len(spare)]].T
-        found[:, 0] = 1.0
-        found = _unit(found)
-    return found
+        dictionary[:, used] = improved
+        dictionary[:, spare] = blocks[np.argsort(-error)[: len(spare)]].T
+        dictionary[:, 0] = 1.0
+        dictionary = _unit(dictionary)
+    return dictionary
 
 
 @lru_cache(maxsize=4)
@@ -130,12 +130,12 @@ def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
         fit[np.arange(count)[:, None], chosen] = 0.0
         chosen = np.concatenate([chosen, np.abs(fit).argmax(axis=1)[:, None]], axis=1)
         gram = products[chosen[:, :, None], chosen[:, None, :]] + 1e-9 * np.eye(size)
-        wanted = np.take_along_axis(right, chosen, axis=1)
-        weights = np.asarray(np.linalg.solve(gram, wanted[..., None])[..., 0], np.float64)
+        projections = np.take_along_axis(right, chosen, axis=1)
+        weights = np.asarray(np.linalg.solve(gram, projections[..., None])[..., 0], np.float64)
         fit = right - np.einsum("ns,nsk->nk", weights, products[chosen])
-    found = np.zeros((count, atoms.shape[1]))
-    np.put_along_axis(found, chosen, weights, axis=1)
-    return found
+    all_weights = np.zeros((count, atoms.shape[1]))
+    np.put_along_axis(all_weights, chosen, weights, axis=1)
+    return all_weights
 
 
 def _unit(atoms: Matrix) -> Matrix:

@@ -29,27 +29,27 @@ def merged(
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share
     weighted = precision * light
-    found = np.full(frame.shape, np.nan)
+    result = np.full(frame.shape, np.nan)
     reach = 2
-    while np.isnan(found).any() and reach <= 2 * max(frame.shape):
+    while np.isnan(result).any() and reach <= 2 * max(frame.shape):
         total = _tent(precision, reach) + (_OWN - 1) * precision
         value = _tent(weighted, reach) + (_OWN - 1) * weighted
-        here = np.isnan(found) & (total > 0)
-        found[here] = value[here] / total[here]
+        fillable = np.isnan(result) & (total > 0)
+        result[fillable] = value[fillable] / total[fillable]
         reach *= 2
-    found = np.where(np.isnan(found), light, found)
-    return np.where(saturated & (open_share > 0), np.maximum(found, light), found)
+    result = np.where(np.isnan(result), light, result)
+    return np.where(saturated & (open_share > 0), np.maximum(result, light), result)
 
 
 def _tent(values: Picture, reach: int) -> Picture:
     """Sums over windows with weights that fall linearly to 0 at `reach` pixels."""
     weights = 1 - np.abs(np.arange(1 - reach, reach)) / reach
-    found = values
+    sums = values
     for axis in (0, 1):
         length = values.shape[axis]
-        padded = np.pad(found, [(reach, reach) if a == axis else (0, 0) for a in (0, 1)])
-        found = np.zeros_like(values)
+        padded = np.pad(sums, [(reach, reach) if a == axis else (0, 0) for a in (0, 1)])
+        sums = np.zeros_like(values)
         for k, weight in enumerate(weights):
-            part = np.take(padded, np.arange(k + 1, k + 1 + length), axis=axis)
-            found = found + weight * part
-    return found
+            shifted = np.take(padded, np.arange(k + 1, k + 1 + length), axis=axis)
+            sums = sums + weight * shifted
+    return sums

@@ -29,9 +29,9 @@ def gap_tv(
     clip = mask * (measurement / energy)
     target = np.zeros_like(measurement)
     for _ in range(iterations):
-        seen = np.einsum("trc,trc->rc", mask, clip)
-        target += measurement - seen
-        clip = tv_denoise(clip + mask * ((target - seen) / energy), weight, _INNER, _TIME)
+        captured = np.einsum("trc,trc->rc", mask, clip)
+        target += measurement - captured
+        clip = tv_denoise(clip + mask * ((target - captured) / energy), weight, _INNER, _TIME)
     return clip
 
 
@@ -45,8 +45,8 @@ def admm_tv(
     dual = np.zeros_like(clip)
     for _ in range(iterations):
         split = clip + dual
-        seen = np.einsum("trc,trc->rc", mask, split)
-        split += mask * ((measurement - seen) / energy)
+        captured = np.einsum("trc,trc->rc", mask, split)
+        split += mask * ((measurement - captured) / energy)
         clip = tv_denoise(split - dual, weight, _INNER, _TIME)
         dual -= split - clip
     return clip
@@ -68,7 +68,10 @@ def bilinear(clip: Clip, mask: Clip) -> Clip:
     It decodes no capture: a yardstick only. A tent reaches as far as it must to find a sample.
     """
     return np.stack(
-        [_inpainted(frame * seen, seen) for frame, seen in zip(clip, mask, strict=True)]
+        [
+            _inpainted(frame * open_mask, open_mask)
+            for frame, open_mask in zip(clip, mask, strict=True)
+        ]
     )
 
 
@@ -89,32 +92,34 @@ def _energy(mask: Clip) -> NDArray[np.float32]:
     return np.asarray(np.where(energy > 0, energy, 1), np.float32)
 
 
-def _inpainted(values: NDArray[np.float32], seen: NDArray[np.float32]) -> NDArray[np.float32]:
-    found = np.zeros_like(values)
+def _inpainted(
+    values: NDArray[np.float32], sample_mask: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    picture = np.zeros_like(values)
     missing = np.ones(values.shape, bool)
     reach = 2
     while missing.any():
         tent = 1 - np.abs(np.arange(1 - reach, reach)) / reach
-        weight = _spread(seen, tent)
-        here = missing & (weight > 0)
-        found[here] = (_spread(values, tent)[here] / weight[here]).astype(np.float32)
-        missing &= ~here
+        weight = _spread(sample_mask, tent)
+        fillable = missing & (weight > 0)
+        picture[fillable] = (_spread(values, tent)[fillable] / weight[fillable]).astype(np.float32)
+        missing &= ~fillable
         if reach > 2 * max(values.shape):
             break
         reach *= 2
-    keep = seen > 0
-    found[keep] = values[keep] / seen[keep]
-    return found
+    keep = sample_mask > 0
+    picture[keep] = values[keep] / sample_mask[keep]
+    return picture
 
 
 def _spread(values: NDArray[np.float32], weights: NDArray[np.float64]) -> NDArray[np.float64]:
     """Weighted sums over windows centred on each pixel; nothing lies outside of the picture."""
-    found = values.astype(np.float64)
+    sums = values.astype(np.float64)
     for axis in (0, 1):
-        found = np.apply_along_axis(np.convolve, axis, found, weights, mode="full")
+        sums = np.apply_along_axis(np.convolve, axis, sums, weights, mode="full")
         margin = len(weights) // 2
-        found = np.take(found, np.arange(margin, margin + values.shape[axis]), axis=axis)
-    return found
+        sums = np.take(sums, np.arange(margin, margin + values.shape[axis]), axis=axis)
+    return sums
 
 
 def _between(length: int, step: int) -> NDArray[np.float64]:

@@ -31,7 +31,7 @@ _COARSE = 3.0
 
 
 def sparse_coded(
-    coarse: Picture, seen: Picture, confidence: Picture, filters: Tensor,
+    coarse: Picture, measured: Picture, confidence: Picture, filters: Tensor,
     iterations: int = ITERATIONS, weight: float = WEIGHT,
 ) -> Picture:  # fmt: skip
     """A picture that is near `seen` where `confidence` (0..1) is high, else near `coarse` blurred.
@@ -41,17 +41,17 @@ def sparse_coded(
     """
     base = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
-    wanted = mask * (torch.from_numpy(seen).float()[None, None] - base)
+    target = mask * (torch.from_numpy(measured).float()[None, None] - base)
     step = 1.0 / largest_gain(filters, mask)
-    maps = torch.zeros((1, len(filters), *wanted.shape[2:]))
+    maps = torch.zeros((1, len(filters), *target.shape[2:]))
     ahead, momentum = maps, 1.0
     for _ in range(iterations):
-        error = mask * summed(ahead, filters) - wanted
+        error = mask * summed(ahead, filters) - target
         moved = ahead - step * spread(mask * error, filters)
-        found = torch.sign(moved) * torch.clamp(moved.abs() - step * weight, min=0)
+        shrunk = torch.sign(moved) * torch.clamp(moved.abs() - step * weight, min=0)
         following = (1 + (1 + 4 * momentum**2) ** 0.5) / 2
-        ahead = found + (momentum - 1) / following * (found - maps)
-        maps, momentum = found, following
+        ahead = shrunk + (momentum - 1) / following * (shrunk - maps)
+        maps, momentum = shrunk, following
     return np.asarray((base + summed(maps, filters))[0, 0].double().numpy())
 
 
@@ -65,14 +65,14 @@ def coded_still(
     was open: that is its confidence. A saturated pixel has none, but at least its own light.
     """
     share = np.where(open_share > 0, open_share, 1.0)
-    seen = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
+    relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
     root = sparse_coded(
-        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(seen),
+        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(relative),
         np.where(usable, share**0.25, 0.0), made_filters(), iterations,
     )  # fmt: skip
-    found = np.square(np.maximum(root, 0.0))
-    return np.where(saturated & (open_share > 0), np.maximum(found, seen), found) * full_well_e
+    light = np.square(np.maximum(root, 0.0))
+    return np.where(saturated & (open_share > 0), np.maximum(light, relative), light) * full_well_e
 
 
 @lru_cache(maxsize=2)

@@ -6,7 +6,7 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.loops import Volume, denoise
+from nscc_training.baselines.tv_loop import Volume, denoise
 from nscc_training.measured import Measured
 
 START = 20
@@ -37,9 +37,9 @@ def gap_step(
     measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
 ) -> tuple[Tensor, Tensor]:
     """A clip led towards the frames, and the frames as they are asked for from now on."""
-    seen = measured.of(clip)
-    target = target + measured.missing(seen, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(seen, target), sigma), target
+    predicted = measured.of(clip)
+    target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
+    return clip + measured.correction(measured.missing(predicted, target), sigma), target
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
@@ -81,9 +81,9 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
     out = image
     for turn in range(iterations + 1):
         out = image.clone()
-        for axis, (part, scale) in enumerate(zip(field, scales, strict=True), start=1):
-            out.sub_(part, alpha=scale)
-            _after(out, axis).add_(_before(part, axis), alpha=scale)
+        for axis, (component, scale) in enumerate(zip(field, scales, strict=True), start=1):
+            out.sub_(component, alpha=scale)
+            _after(out, axis).add_(_before(component, axis), alpha=scale)
         if turn == iterations:
             break
         slopes = [
@@ -93,8 +93,8 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
         for axis, slope in enumerate(slopes, start=1):
             _before(squared, axis).addcmul_(slope, slope)
         shrink = squared.sqrt_().mul_(step / weight).add_(1.0).reciprocal_()
-        for axis, (part, slope) in enumerate(zip(field, slopes, strict=True), start=1):
-            _before(part, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
+        for axis, (component, slope) in enumerate(zip(field, slopes, strict=True), start=1):
+            _before(component, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
     return out
 
 

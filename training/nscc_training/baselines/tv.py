@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_training.baselines.loops import Volume, denoise
+from nscc_training.baselines.tv_loop import Volume, denoise
 
 Clip = NDArray[np.float32]
 

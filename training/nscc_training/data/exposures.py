@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.utils.data import Dataset
 
-from nscc_training.data.sources import Scene, Scenes
+from nscc_training.data.sources import Scenes, SourceScene
 from nscc_training.protocols import load_protocol
 from nscc_training.settings import DataSettings
 
@@ -41,7 +41,7 @@ class Batch:
     peak: Tensor
     names: tuple[str, ...]
 
-    def part(self, first: int, last: int) -> Batch:
+    def patches(self, first: int, last: int) -> Batch:
         """Return some of its patches."""
         cut = slice(first, last)
         return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
@@ -92,8 +92,8 @@ class ExposureSet(Dataset[Exposures]):
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
-        wanted = max(settings.patch, EXPOSED)
-        self.side = min(wanted, *(side for light in self.lights for side in light.shape[-2:]))
+        wanted_side = max(settings.patch, EXPOSED)
+        self.side = min(wanted_side, *(side for light in self.lights for side in light.shape[-2:]))
         grey = load_protocol(settings.protocol).mid_grey_e is not None
         self._lit = 0.5 if grey else 0.01
 
@@ -105,7 +105,7 @@ class ExposureSet(Dataset[Exposures]):
         for place in range(0, self.batch, self.settings.together):
             generator = np.random.default_rng([self.seed, 4, step, place])
             scene = int(generator.integers(len(self.lights)))
-            light, lit, where = self._surroundings(scene, generator)
+            light, lit, place_text = self._surroundings(scene, generator)
             turned, flipped, reversed_, power = 0, False, False, 1.0
             if self.settings.augment:
                 turned, flipped = int(generator.integers(4)), bool(generator.random() < 0.5)
@@ -117,12 +117,14 @@ class ExposureSet(Dataset[Exposures]):
             rooms = self.side - self.settings.patch + 1
             drawn = generator.integers(rooms, size=(count, 2))
             source += [len(lights)] * count
-            names += [f"{self.names[scene]} {where}+{row},{col}" for row, col in drawn.tolist()]
+            names += [
+                f"{self.names[scene]} {place_text}+{row},{col}" for row, col in drawn.tolist()
+            ]
             corners.append(drawn)
             lights.append(torch.from_numpy(np.ascontiguousarray(light)))
             draws.append((lit, power, turned, flipped, reversed_))
         share, contrast, turns, mirrored, backwards = (
-            torch.tensor(each) for each in zip(*draws, strict=True)
+            torch.tensor(values) for values in zip(*draws, strict=True)
         )
         return Exposures(
             torch.stack(lights), share, contrast, turns, mirrored, backwards,
@@ -133,35 +135,37 @@ class ExposureSet(Dataset[Exposures]):
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
         """Return light that is exposed together, of a still the share that saturates, its place."""
-        light, part, share, place = self.lights[scene], None, self._lit, ""
+        light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
             row, col = (int(generator.integers(side - self.side + 1)) for side in light.shape[-2:])
             place = f"at {row},{col}"
-            part = light[..., row : row + self.side, col : col + self.side]
+            region = light[..., row : row + self.side, col : col + self.side]
             if light.ndim == 2:
                 share = float(generator.uniform(low, high))
             else:
                 first = int(generator.integers(len(light) - self.slots + 1))
-                part, place = part[first : first + self.slots], f"from {first} {place}"
-            lit = part > 0 if light.ndim == 2 else part.any(axis=0)
+                region, place = region[first : first + self.slots], f"from {first} {place}"
+            lit = region > 0 if light.ndim == 2 else region.any(axis=0)
             if np.count_nonzero(lit) > share * lit.size:
                 break
-        assert part is not None
-        return part, share, place
+        assert region is not None
+        return region, share, place
 
 
 def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
               ) -> Batch:  # fmt: skip
     """Return the patches of a batch, exposed, cut and augmented on a device."""
     light, share, contrast, turns, mirrored, backwards, source, corner = (
-        each.to(device, non_blocking=True) for each in drawn[:-1]
+        tensor.to(device, non_blocking=True) for tensor in drawn[:-1]
     )
     still = light.ndim == 3
     slots = 1 if still else light.shape[1]
     grey_e = load_protocol(settings.protocol).mid_grey_e
     if still:
-        levels, whites = (quantiles(light.flatten(1), part) for part in (1 - share, _WHITE))
+        levels, whites = (
+            quantiles(light.flatten(1), level_share) for level_share in (1 - share, _WHITE)
+        )
         level, white = levels**contrast, whites**contrast
     else:
         total = light.sum(dim=1, dtype=torch.float64).flatten(1)
@@ -206,25 +210,27 @@ def _cut(
     return torch.take(light, first[:, :, None, None] + place[:, None])
 
 
-def quantiles(values: Tensor, part: Tensor | float) -> Tensor:
+def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
     """Return the quantile `part`, a number or (batch,), of each row of values (batch, count).
 
     The result is float64, interpolated as numpy does.
     """
     last = values.shape[1] - 1
-    if isinstance(part, float):
-        below = int(part * last)
+    if isinstance(quantile, float):
+        below = int(quantile * last)
         most = values.topk(last - below + 1, dim=1).values.double()  # from the largest down
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
-        return low + (high - low) * (part * last - below)
-    place = part.double() * last
-    whole = place.floor().long()
-    pair = values.sort(dim=1).values.gather(1, torch.stack([whole, (whole + 1).clamp(max=last)], 1))
+        return low + (high - low) * (quantile * last - below)
+    place = quantile.double() * last
+    lower_index = place.floor().long()
+    pair = values.sort(dim=1).values.gather(
+        1, torch.stack([lower_index, (lower_index + 1).clamp(max=last)], 1)
+    )
     low, high = pair.double().unbind(1)
-    return low + (high - low) * (place - whole)
+    return low + (high - low) * (place - lower_index)
 
 
-def _without_poles(scene: Scene, settings: DataSettings) -> NDArray[np.float32]:
+def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:
     light = scene.light
     side = max(settings.patch, EXPOSED)
     if light.ndim == 2 and light.shape[1] == 2 * light.shape[0] >= 4 * side:

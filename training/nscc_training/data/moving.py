@@ -40,21 +40,21 @@ def moving(
     A background and up to three things before it, each from a picture of its own; half of the
     clips have motion within a frame, too. Values are as stored or, raised to a power, like light.
     """
-    layers = [_Layer.drawn(pictures, generator, size, whole=True)]
+    layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
-        layers.append(_Layer.drawn(pictures, generator, size, whole=False))
+        layers.append(_Layer.drawn(pictures, generator, size, background=False))
     moments = _BLURRED if generator.random() < 0.5 else 1
-    found = np.zeros((frames, size, size), np.float32)
+    clip = np.zeros((frames, size, size), np.float32)
     for frame in range(frames):
-        for part in range(moments):
-            found[frame] += _seen(layers, frame + part / moments - frames / 2, size)
-    found /= moments * 255
+        for moment in range(moments):
+            clip[frame] += _composite(layers, frame + moment / moments - frames / 2, size)
+    clip /= moments * 255
     if generator.random() < 0.6:
-        low, high = np.percentile(found[0], (1, 99))
-        found = np.clip((found - low) / max(high - low, 0.1), 0, 1)
+        low, high = np.percentile(clip[0], (1, 99))
+        clip = np.clip((clip - low) / max(high - low, 0.1), 0, 1)
     power = float(np.exp(generator.uniform(np.log(0.7), np.log(2.4))))
     gain, dark = generator.uniform(0.5, 1.0), generator.uniform(0.0, 0.1)
-    return np.asarray(dark + (gain - dark) * found**power, np.float32)
+    return np.asarray(dark + (gain - dark) * clip**power, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ class _Layer:
 
     @classmethod
     def drawn(
-        cls, pictures: Sequence[Picture], generator: Generator, size: int, *, whole: bool
+        cls, pictures: Sequence[Picture], generator: Generator, size: int, *, background: bool
     ) -> _Layer:
         picture = pictures[int(generator.integers(len(pictures)))]
         speed = np.exp(generator.uniform(*np.log(_SPEEDS))) * (generator.random() > _STILL)
@@ -92,7 +92,7 @@ class _Layer:
                 *generator.uniform(0, 2 * np.pi, 2), generator.uniform(0.01, 0.15),
             ])  # fmt: skip
         outline = None
-        if not whole:
+        if not background:
             corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
             outline = corners * size * generator.uniform(0.08, 0.4)
         return cls(
@@ -114,22 +114,22 @@ class _Layer:
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
         down = rows - size / 2 - self.velocity[0] * moment
         right = cols - size / 2 - self.velocity[1] * moment
-        height, per_row, per_col, one, other, pace = self.waves
+        height, per_row, per_col, phase_down, phase_right, pace = self.waves
         if height:
             phase = 2 * np.pi * (per_row * rows + per_col * cols + pace * moment)
             down, right = (
-                down + height * np.sin(phase + one),
-                right + height * np.sin(phase + other),
+                down + height * np.sin(phase + phase_down),
+                right + height * np.sin(phase + phase_right),
             )
         scale, angle = self.scale * self.zoom**moment, self.angle + self.spin * moment
         sine, cosine = scale * np.sin(angle), scale * np.cos(angle)
         y = self.centre[0] + cosine * down - sine * right
         x = self.centre[1] + sine * down + cosine * right
-        found = cv2.remap(
+        warped = cv2.remap(
             self.picture, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
             borderMode=cv2.BORDER_REFLECT_101,
         )  # fmt: skip
-        return np.asarray(found, np.float32)
+        return np.asarray(warped, np.float32)
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
         """How much of each pixel the thing covers: its edge is a pixel wide."""
@@ -150,20 +150,20 @@ def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.f
 
     def detail(place: NDArray[np.float64]) -> float:
         row, col = (int(at) - size // 2 for at in place)
-        part = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
-        return float(part.std())
+        region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
+        return float(region.std())
 
     return np.asarray(max(places, key=detail))
 
 
-def _seen(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
+def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
     """The layers at a moment, each over those before it, 0..255."""
-    found = layers[0].picture_at(moment, size)
+    image = layers[0].picture_at(moment, size)
     for layer in layers[1:]:
         cover = layer.cover_at(moment, size)
         if cover.any():
-            found += cover * (layer.picture_at(moment, size) - found)
-    return found
+            image += cover * (layer.picture_at(moment, size) - image)
+    return image
 
 
 def pictures_below(folder: Path) -> list[Path]:

@@ -45,7 +45,7 @@ _VALIDATION = 5
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
+class SourceScene:
     """One scene: linear light (rows, cols) or (T, rows, cols), in no particular unit.
 
     For clips of display files 1 is white. `sha256` is the file's digest, or the array's where there
@@ -61,14 +61,14 @@ class Scene:
 class Scenes:
     """The scenes of a run; `train` and `val` share none."""
 
-    train: tuple[Scene, ...]
-    val: tuple[Scene, ...]
+    train: tuple[SourceScene, ...]
+    val: tuple[SourceScene, ...]
 
     def split(self) -> dict[str, list[dict[str, str]]]:
         """What `split.json` holds: names and digests."""
         return {
-            part: [{"file": s.name, "sha256": s.sha256} for s in scenes]
-            for part, scenes in (("train", self.train), ("val", self.val))
+            split_name: [{"file": s.name, "sha256": s.sha256} for s in scenes]
+            for split_name, scenes in (("train", self.train), ("val", self.val))
         }
 
 
@@ -91,12 +91,15 @@ def load_scenes(
         val = _load(settings.val or "procedural", kind, "val")
     else:
         # By file: the clips of one panorama stay together.
-        kept = set(list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION])
-        val = [scene for scene in train if scene.sha256 in kept]
-        train = [scene for scene in train if scene.sha256 not in kept]
+        validation_digests = set(
+            list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION]
+        )
+        val = [scene for scene in train if scene.sha256 in validation_digests]
+        train = [scene for scene in train if scene.sha256 not in validation_digests]
         kept_back = ", ".join(dict.fromkeys(scene.name.partition(", path ")[0] for scene in val))
+        count = len(validation_digests) + len({s.sha256 for s in train})
         tell(
-            f"validation: {len(kept)} of {len(kept) + len({s.sha256 for s in train})} scenes of "
+            f"validation: {len(validation_digests)} of {count} scenes of "
             f"'{settings.train}' ({kept_back[:200]}), every fifth; data.val names a folder instead"
         )
     shared = {s.sha256 for s in train} & {s.sha256 for s in val}
@@ -124,53 +127,55 @@ class _Kind:
 
     def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
         """A stored picture as light, by the same rules as `nscc run`."""
-        return picture_light(stored, transfer, name, warn=lambda said: self.tell(said.message))
+        return picture_light(
+            stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
+        )
 
 
-def _pictures(folder: Path) -> list[Scene]:
+def _pictures(folder: Path) -> list[SourceScene]:
     files = pictures_below(folder)
-    return [Scene(path.name, file_sha256(path), light_of_picture(path))
+    return [SourceScene(path.name, file_sha256(path), light_of_picture(path))
             for path in files]  # fmt: skip
 
 
-def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
-    if where == "procedural":
-        return _made(kind, part)
-    if is_import_path(where):
-        call = imported(where, "data")
-        with own_code(where, "data"):
-            what = "still" if kind.still else "clip"
-            found = call(kind=what, part=part, slots=kind.slots, seed=kind.seed)
-            pairs = [(str(name), np.asarray(light)) for name, light in found]
+def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
+    if source == "procedural":
+        return _procedural_scenes(kind, split_name)
+    if is_import_path(source):
+        call = imported(source, "data")
+        with own_code(source, "data"):
+            kind_text = "still" if kind.still else "clip"
+            scenes = call(kind=kind_text, part=split_name, slots=kind.slots, seed=kind.seed)
+            pairs = [(str(name), np.asarray(light)) for name, light in scenes]
         return [_scene(name, light, kind) for name, light in pairs]
-    folder, endings = Path(where), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
+    folder, endings = Path(source), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
     files = files_in(folder, endings)
     if not files:
-        what = "stills" if kind.still else "clips"
+        kind_text = "stills" if kind.still else "clips"
         raise rejected(
             "NS0811",
-            f"'{folder}' holds no {what} to learn from",
-            notes=(f"{what} end in {', '.join(endings)}",),
+            f"'{folder}' holds no {kind_text} to learn from",
+            notes=(f"{kind_text} end in {', '.join(endings)}",),
             helps=("name a folder of such files, `procedural`, or a function as module:name",),
         )
     return [scene for path in files for scene in _read(path, kind)]
 
 
-def _made(kind: _Kind, part: str) -> list[Scene]:
-    count = kind.settings.scenes if part == "train" else -(-kind.settings.scenes // 4)
+def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
+    count = kind.settings.scenes if split_name == "train" else -(-kind.settings.scenes // 4)
     size = max(kind.settings.patch + kind.settings.patch // 2, 32)
     scenes = []
     for index in range(count):
-        generator = np.random.default_rng([kind.seed, 1 if part == "train" else 2, index])
+        generator = np.random.default_rng([kind.seed, 1 if split_name == "train" else 2, index])
         if kind.still:
             light = made_scenes.still(generator, size)
         else:
             light = made_scenes.clip(generator, kind.slots, size)
-        scenes.append(_scene(f"procedural-{part}-{index}", light, kind))
+        scenes.append(_scene(f"procedural-{split_name}-{index}", light, kind))
     return scenes
 
 
-def _read(path: Path, kind: _Kind) -> list[Scene]:
+def _read(path: Path, kind: _Kind) -> list[SourceScene]:
     """The scenes of a file: one, or the clips of a panorama or a photograph."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
@@ -188,7 +193,9 @@ def _read(path: Path, kind: _Kind) -> list[Scene]:
     return [_scene(path.name, still, kind, digest)]
 
 
-def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) -> list[Scene]:
+def _turned(
+    panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
+) -> list[SourceScene]:
     """The clips of a panorama; the camera's paths are fixed by the file and the seed.
 
     Where stored values of clips are taken as light, so are those that a display camera would store.
@@ -204,7 +211,7 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
     return scenes
 
 
-def _moved(path: Path, digest: str, kind: _Kind) -> list[Scene]:
+def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
     """The clips of a photograph: layers that are all cut from it, so that no other file is seen."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     picture = shown_picture(light_of_picture(path))
@@ -245,8 +252,8 @@ def _clip_light(
 
 def _centre(frame: NDArray[Any]) -> NDArray[Any]:
     rows, cols = frame.shape[:2]
-    top, left = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
-    return frame[top : top + _MOST_SIDE, left : left + _MOST_SIDE]
+    first_row, first_col = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
+    return frame[first_row : first_row + _MOST_SIDE, first_col : first_col + _MOST_SIDE]
 
 
 def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
@@ -259,7 +266,7 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
     )  # fmt: skip
 
 
-def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> Scene:
+def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
     """The scene, if training can use it; else Rejected (NS0811)."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
@@ -285,4 +292,4 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
         # Stills have no unit, and far from 1 their powers and sums leave float32.
         light = light.astype(np.float64) / (float(light.max()) or 1.0)
     values = np.ascontiguousarray(light, np.float32)
-    return Scene(name, digest or sha256(values.tobytes()).hexdigest(), values)
+    return SourceScene(name, digest or sha256(values.tobytes()).hexdigest(), values)

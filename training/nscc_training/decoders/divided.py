@@ -6,11 +6,11 @@ from collections.abc import Sequence
 
 from torch import Tensor, nn
 
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.sensor_model import laid
 
 
-def divided(channels: Sequence[int], task: Task, size: str) -> Divided:
+def divided(channels: Sequence[int], task: DecoderTask, size: str) -> Divided:
     """The declared decoder `divided`."""
     return Divided()
 

@@ -36,8 +36,8 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
     saturated = frame >= 1
     noise = READ_VARIANCE + SHOT_VARIANCE * frame.clamp(min=0)
     precision = torch.where(saturated | (share <= 0), torch.zeros_like(frame), share**2 / noise)
-    found = averaged(alone.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
-    return torch.where(saturated, torch.maximum(found, alone), found)
+    guess = averaged(alone.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
+    return torch.where(saturated, torch.maximum(guess, alone), guess)
 
 
 def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
@@ -47,7 +47,9 @@ def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
     slots that bucket was open in: it counts with the inverse of their number.
     """
     refuse_not_finite(volume, "volume")
-    weight = torch.stack([each / each.sum(dim=0).clamp(min=1) for each in opened]).sum(dim=0)
+    weight = torch.stack([shutter / shutter.sum(dim=0).clamp(min=1) for shutter in opened]).sum(
+        dim=0
+    )
     return averaged(volume, weight.unsqueeze(0).expand_as(volume))
 
 
@@ -72,18 +74,20 @@ def averaged(values: Tensor, weights: Tensor) -> Tensor:
 
 
 def _averaged(values: Tensor, weights: Tensor) -> Tensor:
-    totals = [tuple(_tent(part) for part in (values * weights, weights))]
+    totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
     while max(totals[-1][0].shape[-2:]) > 1:
-        totals.append(tuple(functional.avg_pool2d(part, 2, ceil_mode=True) for part in totals[-1]))
+        totals.append(
+            tuple(functional.avg_pool2d(plane, 2, ceil_mode=True) for plane in totals[-1])
+        )
     value, weight = totals.pop()
-    found = value / weight.clamp(min=1e-12)
+    mean = value / weight.clamp(min=1e-12)
     while totals:
         value, weight = totals.pop()
         wide = functional.interpolate(
-            found, size=value.shape[-2:], mode="bilinear", align_corners=False
+            mean, size=value.shape[-2:], mode="bilinear", align_corners=False
         )
-        found = (value + _FAINT * wide) / (weight + _FAINT)
-    return found
+        mean = (value + _FAINT * wide) / (weight + _FAINT)
+    return mean
 
 
 class _Tent(Function):
@@ -103,5 +107,5 @@ class _Tent(Function):
 
 def _tent(x: Tensor) -> Tensor:
     """Sums over 3 x 3 pixels with weights 1, 1/2, 1/4; a pixel itself counts `_OWN` times."""
-    found: Tensor = _Tent.apply(x)  # type: ignore[no-untyped-call]
-    return found
+    sums: Tensor = _Tent.apply(x)  # type: ignore[no-untyped-call]
+    return sums

@@ -10,7 +10,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.curves import log_curve_inverse
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.guess import clip_guess, still_guess
 from nscc_training.sensor_model import laid, lifted, shared_out
 
@@ -20,18 +20,18 @@ LOG_FLOOR = 1e-3
 _GUESSES = {"paper": False, "small": True}
 
 
-def flat(channels: Sequence[int], task: Task, size: str) -> StillUNet:
+def flat(channels: Sequence[int], task: DecoderTask, size: str) -> StillUNet:
     """The declared decoder `unet2d`."""
     slots = None if task.kind == "still" else task.slots
     return StillUNet(channels, slots, task.sees_code, _guesses(task, size), task.buckets)
 
 
-def deep(channels: Sequence[int], task: Task, size: str) -> ClipUNet:
+def deep(channels: Sequence[int], task: DecoderTask, size: str) -> ClipUNet:
     """The declared decoder `unet3d`."""
     return ClipUNet(channels, task.slots, _guesses(task, size), task.buckets)
 
 
-def _guesses(task: Task, size: str) -> bool:
+def _guesses(task: DecoderTask, size: str) -> bool:
     return _GUESSES[size] if task.guess is None else task.guess
 
 
@@ -75,21 +75,21 @@ class UNet(nn.Module):
         """(batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
         sizes = x.shape[2:]
         # Its edges, repeated up to the next multiple.
-        margins = [part for size in reversed(sizes) for part in (0, -size % self.multiple)]
+        margins = [margin for size in reversed(sizes) for margin in (0, -size % self.multiple)]
         if any(margins):
             x = functional.pad(x, margins, mode="replicate")
-        kept: list[Tensor] = []
+        skips: list[Tensor] = []
         for level, layer in enumerate(self.down):
             x = layer(x if level == 0 else self.pool(x))
-            kept.append(x)
-        kept.pop()
+            skips.append(x)
+        skips.pop()
         mode = "bilinear" if self.dimensions == 2 else "trilinear"
         for layer in self.up:
-            finer = kept.pop()
+            finer = skips.pop()
             x = functional.interpolate(x, size=finer.shape[2:], mode=mode, align_corners=False)
             x = layer(torch.cat([x, finer], dim=1))
-        found: Tensor = self.last(x)
-        return found[(slice(None), slice(None), *(slice(0, size) for size in sizes))]
+        output: Tensor = self.last(x)
+        return output[(slice(None), slice(None), *(slice(0, size) for size in sizes))]
 
 
 class _Convolution3d(nn.Conv3d):
@@ -132,29 +132,29 @@ class StillUNet(nn.Module):
         return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
 
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        seen, guess = [frame], None
+        inputs, guess = [frame], None
         if self.sees_code:
             share = laid(shutters.mean(dim=-3), *frame.shape[-2:]).expand_as(frame)
             alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
             # Readout noise takes dark pixels below the offset of the ADC.
-            seen += [share, torch.log1p(alone.clamp(min=0) / LOG_FLOOR)]
+            inputs += [share, torch.log1p(alone.clamp(min=0) / LOG_FLOOR)]
             if self.guesses:
                 guess = torch.log1p(still_guess(frame, share).clamp(min=0) / LOG_FLOOR)
-                seen.append(guess)
-        found: Tensor = self.network(torch.stack(seen, dim=1)).float()[:, 0]
-        return log_curve_inverse(found if guess is None else found + guess, LOG_FLOOR)
+                inputs.append(guess)
+        output: Tensor = self.network(torch.stack(inputs, dim=1)).float()[:, 0]
+        return log_curve_inverse(output if guess is None else output + guess, LOG_FLOOR)
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
         assert self.slots is not None
-        seen, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
+        inputs, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
             volumes, opened = _lifted(frame, shutters, self.slots)
-            seen += volumes
+            inputs += volumes
             if self.guesses:
                 guess = clip_guess(_added(volumes), *opened)
-                seen.append(guess)
-        found: Tensor = self.network(torch.cat(seen, dim=1)).float()
-        return found if guess is None else gated(guess, *found.chunk(2, dim=1))
+                inputs.append(guess)
+        output: Tensor = self.network(torch.cat(inputs, dim=1)).float()
+        return output if guess is None else gated(guess, *output.chunk(2, dim=1))
 
 
 class ClipUNet(nn.Module):
@@ -175,18 +175,18 @@ class ClipUNet(nn.Module):
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         volumes, opened = _lifted(frame, shutters, self.slots)
         guess = clip_guess(_added(volumes), *opened) if self.guesses else None
-        seen = volumes if guess is None else [*volumes, guess]
-        found: Tensor = self.network(torch.stack(seen, dim=1)).float()
-        return found[:, 0] if guess is None else gated(guess, found[:, 0], found[:, 1])
+        inputs = volumes if guess is None else [*volumes, guess]
+        output: Tensor = self.network(torch.stack(inputs, dim=1)).float()
+        return output[:, 0] if guess is None else gated(guess, output[:, 0], output[:, 1])
 
 
-def gated(guess: Tensor, added: Tensor, more: Tensor) -> Tensor:
+def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
     """A guess of which a network takes so much more or less, and to which it adds something.
 
     A clip's guess holds the code's own pattern. To take that away by adding alone, a network has to
     make the pattern again; taking less of the guess is one number.
     """
-    return added + guess * (1 + more)
+    return added + guess * (1 + extra_share)
 
 
 def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
@@ -195,8 +195,10 @@ def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], 
     Added up, two buckets' have something in every slot; apart they show where their light went.
     """
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
-    whole = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
-    opened = shared_out(whole, len(frames)).unbind() if len(frames) > 1 else (whole,)
+    array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+    opened = (
+        shared_out(array_shutters, len(frames)).unbind() if len(frames) > 1 else (array_shutters,)
+    )
     # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
     return [lifted(e * slots, way)[0] for e, way in zip(frames, opened, strict=True)], opened
 

@@ -8,7 +8,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc_training.baselines.tensor_tv import gap_tv_of
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.guess import clip_guess
 from nscc_training.decoders.unet import UNet, begin_with_nothing
 from nscc_training.measured import Measured
@@ -18,12 +18,12 @@ _STAGES = {"paper": 9, "small": 3}
 _TV_ITERATIONS = 20
 
 
-def unrolled(channels: Sequence[int], task: Task, size: str) -> Unrolled:
+def unrolled(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
     """The declared decoder `unrolled`."""
     return Unrolled(channels, task.slots, _STAGES[size])
 
 
-def refined(channels: Sequence[int], task: Task, size: str) -> Unrolled:
+def refined(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
     """The declared decoder `refined`: GAP-TV first."""
     return Unrolled(channels, task.slots, _STAGES[size], _TV_ITERATIONS)
 
@@ -58,11 +58,11 @@ class Unrolled(nn.Module):
             clip = self._gap_tv(total, opened)
         else:
             clip = clip_guess(lifted(total, opened)[0], opened)
-        seen = opened.expand_as(clip)
+        shutter_channels = opened.expand_as(clip)
         for step, denoiser in zip(self.steps, self.denoisers, strict=True):
             missing = (total - (opened * clip).sum(dim=1)) / energy
             clip = clip + step * opened * missing.unsqueeze(1)
-            clip = clip + denoiser(torch.cat([clip, seen], dim=1)).float()
+            clip = clip + denoiser(torch.cat([clip, shutter_channels], dim=1)).float()
         return clip
 
     @torch.no_grad()

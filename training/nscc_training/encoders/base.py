@@ -12,7 +12,7 @@ from torch import Tensor, nn
 
 from nscc_training.code_choices import RELAXATIONS
 from nscc_training.draws import normal
-from nscc_training.encoders.trial import Over, Trial
+from nscc_training.encoders.trial import CodeTrial, Over
 from nscc_training.shutter_spec import ShutterSpec as ShutterSpec
 
 Codes = dict[str, NDArray[np.int64]]
@@ -75,7 +75,7 @@ class Encoder(nn.Module, ABC):
         """Shutters (N, rows, cols): for training where `soft`, else the hard ones."""
 
     @abstractmethod
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         """Shutters to either side of the codes, every pixel of the patch with draws of its own."""
 
     def forward(self, generator: torch.Generator | None = None) -> Tensor:
@@ -119,7 +119,7 @@ class Encoder(nn.Module, ABC):
         self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]
     ) -> list[Tensor]:
         """The fields in the order of `limits` as float64 tensors; ValueError where one is wrong."""
-        found = []
+        tensors = []
         for name, (low, high) in limits.items():
             values = codes.get(name)
             if values is None:
@@ -128,8 +128,8 @@ class Encoder(nn.Module, ABC):
                 raise ValueError(f"'{name}' is {values.shape}, the tile {self.spec.tile}")
             if values.min() < low or values.max() > high:
                 raise ValueError(f"'{name}' has values outside {low}..{high}")
-            found.append(torch.tensor(values.astype(np.float64)))
-        return found
+            tensors.append(torch.tensor(values.astype(np.float64)))
+        return tensors
 
     def quad_ranks(self) -> NDArray[np.int64]:
         """0..3 at every place: its rank in the 2 x 2 pattern, the longest exposure first."""

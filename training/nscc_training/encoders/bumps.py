@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import Over, Trial, drawn
+from nscc_training.encoders.trial import CodeTrial, Over, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6
@@ -44,7 +44,7 @@ class AlwaysOpen(Encoder):
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return self.always.expand(self.spec.slots, *self.spec.tile)
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         raise ValueError("class a has nothing to try")
 
 
@@ -111,15 +111,15 @@ class Bump(Encoder):
             return (torch.sigmoid(after * scale) * torch.sigmoid(before * scale)).float()
         return (opened(after, self.width) * opened(before, self.width)).float()
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         fields = over(self.fields(None))
         with torch.no_grad():
-            spread = self.tried(fields)
+            spread = self.trial_spread(fields)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.opened_by(self.within(fields + sign * moved)) for sign in (1, -1))
-        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
-    def tried(self, fields: Tensor) -> Tensor:
+    def trial_spread(self, fields: Tensor) -> Tensor:
         """The standard deviation, in slots, of trials around fields (fields, rows, cols)."""
         return torch.full_like(fields, max(self.noise, self.least_tried))
 
@@ -148,8 +148,8 @@ class Bump(Encoder):
         legal = self.legal.to(fields)
         flat = fields.detach().reshape(len(fields), -1).T
         nearest = [
-            (part[:, None] - legal[None]).abs().sum(dim=-1).argmin(dim=1)
-            for part in torch.split(flat, max(1, _MOST_DISTANCES // legal.numel()))
+            (chunk[:, None] - legal[None]).abs().sum(dim=-1).argmin(dim=1)
+            for chunk in torch.split(flat, max(1, _MOST_DISTANCES // legal.numel()))
         ]
         return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
 
@@ -184,9 +184,9 @@ class Stop(Bump):
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
 
-    def tried(self, fields: Tensor) -> Tensor:
+    def trial_spread(self, fields: Tensor) -> Tensor:
         # Exposures count by their ratio: a short one is tried in small steps.
-        return torch.minimum(super().tried(fields), fields / 4).clamp(min=self.least_tried)
+        return torch.minimum(super().trial_spread(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:
         self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))
@@ -230,9 +230,9 @@ class StartStop(Bump):
         return fields[0], torch.maximum(fields[1], fields[0] + 1)
 
     def codes(self) -> Codes:
-        found = super().codes()
-        found["stop"] = np.maximum(found["stop"], found["start"] + 1)
-        return found
+        codes = super().codes()
+        codes["stop"] = np.maximum(codes["stop"], codes["start"] + 1)
+        return codes
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         start, stop = self.checked(codes, self.limits)

@@ -75,7 +75,7 @@ def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
 
 
 def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
-    begins, which = np.unique(first, return_inverse=True)
+    begins, row_of_place = np.unique(first, return_inverse=True)
     if spec.rows is None or len(begins) > spec.rows:
         raise ValueError(
             f"its {len(begins)} shutters are more than the codebook's {spec.rows} rows"
@@ -83,7 +83,7 @@ def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
     # Rows that no place needs repeat the others.
     begins = np.resize(begins, spec.rows)
     book = _opened(spec, begins[:, None], length)[..., 0].T
-    return {"id": which.reshape(spec.tile), "book": book.astype(np.int64)}
+    return {"id": row_of_place.reshape(spec.tile), "book": book.astype(np.int64)}
 
 
 _CODES = {"c": _starts, "d": _edges, "e": _bits, "codebook": _shapes}

@@ -12,7 +12,7 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import Over, Trial, decided
+from nscc_training.encoders.trial import CodeTrial, Over, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
@@ -32,7 +32,7 @@ class _Digits(Encoder):
         noisy = self.noisy(logits, generator)
         return torch.sigmoid(noisy / self.temperature) if soft else signed(noisy)
 
-    def tried(self, logits: Tensor) -> Tensor:
+    def trial_spread(self, logits: Tensor) -> Tensor:
         """The standard deviation of trials around logits, of the same shape."""
         return torch.full_like(logits, max(self.noise, _LEAST_TRIED))
 
@@ -52,13 +52,13 @@ class Bits(_Digits):
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return self.digits(self.logits, generator, soft)
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         fields = over(self.logits)
         with torch.no_grad():
-            spread = self.tried(fields)
+            spread = self.trial_spread(fields)
             first, second, moved = decided(fields, spread, generator, self.tried_share)
         sides = (first.float(), second.float())
-        return Trial(fields, moved, spread, sides, _REACH, self.tried_share)
+        return CodeTrial(fields, moved, spread, sides, _REACH, self.tried_share)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         return [(self.logits, (-1.0, 1.0))]
@@ -118,29 +118,32 @@ class Codebook(_Digits):
         hard = functional.one_hot(self.choice.argmax(dim=-1), self.rows).to(likely.dtype)
         return replaced(likely, hard)
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         """Every pixel tries other digits of its shape, and one other shape, as it is.
 
         The last field is by how much a pixel prefers its shape to the other, which is drawn evenly.
         """
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
-            own = scores.argmax(dim=0, keepdim=True)
+            current = scores.argmax(dim=0, keepdim=True)
             steps = torch.randint(
-                1, max(2, self.rows), own.shape, generator=generator, device=generator.device
+                1, max(2, self.rows), current.shape, generator=generator, device=generator.device
             )
-            other = (own + steps.to(own.device)) % self.rows
+            alternative = (current + steps.to(current.device)) % self.rows
         fields = torch.cat([
-            self.shown(self.shapes, own), scores.gather(0, own) - scores.gather(0, other)
+            self.shown(self.shapes, current),
+            scores.gather(0, current) - scores.gather(0, alternative),
         ])  # fmt: skip
         with torch.no_grad():
-            spread = self.tried(fields)
+            spread = self.trial_spread(fields)
             # two scores differ by the noise of both
             spread[-1] *= math.sqrt(2)
             *sides, moved = decided(fields, spread, generator, self.tried_share)
-            others = self.shown(self.shapes, other) > 0
-            first, second = (torch.where(side[-1:], side[:-1], others).float() for side in sides)
-        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+            alternative_digits = self.shown(self.shapes, alternative) > 0
+            first, second = (
+                torch.where(side[-1:], side[:-1], alternative_digits).float() for side in sides
+            )
+        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
         """The rows (N, rows, cols) of `shapes` (K, N) that pixels choose, (1, rows, cols)."""

@@ -22,7 +22,7 @@ Over = Callable[[Tensor], Tensor]
 
 
 @dataclass(frozen=True, eq=False)
-class Trial:
+class CodeTrial:
     """Codes moved to either side: `fields` (fields, rows, cols) of the patch, with their gradient,
     how far they were `moved`, and the `spread` of that; `shutters` (N, rows, cols) of both sides.
     A field is credited with the losses of its pixel and of those up to `reach` pixels away. Only

@@ -16,16 +16,18 @@ from nscc_training.any_code.stills import coded_light, started_still, still_sche
 from nscc_training.baselines.tensor_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
 from nscc_training.data.exposures import quantiles
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 
 
-def lesson_losses(parts: Parts, lesson: Lesson, generator: torch.Generator) -> Iterator[Tensor]:
+def lesson_losses(
+    setup: TrainingSetup, lesson: Lesson, generator: torch.Generator
+) -> Iterator[Tensor]:
     """Yield the losses of a lesson's updates; what comes after an update is computed after it."""
-    decoder = parts.decoder
+    decoder = setup.decoder
     assert isinstance(decoder, AnyCode)
-    chosen = parts.settings.decoder
-    mixed = parts.settings.train.dtype == "bf16"
-    with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
+    chosen = setup.settings.decoder
+    mixed = setup.settings.train.dtype == "bf16"
+    with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):
         if chosen.lessons == "denoise":
             yield _of_noise(decoder, lesson, generator)
         elif chosen.lessons == "stills":
@@ -37,8 +39,8 @@ def lesson_losses(parts: Parts, lesson: Lesson, generator: torch.Generator) -> I
 def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> Tensor:
     clip = lesson.light
     noise, sigma = noisy(clip, generator)
-    seen = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
-    error = (decoder.denoiser(noise, seen, sigma) - clip) / sigma.reshape(-1, 1, 1, 1)
+    no_features = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
+    error = (decoder.denoiser(noise, no_features, sigma) - clip) / sigma.reshape(-1, 1, 1, 1)
     loss: Tensor = error.square().mean() + 0.2 * error.abs().mean()
     return loss
 
@@ -84,9 +86,9 @@ def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
     """Return errors of light and of its logarithm, over the peak that all but a thousandth of the
     pixels stay below: as protocol hdr-v1 counts them, nearly."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
-    made, there = ((part / peak).clamp(0, 1) for part in (light, truth))
-    linear = (made - there).square().mean(dim=(1, 2)).add(1e-6).sqrt()
-    curved = [torch.log1p(MU * part) / log(1 + MU) for part in (made, there)]
+    relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
+    linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()
+    curved = [torch.log1p(MU * values) / log(1 + MU) for values in (relative, relative_truth)]
     bent = (curved[0] - curved[1]).square().mean(dim=(1, 2)).add(1e-6).sqrt()
-    whole = (coded_light(light) - coded_light(truth)).abs().mean(dim=(1, 2))
-    return 10 * (linear + bent + whole).mean()
+    coded_error = (coded_light(light) - coded_light(truth)).abs().mean(dim=(1, 2))
+    return 10 * (linear + bent + coded_error).mean()

@@ -28,8 +28,8 @@ class Log:
         if not path.is_file():
             return cls(out)
         try:
-            head, *rest = path.read_text(encoding="utf-8").splitlines()
-            kept = [row for row in rest if int(row.partition(",")[0]) <= step]
+            head, *rows = path.read_text(encoding="utf-8").splitlines()
+            kept_rows = [row for row in rows if int(row.partition(",")[0]) <= step]
         except ValueError:
             raise rejected(
                 "NS0816",
@@ -37,7 +37,7 @@ class Log:
                 notes=(f"{path.name} is damaged: its lines do not begin with a step",),
                 helps=("without that file the run goes on, and its log begins there",),
             ) from None
-        return cls(out, [head, *kept])
+        return cls(out, [head, *kept_rows])
 
     def add(self, step: int, split: str, **values: float | None) -> None:
         """Add a line; what is not known stays empty."""

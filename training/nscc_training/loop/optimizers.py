@@ -9,7 +9,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.settings import TrainSettings
 
 _MUON_RATE = 4.0
@@ -35,26 +35,28 @@ class Muon(torch.optim.Muon):
         super().step()  # type: ignore[no-untyped-call]
 
 
-def optimizers_of(parts: Parts) -> list[torch.optim.Optimizer]:
+def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
     """Return the optimizers of a run; each group knows its rate at the first step as `base`."""
-    settings = parts.settings
-    inner, outer = _by_muon(parts.decoder) if settings.train.optimizer == "muon" else (
-        [], list(parts.decoder.parameters()))  # fmt: skip
+    settings = setup.settings
+    inner, outer = _by_muon(setup.decoder) if settings.train.optimizer == "muon" else (
+        [], list(setup.decoder.parameters()))  # fmt: skip
     groups = [(outer, settings.train.rate)]
     if settings.shutter.learn:
-        spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
-        for parameter in parts.encoder.parameters():
+        spans = {id(p): high - low for p, (low, high) in setup.encoder.ranges()}
+        for parameter in setup.encoder.parameters():
             span = spans.get(id(parameter), 1.0)
             groups.append(([parameter], settings.train.code_rate * span))
     else:
-        parts.encoder.requires_grad_(False)
-    made = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
-    found: list[torch.optim.Optimizer] = [torch.optim.Adam(made, fused=True)] if made else []
+        setup.encoder.requires_grad_(False)
+    adam_groups = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
+    optimizers: list[torch.optim.Optimizer] = (
+        [torch.optim.Adam(adam_groups, fused=True)] if adam_groups else []
+    )
     if inner:
         rate = _MUON_RATE * settings.train.rate
-        found.append(Muon(inner, rate))
-        found[-1].param_groups[0]["base"] = rate
-    return found
+        optimizers.append(Muon(inner, rate))
+        optimizers[-1].param_groups[0]["base"] = rate
+    return optimizers
 
 
 def _by_muon(decoder: nn.Module) -> tuple[list[Tensor], list[Tensor]]:

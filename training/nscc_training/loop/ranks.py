@@ -35,7 +35,7 @@ class Ranks:
         """Whether this process is the one that writes."""
         return self.rank == 0
 
-    def part(self, size: int) -> tuple[int, int]:
+    def batch_range(self, size: int) -> tuple[int, int]:
         """Which patches of a batch are this process's: from, to."""
         return self.rank * size // self.count, (self.rank + 1) * size // self.count
 
@@ -47,7 +47,7 @@ class Ranks:
 
     def weight(self, size: int) -> float:
         """What a loss counts here, so that all patches count alike in the mean of gradients."""
-        first, last = self.part(size)
+        first, last = self.batch_range(size)
         return (last - first) * self.count / size
 
     def meet(self) -> None:

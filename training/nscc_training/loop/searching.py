@@ -17,7 +17,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
 from nscc_training.encoders.base import Codes
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import compared, decoded, window
 from nscc_training.programs import compiled, program_of, words_per_slot
 from nscc_training.search import Motion, moved, told_db
@@ -34,7 +34,7 @@ _FEWER = 0.9
 off by a move or two; random bits are within four words a slot after some twenty steps."""
 
 
-def search(parts: Parts, batch: Batch, step: int) -> float:
+def search(setup: TrainingSetup, batch: Batch, step: int) -> float:
     """Move the codes to the best of some that were tried, if it is better than they are; returns
     the loss of the codes that are kept.
 
@@ -45,26 +45,30 @@ def search(parts: Parts, batch: Batch, step: int) -> float:
     may come down first: as long as they do, the best of those judged is taken, whatever it loses,
     and each of these takes a tenth fewer words than they.
     """
-    chosen = parts.settings.shutter
-    parts.decoder.eval()
-    generator = np.random.default_rng([parts.settings.train.seed, 11, step])
-    own = codes_of(parts)
-    tried = [moved(parts.encoder.spec, own, generator) for _ in range(chosen.moves)]
-    first, words = _losses(parts, own, batch, step), _words(parts, own)
+    chosen = setup.settings.shutter
+    setup.decoder.eval()
+    generator = np.random.default_rng([setup.settings.train.seed, 11, step])
+    current = codes_of(setup)
+    candidates = [moved(setup.encoder.spec, current, generator) for _ in range(chosen.moves)]
+    first, words = _losses(setup, current, batch, step), _words(setup, current)
     over = words is not None and not within(chosen, words)
     allowed = chosen.most_words or np.inf
     if words is not None and over:
         allowed = max(allowed, _FEWER * words)
-    best = None if over else (own, first)
-    fitting = (codes for codes in _expected(parts, own, tried) if _fits(parts, codes, allowed))
+    best = None if over else (current, first)
+    fitting = (
+        codes for codes in _expected(setup, current, candidates) if _fits(setup, codes, allowed)
+    )
     for codes in islice(fitting, chosen.judged):
-        found = _losses(parts, codes, batch, step)
-        gain = first - found
+        candidate_losses = _losses(setup, codes, batch, step)
+        gain = first - candidate_losses
         error = gain.std(ddof=1) / len(gain) ** 0.5 if len(gain) > 1 else 0.0
-        if (over or gain.mean() > error) and (best is None or found.mean() < best[1].mean()):
-            best = codes, found
-    kept, losses = best or (own, first)
-    parts.encoder.load_codes(kept)
+        if (over or gain.mean() > error) and (
+            best is None or candidate_losses.mean() < best[1].mean()
+        ):
+            best = codes, candidate_losses
+    best_codes, losses = best or (current, first)
+    setup.encoder.load_codes(best_codes)
     return float(losses.mean())
 
 
@@ -73,25 +77,25 @@ def within(chosen: ShutterSettings, words: float) -> bool:
     return not (chosen.learn and chosen.most_words) or words <= chosen.most_words
 
 
-def codes_of(parts: Parts) -> Codes:
+def codes_of(setup: TrainingSetup) -> Codes:
     """The codes of a run's tile, of a codebook with its shapes as `book`."""
-    book = getattr(parts.encoder, "book", None)
-    return parts.encoder.codes() | ({} if book is None else {"book": book()})
+    book = getattr(setup.encoder, "book", None)
+    return setup.encoder.codes() | ({} if book is None else {"book": book()})
 
 
-def _expected(parts: Parts, own: Codes, tried: list[Codes]) -> list[Codes]:
+def _expected(setup: TrainingSetup, current: Codes, candidates: list[Codes]) -> list[Codes]:
     """Those of the codes that are allowed and others than `own`, most expected first."""
-    found = []
-    motion = motion_seen(parts.model)
-    for codes in tried:
-        if all((values == own[name]).all() for name, values in codes.items()):
+    ranked = []
+    motion = motion_seen(setup.model)
+    for codes in candidates:
+        if all((values == current[name]).all() for name, values in codes.items()):
             continue
         with suppress(ValueError):  # what `require` does not allow
-            parts.encoder.load_codes(codes)
-            worth = 0.0 if parts.still else told_db(parts.encoder.hard().cpu().numpy(), motion)
-            found.append((worth, codes))
-    found.sort(key=lambda pair: -pair[0])
-    return [codes for _, codes in found]
+            setup.encoder.load_codes(codes)
+            worth = 0.0 if setup.still else told_db(setup.encoder.hard().cpu().numpy(), motion)
+            ranked.append((worth, codes))
+    ranked.sort(key=lambda pair: -pair[0])
+    return [codes for _, codes in ranked]
 
 
 def motion_seen(model: SensorModel) -> Motion:
@@ -102,33 +106,34 @@ def motion_seen(model: SensorModel) -> Motion:
     return Motion(_SPEEDS, noise=read_e2 / mean_e**2, counts=counts)
 
 
-def _fits(parts: Parts, codes: Codes, allowed: float) -> bool:
-    words = _words(parts, codes)
+def _fits(setup: TrainingSetup, codes: Codes, allowed: float) -> bool:
+    words = _words(setup, codes)
     return words is not None and words <= allowed
 
 
-def _words(parts: Parts, codes: Codes) -> float | None:
+def _words(setup: TrainingSetup, codes: Codes) -> float | None:
     """Words a slot of codes, which the run then has; None where they do not compile."""
-    every = parts.settings.shutter.codes == "open"
-    parts.encoder.load_codes(codes)
+    every_code = setup.settings.shutter.codes == "open"
+    setup.encoder.load_codes(codes)
     with suppress(Rejected):
-        program = program_of(parts.encoder, parts.chip)
-        return words_per_slot(compiled(program, parts.chip, every_code=every))
+        program = program_of(setup.encoder, setup.chip)
+        return words_per_slot(compiled(program, setup.chip, every_code=every_code))
     return None
 
 
 @torch.no_grad()
-def _losses(parts: Parts, codes: Codes, batch: Batch, step: int) -> NDArray[np.float64]:
+def _losses(setup: TrainingSetup, codes: Codes, batch: Batch, step: int) -> NDArray[np.float64]:
     """The loss of each patch (batch,) with these codes, their words weighed."""
-    settings = parts.settings
+    settings = setup.settings
     seed, weight = settings.train.seed, settings.shutter.words_weight
-    parts.encoder.load_codes(codes)
+    setup.encoder.load_codes(codes)
     rows, cols = batch.light.shape[-2:]
-    shutters = window(parts.encoder.hard(), rows, cols, (seed, 7, step)).to(parts.device)
-    noise = generator_of(parts.device, seed, 10, step)
-    made = decoded(parts, batch.light, shutters, parts.model, noise)
+    shutters = window(setup.encoder.hard(), rows, cols, (seed, 7, step)).to(setup.device)
+    noise = generator_of(setup.device, seed, 10, step)
+    prediction = decoded(setup, batch.light, shutters, setup.model, noise)
     losses = torch.stack([
-        parts.loss(*compared(made[k : k + 1], batch.part(k, k + 1))) for k in range(len(made))
+        setup.loss(*compared(prediction[k : k + 1], batch.patches(k, k + 1)))
+        for k in range(len(prediction))
     ])  # fmt: skip
-    words = (_words(parts, codes) or 0.0) if weight else 0.0
+    words = (_words(setup, codes) or 0.0) if weight else 0.0
     return losses.double().cpu().numpy() + weight * words

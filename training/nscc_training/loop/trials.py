@@ -19,15 +19,15 @@ from torch.nn import functional
 
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
-from nscc_training.encoders import Encoder, Trial
-from nscc_training.loop.setup import Parts
+from nscc_training.encoders import CodeTrial, Encoder
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import changes_of, compared, decoded, window
 from nscc_training.sensor_model import laid
 
 
 def trial_of(
     encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], place: tuple[int, ...]
-) -> Trial:
+) -> CodeTrial:
     """A trial for patches of that size; `place` is what `window` draws a part of free codes by."""
 
     def over(tile: Tensor) -> Tensor:
@@ -37,25 +37,25 @@ def trial_of(
 
 
 def pull(
-    parts: Parts, batch: Batch, trial: Trial, prediction: Tensor, noise: torch.Generator
+    setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
 ) -> Tensor:
     """A scalar 0 whose gradient is that of the loss in the codes.
 
     `prediction` is the decoder's of the trial's first side; `noise` is drawn from as for it.
     """
     with torch.no_grad():
-        other = decoded(parts, batch.light, trial.shutters[1], parts.model, noise)
-    sides = [prediction.detach().requires_grad_(), other.requires_grad_()]
-    losses = torch.stack([parts.loss(*compared(made, batch)) for made in sides])
+        other_prediction = decoded(setup, batch.light, trial.shutters[1], setup.model, noise)
+    sides = [prediction.detach().requires_grad_(), other_prediction.requires_grad_()]
+    losses = torch.stack([setup.loss(*compared(estimate, batch)) for estimate in sides])
     # What a loss gains at a pixel, also where it is no sum over pixels: by the trapezoidal rule
     # between both sides, exact for squared errors.
-    one, two = torch.autograd.grad(losses.sum(), sides)
+    gradient, other_gradient = torch.autograd.grad(losses.sum(), sides)
     with torch.no_grad():
-        gain = (one + two) / 2 * (sides[0] - sides[1])
+        gain = (gradient + other_gradient) / 2 * (sides[0] - sides[1])
         gain = gain.sum(dim=tuple(range(gain.ndim - 2)))
         side = 2 * trial.reach + 1
         around = side**2 * functional.avg_pool2d(gain[None], side, 1, trial.reach)
-        if weight := parts.settings.shutter.words_weight:
+        if weight := setup.settings.shutter.words_weight:
             # A pixel's words are its own.
             first, second = map(changes_of, trial.shutters)
             around += weight * (first - second) / first.numel()

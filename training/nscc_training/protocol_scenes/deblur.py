@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from nscc_training import metrics
 from nscc_training.measures import decibels, frame_scores
 from nscc_training.protocol_scenes.hdr import light_of
-from nscc_training.protocol_scenes.scene import Scene, Unusable, on_unit_range
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, on_unit_range
 from nscc_training.protocols import Protocol
 from nscc_training.turning_camera import turned
 
 Picture = NDArray[np.float64]
 
 
-class Moment(Scene):
+class DeblurMoment(ProtocolScene):
     """A view of a panorama: its truth is the light of one slot, as if it lasted a whole frame."""
 
     @property
@@ -41,7 +41,7 @@ class Moment(Scene):
         return {**frame_scores(*pair, 1.0), "mu_psnr_db": decibels(mu_db)}
 
 
-def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[Moment | Unusable]:
+def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
     """Yield the views of panoramas, in order; the numbers of panorama and view fix a motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     for index, path in enumerate(files):
@@ -56,11 +56,13 @@ def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[Moment | Unus
             yield exposed_moment(path, number, clip, protocol)
 
 
-def exposed_moment(path: Path, number: int, clip: Picture, protocol: Protocol) -> Moment | Unusable:
+def exposed_moment(
+    path: Path, number: int, clip: Picture, protocol: Protocol
+) -> DeblurMoment | Unusable:
     """Return the clip scaled so that the median of its all-open sum is the protocol's mid grey."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")
     wanted_e = protocol.mid_grey_e
     assert wanted_e is not None
-    return Moment(path, None, number, clip * (wanted_e / grey), protocol)
+    return DeblurMoment(path, None, number, clip * (wanted_e / grey), protocol)

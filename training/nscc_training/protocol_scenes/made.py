@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.deblur import exposed_moment
 from nscc_training.protocol_scenes.hdr import crops_of, exposed_crop
-from nscc_training.protocol_scenes.scene import Scene, Unusable
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.video import exposed_window, windows_of
 from nscc_training.protocols import Protocol
 
@@ -21,7 +21,7 @@ _MADE = 3
 """Apart from the made scenes that runs learn from (1) and are chosen by (2)."""
 
 
-def made_scene(index: int, protocol: Protocol, seed: int) -> Scene | Unusable:
+def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
     """Return a still or a clip that is made of a seed, exposed as hdr-v1 or video-v1 says."""
     generator, name = np.random.default_rng([seed, _MADE, index]), Path(f"made-{index}")
     if protocol.still:
@@ -33,26 +33,26 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> Scene | Unusable:
 
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
-) -> list[Scene]:
+) -> list[ProtocolScene]:
     """Return at most `count` scenes of light by name, as many of one array as of another.
 
     `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` says in which encoding
     errors of clips are counted.
     """
-    every = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
-    turns = (scene for turn in zip_longest(*every) for scene in turn)
-    found: list[Scene] = []
+    scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
+    turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
+    scenes: list[ProtocolScene] = []
     for scene in turns:
-        if isinstance(scene, Scene):
-            found.append(scene)
-        if len(found) == count:
+        if isinstance(scene, ProtocolScene):
+            scenes.append(scene)
+        if len(scenes) == count:
             break
-    return found
+    return scenes
 
 
 def _of_array(
     name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
-) -> Iterator[Scene | Unusable]:
+) -> Iterator[ProtocolScene | Unusable]:
     """Yield the scenes of one array, of the protocol's size or as large as the array is."""
     if light.ndim == 2:
         yield from crops_of(name, light.astype(np.float64), protocol)

@@ -74,18 +74,18 @@ def design_motion(
     }
     passed: list[str] = []
     refused: Rejected | None = None
-    for name in sorted(expected, key=lambda each: -expected[each]):
+    for name in sorted(expected, key=lambda code_name: -expected[code_name]):
         try:
-            text, made = _compiled(encoders[name], frame, _remark(kind, name))
+            text, program = _compiled(encoders[name], frame, _remark(kind, name))
         except Rejected as error:
             refused = error
             passed.append(f"{name} (does not fit)")
             continue
-        if (words := words_per_slot(made)) <= most_words:
+        if (words := words_per_slot(program)) <= most_words:
             lines = _lines(name, expected, motions, passed)
-            return MotionDesign(text, made, lines, name, expected)
+            return MotionDesign(text, program, lines, name, expected)
         passed.append(f"{name} ({words:.1f} words a slot)")
-    if refused and all(each.endswith("(does not fit)") for each in passed):
+    if refused and all(code_name.endswith("(does not fit)") for code_name in passed):
         raise refused  # the compiler's own words say more
     raise rejected(
         "NS0843", f"no code for clips takes at most {most_words:g} words a slot here",
@@ -102,27 +102,27 @@ def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: Chip) -> Motio
                        helps=("name a scene with light; --exposure says how much of it a frame "
                               "gets",))  # fmt: skip
     dark_e = float(chip.exposed_sd_e(np.zeros(1))[0])
-    found = Motion(SPEEDS.get(kind, (0.0,)), noise=(dark_e / mean_e) ** 2, counts=1 / mean_e)
+    motion = Motion(SPEEDS.get(kind, (0.0,)), noise=(dark_e / mean_e) ** 2, counts=1 / mean_e)
     if scene is None:
-        return found
+        return motion
     length, contrast = texture_of(scene.mean(axis=0))
-    speeds = speeds_of(scene) if kind == "scene" else found.speeds
-    return replace(found, speeds=speeds, length=length, contrast=contrast)
+    speeds = speeds_of(scene) if kind == "scene" else motion.speeds
+    return replace(motion, speeds=speeds, length=length, contrast=contrast)
 
 
 def _encoders(slots: int) -> dict[str, Encoder]:
     """Codes by what people call them."""
-    found = {}
-    for part in _PARTS_OPEN:
-        length = -(-slots // part)
+    encoders = {}
+    for divisor in _PARTS_OPEN:
+        length = -(-slots // divisor)
         for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
             spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
-            found[f"{start}, 1/{part} of the frame"] = make_encoder(spec, start)
+            encoders[f"{start}, 1/{divisor} of the frame"] = make_encoder(spec, start)
     if slots == _SEARCHED.slots:
-        found["searched"] = make_encoder(_SEARCHED)
-        found["searched"].load_codes(load_codes(searched_codes()))
-    return found
+        encoders["searched"] = make_encoder(_SEARCHED)
+        encoders["searched"].load_codes(load_codes(searched_codes()))
+    return encoders
 
 
 def _compiled(encoder: Encoder, frame: Frame, remark: str) -> tuple[str, Compiled]:

@@ -47,26 +47,26 @@ def told_db(opened: Opened, motion: Motion) -> float:
     """How well a tile of shutters (N, rows, cols), 0..1, tells such light: the mean of the decibels
     by which the error of a slot's light at a place is below its variance."""
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
-    found = []
+    decibels = []
     for speed in motion.speeds:
         alike = _alike(len(windows[0]), speed, motion.length)
-        left = np.mean([_left(window, alike, motion) for window in windows])
-        found.append(-10 * np.log10(left))
-    return float(np.mean(found))
+        unknown_share = np.mean([_unknown_share(window, alike, motion) for window in windows])
+        decibels.append(-10 * np.log10(unknown_share))
+    return float(np.mean(decibels))
 
 
-def _left(opened: Values, alike: Values, motion: Motion) -> float:
+def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
     """The part of the variance of the light in the middle of a window (N, places) that a frame
     leaves unknown."""
     # How light and measurements vary together (slot, place, measurement), and measurements.
-    seen = np.einsum("tspq,sq->tpq", alike, opened)
-    frame = np.einsum("tp,tpq->pq", opened, seen)
+    covariance = np.einsum("tspq,sq->tpq", alike, opened)
+    frame = np.einsum("tp,tpq->pq", opened, covariance)
     slots = len(opened)
     # All over the square of a slot's mean light, times its contrast.
     noise = motion.noise + motion.counts * opened.sum(axis=0) / slots
-    told = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
-    middle = seen[:, _MIDDLE].reshape(-1, len(told))
-    return float(1 - np.einsum("aq,aq->a", middle @ told, middle).mean())
+    inverse = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
+    middle = covariance[:, _MIDDLE].reshape(-1, len(inverse))
+    return float(1 - np.einsum("aq,aq->a", middle @ inverse, middle).mean())
 
 
 @cache
@@ -76,18 +76,20 @@ def _alike(slots: int, speed: float, length: float) -> Values:
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)
-    found = np.zeros((slots, slots, _WINDOW**2, _WINDOW**2))
+    correlation = np.zeros((slots, slots, _WINDOW**2, _WINDOW**2))
     for down, right in speed * np.stack([np.sin(_HEADINGS), np.cos(_HEADINGS)], axis=1):
-        found += np.exp(-np.hypot(away_y - down * lag, away_x - right * lag) / length)
-    return found / len(_HEADINGS)
+        correlation += np.exp(-np.hypot(away_y - down * lag, away_x - right * lag) / length)
+    return correlation / len(_HEADINGS)
 
 
 def _in_parts(opened: Values) -> Values:
     """Shutters (parts, rows, cols) of at most so many parts of the frame, the mean of each."""
-    return np.stack([part.mean(axis=0) for part in np.array_split(opened, _parts(len(opened)))])
+    return np.stack(
+        [slot_group.mean(axis=0) for slot_group in np.array_split(opened, _part_count(len(opened)))]
+    )
 
 
-def _parts(slots: int) -> int:
+def _part_count(slots: int) -> int:
     return min(slots, _MOST_SLOTS)
 
 
@@ -95,11 +97,11 @@ def _windows(opened: Values) -> Sequence[Values]:
     """Windows (N, places) whose middles are spread over the tile, which repeats."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
-    every = -(-len(origins) // _MOST_WINDOWS)
+    stride = -(-len(origins) // _MOST_WINDOWS)
     side = np.arange(_WINDOW)
     return [
         opened[:, (y + side[:, None]) % rows, (x + side) % cols].reshape(len(opened), -1)
-        for y, x in origins[::every]
+        for y, x in origins[::stride]
     ]
 
 

@@ -62,8 +62,8 @@ def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
 
     def median(gap: int) -> float:
         shifts = [
-            np.hypot(*cv2.phaseCorrelate(one, other, window)[0])
-            for one, other in zip(block[:-gap], block[gap:], strict=True)
+            np.hypot(*cv2.phaseCorrelate(earlier, later, window)[0])
+            for earlier, later in zip(block[:-gap], block[gap:], strict=True)
         ]
         return float(np.median(shifts)) / gap
 

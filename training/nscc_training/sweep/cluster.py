@@ -12,12 +12,12 @@ from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.sweep.work import Done, Task, failure, work
+from nscc_training.sweep.work import Done, PointTask, failure, work
 
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-Executor = Callable[[Iterable[Task]], Iterator[Done]]
+Executor = Callable[[Iterable[PointTask]], Iterator[Done]]
 """Computes tasks, in any order."""
 
 _TRIES = 2
@@ -29,7 +29,7 @@ _AHEAD = 2
 
 
 @contextmanager
-def here(workers: int, threads: int) -> Iterator[Executor]:
+def local_workers(workers: int, threads: int) -> Iterator[Executor]:
     """So many processes on this machine, of so many threads each, to the end of the block."""
     import dask
     from distributed import Client, LocalCluster
@@ -60,7 +60,7 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
 
 
 @contextmanager
-def at(scheduler: str) -> Iterator[Executor]:
+def scheduler_workers(scheduler: str) -> Iterator[Executor]:
     """The workers of a scheduler, which must see the same files under the same paths.
 
     Rejected (NS0835) where none answers.
@@ -70,25 +70,25 @@ def at(scheduler: str) -> Iterator[Executor]:
     try:
         client = Client(scheduler, timeout=_PATIENCE_S)
     except (OSError, ValueError, TimeoutError) as error:
-        said = " ".join(str(error).split())[:200]
+        reason = " ".join(str(error).split())[:200]
         raise rejected(
             "NS0835",
             f"no scheduler answers at '{scheduler[:100]}'",
-            notes=(said,) if said else (),
+            notes=(reason,) if reason else (),
             helps=("`dask scheduler` prints its address, tcp://HOST:PORT",),
         ) from None
     with client:
         yield lambda tasks: _computed(client, tasks)
 
 
-def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
+def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
     """Every task, as it is done; one that fails, or whose worker dies, is tried once more."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()
-    running: dict[Future, Task] = {}
+    running: dict[Future, PointTask] = {}
 
-    def start(task: Task) -> Future:
+    def start(task: PointTask) -> Future:
         tries[task.key] += 1
         name = f"point-{task.key}-{tries[task.key]}"
         future = client.submit(work, task, key=name, pure=False)
@@ -101,22 +101,22 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
     queue = as_completed([start(task) for task in islice(waiting, at_once)], loop=client.loop)
     for future in queue:
         task = running.pop(future)
-        done = _done(future, task)
+        finished = _finished(future, task)
         future.release()
-        if done.failed and tries[task.key] < _TRIES:
+        if finished.failed and tries[task.key] < _TRIES:
             queue.add(start(task))
         else:
-            yield done
+            yield finished
             for following in islice(waiting, 1):
                 queue.add(start(following))
 
 
-def _done(future: Future, task: Task) -> Done:
+def _finished(future: Future, task: PointTask) -> Done:
     """What came of a task; a failure where its worker did not live to say it. ModuleNotFoundError
     where a package is missing: no other point of its kind would fare better."""
     if future.status == "finished":
-        found: Done = future.result()
-        return found
+        result: Done = future.result()
+        return result
     error = future.exception()
     if isinstance(error, ModuleNotFoundError):
         raise error

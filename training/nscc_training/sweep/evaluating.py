@@ -12,8 +12,8 @@ from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES
 from nscc_training.scene_files import folders_of
 from nscc_training.sweep.light import sensor_changes, sensor_keys
-from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import axis
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import axis
 
 RUN = "run"
 """The key that names parts of kind train: each of their points is evaluated."""
@@ -35,12 +35,16 @@ def _keys() -> tuple[Key, ...]:
     )
 
 
-def _fault(values: Values, _named: Collection[str]) -> Fault | None:
+def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if (RUN in values) == ("subject" in values):
         message = "a point evaluates a run of this grid, or else a subject"
-        return Fault("subject" if RUN in values else "", message, 'for instance subject = "quad"')
+        return PointFault(
+            "subject" if RUN in values else "", message, 'for instance subject = "quad"'
+        )
     if "data" not in values:
-        return Fault("", "the key data is missing: the folder of scenes", 'add data = "scenes"')
+        return PointFault(
+            "", "the key data is missing: the folder of scenes", 'add data = "scenes"'
+        )
     return None
 
 
@@ -55,17 +59,17 @@ def _evaluate(values: Values, place: Place) -> Figures:
     from nscc_training.evaluation.result_text import result_json
 
     torch.set_num_threads(place.threads)
-    found = _result(values)
-    write_whole(place.files, result_json(found).encode())
-    items = found["items"]
-    low, high = found["ci95"] or (None, None)
+    result = _result(values)
+    write_whole(place.files, result_json(result).encode())
+    items = result["items"]
+    low, high = result["ci95"] or (None, None)
     return {
-        "method": found["method"],
+        "method": result["method"],
         "items": len(items),
         **means_of(items),
         "ci95_low": low,
         "ci95_high": high,
-        "parameters": found["parameters"],
+        "parameters": result["parameters"],
     }
 
 
@@ -87,7 +91,7 @@ def _result(values: Values) -> dict[str, Any]:
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.subjects import evaluate
-    from nscc_training.protocol_scenes.files import files_of
+    from nscc_training.protocol_scenes.file_scenes import files_of
     from nscc_training.protocols import load_protocol
 
     data, subject = Path(values["data"]), values.get("subject", "")

@@ -10,7 +10,7 @@ from nscc.chips.target import Target
 from nscc.toml.kinds import Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Values
-from nscc_training.sweep.programs import axis
+from nscc_training.sweep.point_programs import axis
 
 if TYPE_CHECKING:
     from nscc_runtime.scenes import Scene

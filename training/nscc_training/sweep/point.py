@@ -20,7 +20,7 @@ Figures = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Fault:
+class PointFault:
     """What is wrong with values that are right one by one: at which key, why, what to do."""
 
     key: str
@@ -52,34 +52,34 @@ class PointKind:
     """
 
     name: str
-    what: str
+    summary: str
     takes: Callable[[], tuple[Key, ...]]
     compute: Callable[[Values, Place], Figures]
     drawn: tuple[str, ...]
     reads: Callable[[Values], Sequence[Path]]
-    fault: Callable[[Values, Collection[str]], Fault | None] = lambda _values, _named: None
+    fault: Callable[[Values, Collection[str]], PointFault | None] = lambda _values, _named: None
     packages: tuple[str, ...] = ("nscc",)
     distributions: tuple[str, ...] = ("lark", "networkx")
     leaves: str | None = None
 
 
 @dataclass(frozen=True)
-class Point:
+class GridPoint:
     """One combination of a part's values.
 
     `name` tells it apart from the others of its grid. `after` are the points whose runs its values
     name: `run:NAME` stands for a run's folder.
     """
 
-    part: str
+    grid_part: str
     kind: str
     name: str
     values: Values = field(hash=False)
-    after: tuple[Point, ...] = ()
+    after: tuple[GridPoint, ...] = ()
 
 
 @dataclass(frozen=True)
-class Row:
+class PointRow:
     """What came of a point: `figures`, or the `code` and text of the message that says why not."""
 
     key: str

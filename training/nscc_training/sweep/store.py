@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
 from nscc.experiment_store import STORE, ExperimentStore
-from nscc_training.sweep.point import Row
+from nscc_training.sweep.point import PointRow
 
 TIMES = "times.csv"
 POINTS = "points"
@@ -29,12 +29,12 @@ def store_in(folder: Path) -> ExperimentStore:
     return ExperimentStore(folder / STORE)
 
 
-def rows_in(store: ExperimentStore) -> dict[str, Row]:
+def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
     """Return all rows by key."""
-    return {key: Row(key, **value) for key, value in store.values(POINTS).items()}
+    return {key: PointRow(key, **value) for key, value in store.values(POINTS).items()}
 
 
-def put_row(store: ExperimentStore, row: Row, name: str, seconds: float, worker: str) -> None:
+def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
     """Keep a row, which took a worker so many seconds; it is on the disk when this returns."""
     value = {"figures": row.figures, "code": row.code, "error": row.error}
     store.put(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
@@ -43,13 +43,13 @@ def put_row(store: ExperimentStore, row: Row, name: str, seconds: float, worker:
 def times_csv(store: ExperimentStore) -> str:
     """Return how long each point took, and where; the first one began at 0 s."""
     timings = store.timings(POINTS)
-    begin = min((each.ended - each.seconds for each in timings), default=0.0)
+    begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("key", "name", "seconds", "ended_s", "worker"))
     writer.writerows(
-        (each.name[:12], each.label, f"{each.seconds:.3f}", f"{each.ended - begin:.3f}",
-         each.worker)
-        for each in timings
+        (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",
+         timing.worker)
+        for timing in timings
     )  # fmt: skip
     return text.getvalue()

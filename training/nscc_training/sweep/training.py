@@ -14,9 +14,9 @@ from nscc_training.config import load_config, settings_of
 from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import folders_of
-from nscc_training.settings import SCHEMA, Settings
+from nscc_training.settings import SCHEMA, RunSettings
 from nscc_training.sweep.point import Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import axis, text_files
+from nscc_training.sweep.point_programs import axis, text_files
 
 _CONFIG = "config"
 _STAGES = ("soft", "hard", "compiled", "emulated")
@@ -28,7 +28,7 @@ def _keys() -> tuple[Key, ...]:
     return (axis(_CONFIG, Text(), "a configuration of nscc train, else its defaults"), *settings)
 
 
-def _settings(values: Values) -> Settings:
+def _settings(values: Values) -> RunSettings:
     """Return the settings of the configuration, or the defaults, as the point changes them.
 
     Raises Rejected as `load_config`.

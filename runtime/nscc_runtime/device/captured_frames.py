@@ -16,7 +16,7 @@ from nscc.files import write_whole
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import with_table
-from nscc_runtime.device.chip import Chip
+from nscc_runtime.device.device_chip import DeviceChip
 from nscc_runtime.device.objects import target_digest
 from nscc_runtime.device.trouble import wrong_target
 from nscc_runtime.frame_file import Frame, FrameFile, Provenance, meta, stacked
@@ -26,7 +26,7 @@ from nscc_runtime.sensor import Sensor, default_sensor
 
 
 def exposed(
-    chip: Chip,
+    chip: DeviceChip,
     container: Container,
     light: Light | None = None,
     repeat: int | None = None,
@@ -46,7 +46,7 @@ def exposed(
 
 
 def device_meta(
-    chip: Chip,
+    chip: DeviceChip,
     frame: Frame,
     sensor: Sensor,
     container: Container | None,
@@ -63,7 +63,7 @@ def device_meta(
     return {**meta(container, light, frame, origin), "device": device}
 
 
-def target_of(chip: Chip, named: str | None = None) -> Target:
+def target_of(chip: DeviceChip, named: str | None = None) -> Target:
     """The chip behind the port: the table of its own name, or the one that the user names.
 
     Raises Rejected where the device was made for another table.
@@ -89,16 +89,16 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
             f"cannot write into '{folder}': {error.strerror}",
             helps=("name a folder that you may write",),
         ) from None
-    taken = set(folder.glob("frame-*.npz"))
+    existing = set(folder.glob("frame-*.npz"))
     named = (folder / f"frame-{number:06d}.npz" for number in count(1))
     begin = monotonic()
-    for written, path in enumerate(islice((path for path in named if path not in taken), most)):
+    for written, path in enumerate(islice((path for path in named if path not in existing), most)):
         sleep(max(0.0, begin + written * every_s - monotonic()))
         yield path
 
 
 def capture_to(
-    path: Path, chip: Chip, target: Target, sensor: Sensor, container: Container | None
+    path: Path, chip: DeviceChip, target: Target, sensor: Sensor, container: Container | None
 ) -> None:
     """Expose a frame of `container`, or of what the device holds, and write its file.
 
@@ -106,7 +106,7 @@ def capture_to(
     """
     stamp = datetime.now(UTC).isoformat(timespec="microseconds")
     shot = chip.capture(container) if container else chip.capture_held(target)
-    said = device_meta(chip, shot.frame, sensor, container)
-    said |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
-    file = FrameFile(shot.frame, said, {}, {})
+    meta = device_meta(chip, shot.frame, sensor, container)
+    meta |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
+    file = FrameFile(shot.frame, meta, {}, {})
     write_whole(path, (with_table(file, container) if container else file).write)

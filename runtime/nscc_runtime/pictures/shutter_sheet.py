@@ -47,7 +47,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     colours: Field = colormaps[sheet.SCALE](places)[:, :3]
     chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
     maps, top = _maps(container, shutters, colours), _ABOVE + chart_height + _BELOW
-    sizes = [sheet.zoomed(each.colours.shape, _MAP) for each in maps]
+    sizes = [sheet.zoomed(tile_map.colours.shape, _MAP) for tile_map in maps]
     figure = sheet.blank(CHART_INCHES, top + max((height for _, height in sizes), default=0.0))
     chart = sheet.place(figure, 0, _ABOVE, CHART_INCHES, chart_height)
     _draw_chart(chart, container, shutters.rows[chosen], colours[chosen])
@@ -63,21 +63,21 @@ def shutter_sheet(container: Container, title: str) -> Figure:
     return figure
 
 
-def subtitle(container: Container, what: str) -> str:
+def subtitle(container: Container, subject: str) -> str:
     """A program's class, frame and chip in a line, with `what` is drawn of it."""
     lengths, lowering = container.slot_us, container.notes.get("lowering")
     length = _time(min(lengths))
     if min(lengths) < max(lengths):
         length += f" to {_time(max(lengths))}"
     name = container.notes.get("class", "")
-    parts = (
+    phrases = (
         f"class {name}" if len(name) == 1 else name,
         f"{container.slots} slot{'s' * (container.slots > 1)} of {length}",
-        what,
+        subject,
         f"{len(container.buckets)} buckets" if len(container.buckets) > 1 else "",
         f"{container.target.name}, {lowering}" if lowering else container.target.name,
     )
-    return "   ·   ".join(part for part in parts if part)
+    return "   ·   ".join(phrase for phrase in phrases if phrase)
 
 
 def _time(us: float) -> str:
@@ -101,7 +101,9 @@ def _chosen(count: int) -> NDArray[np.int64]:
     return np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
 
 
-def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: Field) -> None:
+def _draw_chart(
+    axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
+) -> None:
     """Bars of open time: in the colour that the map has, or of several buckets in the bucket's."""
     from matplotlib.colors import to_rgb
 
@@ -115,7 +117,7 @@ def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: 
     image[:] = to_rgb(look().paper)  # the last lane stays: it is the gap
     for row, lane in np.ndindex(count, lanes):
         share = open_share(rows[row, lane], edges, columns)
-        colour = own[row] if lanes == 1 else buckets[lane]
+        colour = row_colours[row] if lanes == 1 else buckets[lane]
         image[row, lane] = np.outer(1 - share, to_rgb(look().closed)) + np.outer(share, colour)
     lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
     heights = (np.arange(count)[:, None] + lines).ravel()
@@ -129,7 +131,7 @@ def _draw_chart(axes: Axes, container: Container, rows: NDArray[np.bool_], own: 
     axes.set_xlabel(f"time in the frame, {name}")
     axes.tick_params(axis="y", length=0, pad=13, labelcolor=look().ink)
     axes.scatter(
-        np.full(count, -0.009), np.arange(count), s=36, c=own, marker="s", clip_on=False,
+        np.full(count, -0.009), np.arange(count), s=36, c=row_colours, marker="s", clip_on=False,
         transform=axes.get_yaxis_transform(),
     )  # fmt: skip
     _number_slots(axes, edges)
@@ -179,18 +181,18 @@ def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Ma
     table = container.table
     painted = colours[shutters.rank[table.shutter_of_code[codes]]]
     rows, cols = codes.shape
-    whole = _Map(f"codes of the array, {rows} x {cols}", painted)
+    array_map = _Map(f"codes of the array, {rows} x {cols}", painted)
     if not table.fields or (rows, cols) == (1, 1):
-        return (whole,)
+        return (array_map,)
     tile = tile_of(codes)
     if tile != (rows, cols) and max(tile) <= 4 * _CORNER:
         title = f"the tile that repeats, {tile[0]} x {tile[1]}"
     else:
         tile = (min(_CORNER, rows), min(_CORNER, cols))
         title = f"the top left corner, {tile[0]} x {tile[1]}"
-    part = np.s_[: tile[0], : tile[1]]
-    values = table.codes[codes[part]] if max(tile) <= _MOST_LABELLED else None
-    return whole, _Map(title, painted[part], values)
+    tile_slice = np.s_[: tile[0], : tile[1]]
+    values = table.codes[codes[tile_slice]] if max(tile) <= _MOST_LABELLED else None
+    return array_map, _Map(title, painted[tile_slice], values)
 
 
 def _draw_map(axes: Axes, drawing: _Map) -> None:

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.fit import robust_scale, surface
 from nscc_runtime.calibrate.levels import Level, Mask, moments
+from nscc_runtime.calibrate.line_fit import robust_scale, surface
 from nscc_runtime.scenes.errors import size
 
 OUTLIER = 12.0
@@ -39,8 +39,8 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
                 notes=("sizes are rows x columns",),
                 helps=("give frames of one array, all of the same size",),
             )
-    good = valid_pixels((*flats, *darks))
-    start = int(np.count_nonzero(good))
+    good_mask = valid_pixels((*flats, *darks))
+    start = int(np.count_nonzero(good_mask))
     if start < LEAST_PIXELS:
         raise rejected(
             "NS0757",
@@ -50,21 +50,21 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
             data={"required": LEAST_PIXELS, "available": start},
         )
     for level in darks:
-        good &= ~_outliers(level, good, flat=False)
+        good_mask &= ~_outliers(level, good_mask, flat=False)
     for level in flats:
-        if not moments(level, good).share_at_top > MOST_DEFECTS:
-            good &= ~_outliers(level, good, flat=True)
-    lost = start - int(np.count_nonzero(good))
-    if lost > max(MOST_DEFECTS * start, 2):
+        if not moments(level, good_mask).share_at_top > MOST_DEFECTS:
+            good_mask &= ~_outliers(level, good_mask, flat=True)
+    defect_count = start - int(np.count_nonzero(good_mask))
+    if defect_count > max(MOST_DEFECTS * start, 2):
         raise rejected(
             "NS0759",
-            f"{lost} of {start} pixels are far off the others: the frames are not flat",
+            f"{defect_count} of {start} pixels are far off the others: the frames are not flat",
             notes=(f"a pixel counts as far off beyond {OUTLIER:g} standard deviations",),
             helps=(
                 "take flats of an evenly lit white surface, out of focus; darks with the cap on",
             ),
         )
-    return good
+    return good_mask
 
 
 def valid_pixels(levels: Sequence[Level]) -> Mask:
@@ -72,17 +72,17 @@ def valid_pixels(levels: Sequence[Level]) -> Mask:
     return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
 
 
-def refuse_uneven(flats: Sequence[Level], good: Mask, zero: float) -> None:
+def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
     """NS0759 for a flat whose light falls off too much over the array."""
     for level in flats:
-        smooth = surface(level.mean_map, good)
-        light = float(level.mean_map[good].mean()) - zero
-        fall = float(np.ptp(smooth[good]))
+        smooth = surface(level.mean_map, good_mask)
+        light = float(level.mean_map[good_mask].mean()) - zero
+        fall = float(np.ptp(smooth[good_mask]))
         if light > 0 and fall > MOST_UNEVEN * light:
             raise rejected(
                 "NS0759",
-                f"'{level.name}' is not flat: its light falls from code {smooth[good].max():.4g} "
-                f"to {smooth[good].min():.4g} over the array",
+                f"'{level.name}' is not flat: its light falls from code "
+                f"{smooth[good_mask].max():.4g} to {smooth[good_mask].min():.4g} over the array",
                 notes=(
                     f"up to {MOST_UNEVEN:.0%} of the mean is taken, as a smooth surface that is "
                     "subtracted; EMVA 1288 asks for 3 %",
@@ -91,11 +91,11 @@ def refuse_uneven(flats: Sequence[Level], good: Mask, zero: float) -> None:
             )
 
 
-def _outliers(level: Level, good: Mask, flat: bool) -> Mask:
+def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
     values = level.mean_map
     if flat:
-        values = values - surface(values, good)
-    middle, scale = robust_scale(values[good])
-    noise = float(np.sqrt(level.variance[good].mean() / level.frames))
+        values = values - surface(values, good_mask)
+    middle, scale = robust_scale(values[good_mask])
+    noise = float(np.sqrt(level.variance[good_mask].mean() / level.frames))
     far: Mask = np.abs(values - middle) > OUTLIER * max(scale, noise, _LEAST_SCALE)
-    return np.asarray(far & good)
+    return np.asarray(far & good_mask)

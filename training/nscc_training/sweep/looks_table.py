@@ -11,10 +11,10 @@ from nscc.toml.text import written
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.evaluation.pages import Page
 from nscc_training.evaluation.results import read_result
-from nscc_training.protocol_scenes.files import files_of
+from nscc_training.protocol_scenes.file_scenes import files_of
 from nscc_training.protocols import load_protocol
 from nscc_training.sweep.grid import read_grid
-from nscc_training.sweep.run import How, sweep
+from nscc_training.sweep.run_sweep import How, sweep
 
 
 def looks_table(

@@ -87,16 +87,16 @@ def propagated(
     return float(function(at)), sqrt(max(float(gradient @ covariance @ gradient), 0.0))
 
 
-def shared_variance(maps: Map, good: Mask, taken: int = 1) -> tuple[float, float]:
+def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:
     """The variance over the good pixels of what two maps have in common, and its standard error.
 
     `maps` is (2, rows, cols). Their own noise is independent and cancels in the mean. `taken` is
     how many parameters of their shape were fitted and subtracted before, their mean included.
     """
-    one, other = (each[good] - each[good].mean() for each in maps)
-    product = one * other
+    even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
+    product = even * odd
     count = len(product)
-    return float(product.sum() / (count - taken)), float(product.std() / sqrt(count))
+    return float(product.sum() / (count - parameter_count)), float(product.std() / sqrt(count))
 
 
 def root(variance: float, error: float) -> tuple[float, float]:
@@ -116,12 +116,12 @@ def robust_scale(values: Vector) -> tuple[float, float]:
     return middle, 1.4826 * float(np.median(np.abs(values - middle)))
 
 
-def surface(values: Map, good: Mask) -> Map:
+def surface(values: Map, good_mask: Mask) -> Map:
     """The quadratic surface (rows, cols) through the good pixels: six parameters."""
     rows, cols = values.shape
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)
-    solved = np.linalg.lstsq(terms[good], values[good], rcond=None)[0]
+    solved = np.linalg.lstsq(terms[good_mask], values[good_mask], rcond=None)[0]
     fitted: Map = terms @ solved
     return fitted
 

@@ -7,7 +7,7 @@ import numpy as np
 from nscc_training.code_choices import ORDERED, SCATTERED, STARTS
 from nscc_training.encoders.base import Encoder, ShutterSpec
 from nscc_training.encoders.bumps import AlwaysOpen, Bump, Start, StartStop, Stop
-from nscc_training.encoders.looks import LOOKS, Looks
+from nscc_training.encoders.looks_encoder import LOOKS, LooksEncoder
 from nscc_training.encoders.ordered import ordered
 from nscc_training.encoders.patterns import Bits, Codebook
 from nscc_training.encoders.scattered import scattered
@@ -19,7 +19,7 @@ CLASSES: dict[str, type[Encoder]] = {
     "d": StartStop,
     "e": Bits,
     "codebook": Codebook,
-    LOOKS: Looks,
+    LOOKS: LooksEncoder,
 }
 
 _MOST_LEVELS = 16

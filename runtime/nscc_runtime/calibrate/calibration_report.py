@@ -10,8 +10,8 @@ from typing import Any
 from nscc.columns import columns
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc_runtime.calibrate.estimate import Calibration, Quantity
-from nscc_runtime.calibrate.levels import Moments
-from nscc_runtime.calibrate.sensor import Choice, sensor_of
+from nscc_runtime.calibrate.levels import LevelMoments
+from nscc_runtime.calibrate.sensor_parameters import ParameterChoice, sensor_of
 from nscc_runtime.sensor import sensor_toml
 
 SCHEMA = "nscc-calibration-1"
@@ -19,14 +19,15 @@ _BENT = 0.01
 """A curve whose levels are further off than this part is worth a warning."""
 
 
-def as_toml(found: Calibration, chosen: Mapping[str, Choice]) -> str:
+def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
     """A complete file for `--sensor`, every value with its standard error or its source."""
-    flats, darks = found.flats, found.darks
-    linear = found.quantities["linearity_error"]
+    flats, darks = calibration.flats, calibration.darks
+    linear = calibration.quantities["linearity_error"]
     heading = [
         f"Calibrated by photon transfer (EMVA 1288) from {sum(m.frames for m in flats)} flats of "
         f"{len(flats)} levels and {sum(m.frames for m in darks)} darks of {len(darks)}, "
-        f"{found.shape[0]} x {found.shape[1]} pixels, {found.defects} of them left out as defects.",
+        f"{calibration.shape[0]} x {calibration.shape[1]} pixels, "
+        f"{calibration.defects} of them left out as defects.",
         f"linearity error: not measured: {linear.remark}"
         if linear.value is None
         else f"linearity error: {linear.value:.3g} +- {linear.se:.2g} %",
@@ -35,18 +36,18 @@ def as_toml(found: Calibration, chosen: Mapping[str, Choice]) -> str:
     return sensor_toml(sensor_of(chosen), sources, heading)
 
 
-def _source(choice: Choice) -> str:
+def _source(choice: ParameterChoice) -> str:
     if choice.status == "measured" and choice.se is not None:
         return f"measured {choice.value:.6g} +- {choice.se:.2g}: {choice.remark}"
     return f"measured: {choice.remark}" if choice.status == "measured" else choice.remark
 
 
-def as_json(found: Calibration, chosen: Mapping[str, Choice]) -> str:
+def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
     """The same for programs, with the points of the photon transfer curve."""
-    curve = found.curve
+    curve = calibration.curve
     reasons = {id(level): reason for level, reason in curve.left_out}
 
-    def points(levels: tuple[Moments, ...]) -> list[dict[str, Any]]:
+    def points(levels: tuple[LevelMoments, ...]) -> list[dict[str, Any]]:
         return [
             {
                 "exposure_s": level.exposure_s,
@@ -62,34 +63,37 @@ def as_json(found: Calibration, chosen: Mapping[str, Choice]) -> str:
             for level in levels
         ]
 
-    def plain(value: Quantity | Choice) -> dict[str, Any]:
-        return {"standard_error" if k == "se" else k: each for k, each in asdict(value).items()}
+    def plain(value: Quantity | ParameterChoice) -> dict[str, Any]:
+        return {
+            "standard_error" if k == "se" else k: field_value
+            for k, field_value in asdict(value).items()
+        }
 
     return json.dumps(
         {
             "schema": SCHEMA,
-            "frames": found.frames,
-            "pixels": found.pixels,
-            "defects": found.defects,
-            "quantities": {name: plain(each) for name, each in found.quantities.items()},
+            "frames": calibration.frames,
+            "pixels": calibration.pixels,
+            "defects": calibration.defects,
+            "quantities": {name: plain(figure) for name, figure in calibration.quantities.items()},
             "fit": {
                 "chi2": curve.fit.misfit,
                 "degrees_of_freedom": curve.fit.freedom,
                 "probability": curve.fit.chance,
             },
-            "parameters": {name: plain(each) for name, each in chosen.items()},
-            "flats": points(found.flats),
-            "darks": points(found.darks),
+            "parameters": {name: plain(figure) for name, figure in chosen.items()},
+            "flats": points(calibration.flats),
+            "darks": points(calibration.darks),
         },
         indent=2,
         allow_nan=False,
     )
 
 
-def as_table(found: Calibration) -> str:
+def as_table(calibration: Calibration) -> str:
     """A line a quantity."""
     rows = []
-    for q in found.quantities.values():
+    for q in calibration.quantities.values():
         error = "" if q.se is None else f" +- {q.se:.2g}"
         bound = "" if q.known == "measured" else f"{q.known} "
         value = "not measured"
@@ -99,31 +103,31 @@ def as_table(found: Calibration) -> str:
     return columns(rows)
 
 
-def messages(found: Calibration) -> list[Diagnostic]:
+def messages(calibration: Calibration) -> list[Diagnostic]:
     """What could not be determined (a note), and a curve that is no line (a warning)."""
-    said: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     unknown: dict[str, list[str]] = {}
-    for quantity in found.quantities.values():
+    for quantity in calibration.quantities.values():
         if quantity.value is None:
             unknown.setdefault(quantity.remark, []).append(quantity.title)
     if unknown:
         count = sum(len(titles) for titles in unknown.values())
-        said.append(
+        diagnostics.append(
             Diagnostic(
                 "NS0791",
-                f"these frames leave {count} of {len(found.quantities)} figures open",
+                f"these frames leave {count} of {len(calibration.quantities)} figures open",
                 severity=Severity.NOTE,
                 notes=tuple(
                     f"{', '.join(dict.fromkeys(titles))}: {why}" for why, titles in unknown.items()
                 ),
                 helps=("the sensor file has the defaults there, and says so",),
-                data={"open": [n for n, q in found.quantities.items() if q.value is None]},
+                data={"open": [n for n, q in calibration.quantities.items() if q.value is None]},
             )
         )
-    fit = found.curve.fit
+    fit = calibration.curve.fit
     if fit.excess > 1:
         bent = fit.apart > _BENT
-        said.append(
+        diagnostics.append(
             Diagnostic(
                 "NS0792",
                 f"the noise does not rise with the mean along a line: levels are {fit.apart:.2%} "
@@ -140,4 +144,4 @@ def messages(found: Calibration) -> list[Diagnostic]:
                 else (),
             )
         )
-    return said
+    return diagnostics

@@ -31,7 +31,7 @@ class Item:
 
 
 @dataclass(frozen=True, eq=False)
-class Scene(ABC):
+class ProtocolScene(ABC):
     """A scene: `light_e` in electrons, over the frame (rows, cols) or a slot (slots, rows, cols).
 
     `crop` is its corner in a picture, `frame` its first frame in a clip.

@@ -25,8 +25,8 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.npy import npz_arrays
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
-from nscc_runtime.scenes.arrays import NPY_HEADERS
 from nscc_runtime.scenes.errors import size
+from nscc_runtime.scenes.light_arrays import NPY_HEADERS
 from nscc_runtime.scenes.mat_files import mat_arrays, mat_shapes
 
 Codes = NDArray[np.uint16]
@@ -56,13 +56,13 @@ class Stack:
     origin: str | None = None
 
 
-def load_stack(given: str, top_code: int) -> Stack:
+def load_stack(source: str, top_code: int) -> Stack:
     """The frames of PATH or PATH@TIME, every code in 0..`top_code`.
 
     Raises Rejected, status 2: NS0757 for what is no such frames, NS0732, NS0734, NS0735 for
     pictures that cannot be read.
     """
-    path, time_s = _timed(given)
+    path, time_s = _timed(source)
     name = str(path)
     if not path.exists():
         raise _no_frames(
@@ -73,18 +73,18 @@ def load_stack(given: str, top_code: int) -> Stack:
         )
     origin, valid = None, None
     if path.suffix.lower() in (".npz", ".npy", ".mat") and path.is_file():
-        found = _arrays(path)
-        key, values = _chosen(name, found)
-        meta = frame_meta(found)
+        arrays = _arrays(path)
+        key, values = _chosen(name, arrays)
+        meta = frame_meta(arrays)
         if meta is not None:
             values, from_meta = _ours(name, values, meta)
             origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
             time_s = from_meta if time_s is None else time_s
-            valid = _valid(found, values.shape)
+            valid = _valid(arrays, values.shape)
         elif path.suffix.lower() == ".mat" and values.ndim == 3:
             values = np.moveaxis(values, 2, 0)
-        if time_s is None and TIME_KEY in found:
-            time_s = _time_of_key(name, found[TIME_KEY])
+        if time_s is None and TIME_KEY in arrays:
+            time_s = _time_of_key(name, arrays[TIME_KEY])
     else:
         key, values = "the picture", _pictures(path)
     codes = _codes(name, key, values, top_code)
@@ -97,29 +97,29 @@ def load_stack(given: str, top_code: int) -> Stack:
 
 def grouped(stacks: Iterable[Stack]) -> list[Stack]:
     """The same with frame files of one run (other seeds, same light) made one stack."""
-    found: dict[object, Stack] = {}
+    stacks_by_run: dict[object, Stack] = {}
     for stack in stacks:
         run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
-        key = len(found) if stack.origin is None else run
-        if key in found:
-            other = found[key]
-            codes = np.concatenate([other.codes, stack.codes])
-            stack = replace(other, codes=codes, valid=other.valid & stack.valid)
-        found[key] = stack
-    return [*found.values()]
+        key = len(stacks_by_run) if stack.origin is None else run
+        if key in stacks_by_run:
+            earlier = stacks_by_run[key]
+            codes = np.concatenate([earlier.codes, stack.codes])
+            stack = replace(earlier, codes=codes, valid=earlier.valid & stack.valid)
+        stacks_by_run[key] = stack
+    return [*stacks_by_run.values()]
 
 
-def _timed(given: str) -> tuple[Path, float | None]:
+def _timed(source: str) -> tuple[Path, float | None]:
     """The path and the time of PATH@TIME; a file of the whole name wins."""
-    match = _TIMED.fullmatch(given)
-    if match is None or Path(given).exists():
-        return Path(given), None
+    match = _TIMED.fullmatch(source)
+    if match is None or Path(source).exists():
+        return Path(source), None
     try:
         seconds = float(match[2]) * _SECONDS[match[3]]
     except ValueError:
-        return Path(given), None
+        return Path(source), None
     if not _is_time(seconds * 1e6):
-        raise _wrong_time(given, f"{match[2]}{match[3]}")
+        raise _wrong_time(source, f"{match[2]}{match[3]}")
     return Path(match[1]), seconds
 
 
@@ -136,9 +136,9 @@ def _is_time(us: float) -> bool:
     return us == 0 or 1e-6 <= us <= 1e15
 
 
-def _wrong_time(name: str, what: str) -> Rejected:
+def _wrong_time(name: str, text: str) -> Rejected:
     return _no_frames(
-        f"the exposure time of '{name[:200]}' is no time: {what}",
+        f"the exposure time of '{name[:200]}' is no time: {text}",
         helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
     )
 
@@ -162,10 +162,10 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
             for key in sorted(names):
                 with archive.zip.open(f"{key}.npy") as entry:
                     _check_header(path, key, entry)
-        found, _ = npz_arrays(path, names.__contains__)
-        if frame_meta(found) is not None:
-            checked_meta(found)
-        return found
+        arrays, _ = npz_arrays(path, names.__contains__)
+        if frame_meta(arrays) is not None:
+            checked_meta(arrays)
+        return arrays
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
@@ -203,14 +203,14 @@ def _check_size(
         )
 
 
-def _chosen(name: str, found: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
+def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
     for key in KEYS:
-        if key in found:
-            return key, found[key]
-    others = [key for key in found if key != TIME_KEY]
-    if len(others) == 1:
-        return others[0], found[others[0]]
-    shown = ", ".join(repr(key[:40]) for key in others[:12]) or "nothing"
+        if key in arrays:
+            return key, arrays[key]
+    other_keys = [key for key in arrays if key != TIME_KEY]
+    if len(other_keys) == 1:
+        return other_keys[0], arrays[other_keys[0]]
+    shown = ", ".join(repr(key[:40]) for key in other_keys[:12]) or "nothing"
     raise _no_frames(
         f"'{name}' has no array 'frame'",
         notes=(f"it holds {shown}",),
@@ -242,9 +242,9 @@ def _ours(
     return shaped[:, 0], times[0] * 1e-6
 
 
-def _valid(found: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
+def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
     """Pixels that are valid in every frame of the file."""
-    valid = found.get("valid")
+    valid = arrays.get("valid")
     if valid is None or valid.size != np.prod(shape):
         return None
     return np.asarray(valid.reshape(shape).astype(np.bool_).all(axis=0))
@@ -256,23 +256,23 @@ def _pictures(path: Path) -> NDArray[Any]:
 
     if path.is_dir():
         # Frames of one kind have no order: a gap in their numbers is none in time.
-        found = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
+        pictures = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
     elif path.suffix.lower() in picture_files.PICTURES:
-        found = list(picture_files.open_pages(path).read())
+        pictures = list(picture_files.open_pages(path).read())
     else:
         raise _no_frames(
             f"'{path}' does not end like frames",
             notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
             helps=("give the file the ending of its format",),
         )
-    for picture in found:
+    for picture in pictures:
         if picture.ndim == 3 and np.any(picture != picture[..., :1]):
             raise _no_frames(
                 f"'{path}' is in colour",
                 notes=("photon transfer takes the codes of the ADC, one a pixel",),
                 helps=("save the frames as grey pictures or arrays",),
             )
-    return np.stack([p[..., 0] if p.ndim == 3 else p for p in found])
+    return np.stack([p[..., 0] if p.ndim == 3 else p for p in pictures])
 
 
 def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
@@ -291,11 +291,11 @@ def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
             helps=("save the codes as integers: a.astype(np.uint8)",),
         )
     low, high = float(values.min()), float(values.max())
-    whole = values.dtype.kind in "ui" or bool(np.all(values == np.rint(values)))
-    if not (whole and low >= 0 and high <= top_code):
-        what = f"values from {low:g} to {high:g}" if whole else "values that are not whole"
+    integral = values.dtype.kind in "ui" or bool(np.all(values == np.rint(values)))
+    if not (integral and low >= 0 and high <= top_code):
+        problem = f"values from {low:g} to {high:g}" if integral else "values that are not whole"
         raise _no_frames(
-            f"'{key}' in '{name}' has {what}: no codes of an ADC that ends at {top_code}",
+            f"'{key}' in '{name}' has {problem}: no codes of an ADC that ends at {top_code}",
             notes=("averages and electrons have lost what photon transfer measures: the noise",),
             helps=(
                 "give the frames as the ADC gave them, one by one",

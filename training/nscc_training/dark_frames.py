@@ -46,7 +46,7 @@ class Dark:
         if self.offset.shape[-2:] != tuple(size):
             return ()
         severity = Severity.WARNING if force else Severity.ERROR
-        found = tuple(
+        doubts = tuple(
             Diagnostic(
                 "NS0819",
                 f"'{self.name}' is no frame without light for this frame: {reason}",
@@ -57,13 +57,13 @@ class Dark:
             )
             for reason in self._doubts(frame)
         )  # fmt: skip
-        if found and not force:
-            raise Rejected(found, status=2)
-        return found + tuple(self._bright())
+        if doubts and not force:
+            raise Rejected(doubts, status=2)
+        return doubts + tuple(self._bright())
 
     def _doubts(self, frame: Mapping[str, Any]) -> Iterator[str]:
-        own, wanted = (meta.get("program_sha256") for meta in (self.meta, frame))
-        if own is not None and wanted is not None and own != wanted:
+        own_digest, frame_digest = (meta.get("program_sha256") for meta in (self.meta, frame))
+        if own_digest is not None and frame_digest is not None and own_digest != frame_digest:
             yield "it was exposed with another program"
         if self._is_lit():
             yield "it was exposed to light"
@@ -96,11 +96,11 @@ class Dark:
 
 def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
     """What pixels (rows, cols) read without light above the mean of their place of a tile."""
-    found = np.empty_like(offset)
+    pattern = np.empty_like(offset)
     for row, col in np.ndindex(tile):
         place = offset[row :: tile[0], col :: tile[1]]
-        found[row :: tile[0], col :: tile[1]] = place - place.mean()
-    return found
+        pattern[row :: tile[0], col :: tile[1]] = place - place.mean()
+    return pattern
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
@@ -119,8 +119,8 @@ def read_dark(path: Path, buckets: int) -> Dark:
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:
-        wanted = counted(buckets, "bucket")
-        raise no_frame(path, f"its frames are {codes.shape[1:]}, not of {wanted}")
+        expected = counted(buckets, "bucket")
+        raise no_frame(path, f"its frames are {codes.shape[1:]}, not of {expected}")
     try:
         adc_offset = number_of(file.meta, "adc_offset")
     except ValueError as error:

@@ -15,19 +15,19 @@ from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
+from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
-from nscc_runtime.device.link import Link
+from nscc_runtime.device.link import SerialLink
 from nscc_runtime.device.messages import (
     Capability,
-    Captured,
+    CaptureReply,
     Channel,
     Info,
-    State,
+    LoaderState,
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
 from nscc_runtime.device.trouble import check_fits, no_program, states_lost
-from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -49,10 +49,10 @@ class Shot:
     """A frame from a device. `captured` is what the loader said of it."""
 
     frame: Frame
-    captured: Captured
+    captured: CaptureReply
 
 
-class Chip:
+class DeviceChip:
     """The loader behind an open link.
 
     `sensor` says what a code is in electrons (None: the target's figures), where the loader hands
@@ -60,7 +60,7 @@ class Chip:
     """
 
     def __init__(
-        self, link: Link, sensor: Sensor | None = None, progress: Progress = unseen
+        self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
     ) -> None:
         self.link, self.sensor, self.progress = link, sensor, progress
         self._number = SystemRandom().randrange(1 << 63)
@@ -86,12 +86,12 @@ class Chip:
         host = self.link.host
         host.info = None
 
-        def said() -> Task[Info]:
+        def hello_info() -> Task[Info]:
             yield from ()  # hello came before it, and that is all
             assert host.info is not None
             return host.info
 
-        return self.link.run(said)
+        return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
         """Bring a program to the device; one that it has already is not sent again, unless it keeps
@@ -112,9 +112,9 @@ class Chip:
     def _upload(self, program: Upload, *, anew: bool) -> None:
         sent, host = 0, self.link.host
 
-        def watch(done: int) -> None:
+        def watch(sent_bytes: int) -> None:
             nonlocal sent
-            sent = max(sent, done // _STEP)
+            sent = max(sent, sent_bytes // _STEP)
 
         def work() -> Task[None]:
             nonlocal anew
@@ -139,31 +139,34 @@ class Chip:
         """One frame of whatever program the device holds; NS0771 if it holds none."""
         info = self.info()
         self.label = info.label
-        if info.state not in (State.READY, State.EXPOSING):
+        if info.state not in (LoaderState.READY, LoaderState.EXPOSING):
             raise no_program(self.link.path)
         return self._shot(target, None, None)
 
     def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
         host = self.link.host
         self._number += 1
-        wanted, lost = Wanted(self._number, 0, program, target.rows * target.cols), False
+        request, program_lost = (
+            FrameRequest(self._number, 0, program, target.rows * target.cols),
+            False,
+        )
 
-        def work() -> Task[tasks.Taken]:
-            nonlocal lost
+        def work() -> Task[tasks.FetchedFrame]:
+            nonlocal program_lost
             assert host.info is not None
-            wanted.channels = channels_of(host.info, program)
+            request.channels = channels_of(host.info, program)
             if program is not None:
-                there = yield from tasks.upload(host, program)
-                lost = lost or not there
-            return (yield from tasks.capture(host, wanted))
+                already_held = yield from tasks.upload(host, program)
+                program_lost = program_lost or not already_held
+            return (yield from tasks.capture(host, request))
 
-        taken = self.link.run(work)
-        if lost and container is not None and _keeps(container):
+        fetched = self.link.run(work)
+        if program_lost and container is not None and _keeps(container):
             raise states_lost(self.link.path)
-        captured = taken.captured
+        captured = fetched.captured
         shape = (captured.readouts, target.rows, target.cols)
         sensor = self.sensor or default_sensor(converter_of(container) if container else target)
-        frame = frame_of(taken.data, wanted.channels, shape, sensor, target, container)
+        frame = frame_of(fetched.data, request.channels, shape, sensor, target, container)
         return Shot(frame, captured)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from nscc_runtime.device.messages import Captured, frame_bytes
+from nscc_runtime.device.messages import CaptureReply, frame_bytes
 from nscc_runtime.device.objects import Upload
 
 LONGEST_US = 1_200_000_000
@@ -15,8 +15,8 @@ _BESIDE_S = 10.0
 
 
 @dataclass(eq=False)
-class Wanted:
-    """A frame to be exposed, by its number: no other has it. `part` is what came of it so far.
+class FrameRequest:
+    """A frame to be exposed, by its number: no other has it. `received` is what came of it so far.
 
     Of what program it is, None where only the device knows: then of so many `pixels`.
     """
@@ -25,17 +25,17 @@ class Wanted:
     channels: int
     program: Upload | None = None
     pixels: int = 0
-    part: Part | None = None
+    received: FrameBytes | None = None
 
     def bytes(self, readouts: int) -> int:
         """What the frame has to have; 0 where it cannot have so many readouts."""
         program = self.program
         if program is None:
             return frame_bytes(self.channels, self.pixels, readouts, 0)
-        own = readouts == program.readouts
-        return own * frame_bytes(self.channels, program.pixels, readouts, program.states)
+        matches = readouts == program.readouts
+        return matches * frame_bytes(self.channels, program.pixels, readouts, program.states)
 
-    def exposure_s(self, captured: Captured) -> float:
+    def exposure_s(self, captured: CaptureReply) -> float:
         """What its slots take, by the loader's figures and the host's own."""
         own_ms = captured.estimate_ms if self.program is None else self.program.frame_ms
         return min(own_ms, captured.estimate_ms) / 1000
@@ -50,7 +50,7 @@ class Wanted:
         return 2e-3 * (program.frame_ms + program.readout_ms) + _BESIDE_S
 
 
-class Part:
+class FrameBytes:
     """The bytes of a frame that are here. A loader does not keep those that a host says it has, so
     they outlast a line that goes away. `origin` is what tells this exposure from another."""
 
@@ -58,20 +58,20 @@ class Part:
         self.origin = origin
         self.data = bytearray(length)
         self.missing = bytearray(b"\1" * -(-length // CHUNK))
-        self.left = len(self.missing)
+        self.missing_count = len(self.missing)
 
     @property
-    def kept(self) -> int:
+    def confirmed(self) -> int:
         """All bytes before this one are here."""
         first = self.missing.find(1)
         return len(self.data) if first < 0 else first * CHUNK
 
-    def put(self, offset: int, data: bytes) -> bool:
+    def store(self, offset: int, data: bytes) -> bool:
         """Keep bytes of whole chunks; whether any of them were missing."""
         first, last = offset // CHUNK, -(-(offset + len(data)) // CHUNK)
         fresh = self.missing.count(1, first, last)
         if fresh:
             self.data[offset : offset + len(data)] = data
             self.missing[first:last] = bytes(last - first)
-            self.left -= fresh
+            self.missing_count -= fresh
         return bool(fresh)

@@ -35,7 +35,7 @@ _SOURCES = _TAKEN | {
 
 
 @dataclass(frozen=True)
-class Choice:
+class ParameterChoice:
     """The value of one parameter: `measured` with its standard error, taken from a `bound`,
     `given` by the user, `contained` in another parameter, or the `default`; `remark` says why."""
 
@@ -45,10 +45,12 @@ class Choice:
     remark: str
 
 
-def parameters(found: Calibration, target: Target, chain: Chain) -> dict[str, Choice]:
+def parameters(
+    calibration: Calibration, target: Target, chain: Chain
+) -> dict[str, ParameterChoice]:
     """A value for every parameter of the sensor file, in the schema's order."""
-    quantity = found.quantities
-    chosen: dict[str, Choice] = {}
+    quantity = calibration.quantities
+    chosen: dict[str, ParameterChoice] = {}
     _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
     for name, source in _TAKEN.items():
         _take(chosen, name, quantity[source])
@@ -59,39 +61,49 @@ def parameters(found: Calibration, target: Target, chain: Chain) -> dict[str, Ch
     plain = completed({name: choice.value for name, choice in chosen.items()}, target)
     for name, row in schema().by_path.items():
         if name not in chosen:
-            said = _unknown(name, quantity)
-            remark = f"not measured: {said}; {row.source}"
-            chosen[name] = Choice(getattr(plain, name), None, "default", remark)
+            reason = _unknown(name, quantity)
+            remark = f"not measured: {reason}; {row.source}"
+            chosen[name] = ParameterChoice(getattr(plain, name), None, "default", remark)
     return {name: _rounded(chosen[name]) for name in schema().by_path}
 
 
-def sensor_of(chosen: Mapping[str, Choice]) -> Sensor:
+def sensor_of(chosen: Mapping[str, ParameterChoice]) -> Sensor:
     """The sensor of these parameters."""
     return Sensor({name: choice.value for name, choice in chosen.items()})
 
 
-def _take(chosen: dict[str, Choice], name: str, quantity: Quantity) -> None:
+def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> None:
     kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
     if quantity.value is not None and quantity.known in kinds:
-        said = "" if quantity.known == "measured" else f"{quantity.known}: "
+        prefix = "" if quantity.known == "measured" else f"{quantity.known}: "
         status = kinds[quantity.known]
-        chosen[name] = Choice(quantity.value, quantity.se, status, said + quantity.remark)
+        chosen[name] = ParameterChoice(
+            quantity.value, quantity.se, status, prefix + quantity.remark
+        )
 
 
-def _contain(chosen: dict[str, Choice], name: str, value: float, where: str) -> None:
-    chosen[name] = Choice(value, None, "contained", f"part of {where}: frames show only the sum")
+def _contain(
+    chosen: dict[str, ParameterChoice], name: str, value: float, sum_parameter: str
+) -> None:
+    chosen[name] = ParameterChoice(
+        value, None, "contained", f"part of {sum_parameter}: frames show only the sum"
+    )
 
 
-def _noise(chosen: dict[str, Choice], noise: Quantity, chain: Chain) -> None:
+def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
     """Everything that differs between dark frames, as noise of the reads."""
     if noise.value is None or chain.reads < _NO_PART:
         return
-    part = sqrt(chain.reads)
+    read_factor = sqrt(chain.reads)
     text = noise.remark if chain.reads == 1 else f"{noise.remark}; {chain.reads:.4g} reads a frame"
     if noise.known == "measured" and noise.se is not None:
-        chosen["read_noise_e"] = Choice(noise.value / part, noise.se / part, "measured", text)
+        chosen["read_noise_e"] = ParameterChoice(
+            noise.value / read_factor, noise.se / read_factor, "measured", text
+        )
     else:
-        chosen["read_noise_e"] = Choice(noise.value / part, None, "bound", f"at most: {text}")
+        chosen["read_noise_e"] = ParameterChoice(
+            noise.value / read_factor, None, "bound", f"at most: {text}"
+        )
     if chain.resets > _NO_PART:
         _contain(chosen, "reset_noise_e", 0.0, "read_noise_e")
     _contain(chosen, "analog_noise_lsb", 0.0, "read_noise_e")
@@ -99,34 +111,36 @@ def _noise(chosen: dict[str, Choice], noise: Quantity, chain: Chain) -> None:
     _contain(chosen, "spread_noise_lsb", 0.0, "read_noise_e")
 
 
-def _pattern(chosen: dict[str, Choice], found: Mapping[str, Quantity], chain: Chain) -> None:
+def _pattern(
+    chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
+) -> None:
     """The code without charge: whole codes in the ADC's offset, which adds after rounding; the
     rest and the pattern of the pixels as errors of the words."""
-    offset, pattern = found["offset"], found["dsnu_lsb"]
+    offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
     words = abs(chain.word_sum)
     text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
     if words < _NO_PART:
         remark = f"{offset.remark}; the program's words cancel what is not whole codes"
-        chosen["adc_offset_lsb"] = Choice(offset.value, offset.se, "measured", remark)
+        chosen["adc_offset_lsb"] = ParameterChoice(offset.value, offset.se, "measured", remark)
         return
-    whole = float(round(offset.value))
-    chosen["adc_offset_lsb"] = Choice(
-        whole, None, "measured", f"whole codes of {_shown(offset)}, {offset.remark}"
+    whole_codes = float(round(offset.value))
+    chosen["adc_offset_lsb"] = ParameterChoice(
+        whole_codes, None, "measured", f"whole codes of {_shown(offset)}, {offset.remark}"
     )
     se = None if offset.se is None else offset.se / words
-    rest = (offset.value - whole) / chain.word_sum
-    chosen["analog_bias_lsb"] = Choice(
-        rest, se, "measured", f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
+    bias = (offset.value - whole_codes) / chain.word_sum
+    chosen["analog_bias_lsb"] = ParameterChoice(
+        bias, se, "measured", f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
     )
     se = None if pattern.se is None else pattern.se / words
-    chosen["analog_pattern_lsb"] = Choice(
+    chosen["analog_pattern_lsb"] = ParameterChoice(
         pattern.value / words, se, "measured", f"DSNU {_shown(pattern)}, {pattern.remark}{text}"
     )
 
 
-def _range(chosen: dict[str, Choice], full: Quantity, target: Target) -> None:
+def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
     """The full well, and registers that hold it: words of a frame pass it through them."""
     if full.value is None:
         return
@@ -134,17 +148,17 @@ def _range(chosen: dict[str, Choice], full: Quantity, target: Target) -> None:
         _take(chosen, "full_well_e", full)
     elif full.value > target.full_well_e:
         remark = f"at least: {full.remark}"
-        chosen["full_well_e"] = Choice(full.value, None, "bound", remark)
+        chosen["full_well_e"] = ParameterChoice(full.value, None, "bound", remark)
     remark = "at least: frames hold as much"
     if full.value > target.register_max_e:
-        chosen["register_max_e"] = Choice(full.value, None, "bound", remark)
+        chosen["register_max_e"] = ParameterChoice(full.value, None, "bound", remark)
     if full.value > -target.register_min_e:
-        chosen["register_min_e"] = Choice(-full.value, None, "bound", remark)
+        chosen["register_min_e"] = ParameterChoice(-full.value, None, "bound", remark)
 
 
-def _unknown(name: str, found: Mapping[str, Quantity]) -> str:
+def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
     """Why a parameter keeps its default."""
-    quantity = found.get(_SOURCES.get(name, ""))
+    quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"
     if quantity.known in ("at least", "at most") and quantity.value is not None:
@@ -159,9 +173,9 @@ def _shown(quantity: Quantity) -> str:
     return f"{quantity.value:.6g}{error} {quantity.unit}"
 
 
-def _rounded(choice: Choice) -> Choice:
+def _rounded(choice: ParameterChoice) -> ParameterChoice:
     """To six digits: beyond the errors, and the same on every machine."""
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")
-    return Choice(float(f"{choice.value:.6g}"), se, choice.status, choice.remark)
+    return ParameterChoice(float(f"{choice.value:.6g}"), se, choice.status, choice.remark)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from nscc_training.sweep.grid import Grid
-from nscc_training.sweep.point import Point, Row
+from nscc_training.sweep.point import GridPoint, PointRow
 
 
 @dataclass(frozen=True)
@@ -29,11 +29,11 @@ class Table:
         return [*zip(*self.columns.values(), strict=True)]
 
 
-def table_of(grid: Grid, rows: Sequence[tuple[Point, Row]]) -> Table:
+def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
     """The table of a grid's points, each with its row."""
     figures = tuple(dict.fromkeys(name for _, row in rows for name in row.figures))
-    several = len({point.part for point, _ in rows}) > 1 or not grid.columns
-    columns: dict[str, list[Any]] = {"part": [point.part for point, _ in rows]}
+    several = len({point.grid_part for point, _ in rows}) > 1 or not grid.columns
+    columns: dict[str, list[Any]] = {"part": [point.grid_part for point, _ in rows]}
     for name in grid.columns:
         columns[name] = [_input(point, name) for point, _ in rows]
     shown = {name: name if name not in columns else f"found_{name}" for name in figures}
@@ -46,7 +46,7 @@ def table_of(grid: Grid, rows: Sequence[tuple[Point, Row]]) -> Table:
     return Table(columns, inputs, tuple(shown.values()))
 
 
-def _input(point: Point, name: str) -> Any:
+def _input(point: GridPoint, name: str) -> Any:
     """What a point, or the first run that it names, has for a key."""
     if name in point.values:
         return plain(point.values[name])
@@ -79,7 +79,7 @@ def parquet_bytes(table: Table) -> bytes:
     import pyarrow
     from pyarrow import parquet
 
-    columns = {name: pyarrow.array(_of_one_type(held)) for name, held in table.columns.items()}
+    columns = {name: pyarrow.array(_of_one_type(values)) for name, values in table.columns.items()}
     data = io.BytesIO()
     parquet.write_table(pyarrow.table(columns), data)
     return data.getvalue()

@@ -12,7 +12,7 @@ from nscc.diagnostics.suggest import meant
 from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
 from nscc_training.sweep.grid import Grid
 from nscc_training.sweep.kinds import KINDS
-from nscc_training.sweep.table import Table, cell
+from nscc_training.sweep.result_table import Table, cell
 
 _MOST_ROWS = 2000
 """Of the page; the table has all."""
@@ -27,7 +27,7 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
     shown += [name for name in table.figures if _says_something(table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
-    parts = [
+    blocks = [
         html.Html() if diagram is None else html.picture(diagram, "", _WIDTH),
         _misfits(grid, table),
         html.table(([_short(v) for v in row] for row in rows), shown),
@@ -36,7 +36,7 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
     count = f"{len(table)} points"
     if len(table) > _MOST_ROWS:
         count += f", {_MOST_ROWS} of them below, all in the table"
-    body = html.card(grid.name, count, *parts)
+    body = html.card(grid.name, count, *blocks)
     style = "body{font-family:sans-serif;margin:2em}img{image-rendering:auto!important}"
     return (
         f"<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>"
@@ -52,12 +52,12 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
     if not table.figures:
         return None
     plot = grid.plot
-    asked = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
-    for key, name in (*asked, *(("y", name) for name in plot.y)):
+    plot_axes = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
+    for key, name in (*plot_axes, *(("y", name) for name in plot.y)):
         if name:
             _check(key, name, table)
-    taken = {name for _, name in asked}
-    free = [n for n in ("part", *grid.axes) if _several(table.columns[n]) and n not in taken]
+    used_names = {name for _, name in plot_axes}
+    free = [n for n in ("part", *grid.axes) if _several(table.columns[n]) and n not in used_names]
     x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
     lines = [name for name in free if not name.endswith("seed")]
     panel = plot.panel
@@ -73,11 +73,15 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
         for value in (dict.fromkeys(table.columns[panel]) if panel else (None,))
         if x
     ]  # fmt: skip
-    panels = [each for each in panels if each.lines][:_MOST_PANELS]
+    panels = [panel_lines for panel_lines in panels if panel_lines.lines][:_MOST_PANELS]
     if not panels:
         return None
-    left = [name for name in free if name not in (*lines, panel)]
-    note = f"means over {', '.join(left)}" if left and x not in table.figures else ""
+    averaged_names = [name for name in free if name not in (*lines, panel)]
+    note = (
+        f"means over {', '.join(averaged_names)}"
+        if averaged_names and x not in table.figures
+        else ""
+    )
     return png_of(sweep_diagram, panels, grid.name.replace("_", " "), note)
 
 
@@ -94,16 +98,16 @@ def _lines(
     """The points of each line of a panel. Against an axis they are in its order, and means where
     several are at one place; against a figure in the table's order."""
     columns = table.columns
-    held: dict[str, list[tuple[Any, float]]] = {}
+    points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
         across, up = columns[x][index], columns[figure][index]
-        here = all(columns[name][index] == value for name, value in chosen.items())
-        if here and across is not None and _number(up):
+        matches = all(columns[name][index] == value for name, value in chosen.items())
+        if matches and across is not None and _number(up):
             name = ", ".join(_short(columns[line][index]) for line in lines)
-            held.setdefault(name, []).append((across, up))
+            points_by_line.setdefault(name, []).append((across, up))
     if x in table.figures:
-        return held
-    return {name: _means(points, _numbers(columns[x])) for name, points in held.items()}
+        return points_by_line
+    return {name: _means(points, _numbers(columns[x])) for name, points in points_by_line.items()}
 
 
 def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
@@ -111,8 +115,8 @@ def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any
     places: dict[Any, list[float]] = {}
     for across, up in points:
         places.setdefault(across, []).append(up)
-    found = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
-    return sorted(found) if ordered else found
+    means = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
+    return sorted(means) if ordered else means
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
@@ -126,8 +130,8 @@ def _misfits(grid: Grid, table: Table) -> html.Html:
         return html.Html()
     rows = [(code, error, ", ".join(names)) for (code, error), names in together.items()]
     count = sum(map(len, together.values()))
-    said = html.text(f"{count} without figures")
-    return html.Html(said + html.table(rows, ("code", "why", "points")))
+    heading = html.text(f"{count} without figures")
+    return html.Html(heading + html.table(rows, ("code", "why", "points")))
 
 
 def _check(key: str, name: str, table: Table) -> None:
@@ -142,10 +146,10 @@ def _check(key: str, name: str, table: Table) -> None:
 
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
     """The first of the names that fits, which is then no more among them; "" without one."""
-    found = next((name for name in names if fits(name)), "")
-    if found:
-        names.remove(found)
-    return found
+    first_fit = next((name for name in names if fits(name)), "")
+    if first_fit:
+        names.remove(first_fit)
+    return first_fit
 
 
 def _several(values: Sequence[Any]) -> bool:

@@ -67,7 +67,7 @@ def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> No
 @compiled
 def _searched(
     rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
-    found: Floats,
+    drawn: Floats,
 ) -> None:  # fmt: skip
     """out[i] := `search` at the uniform number out[i], step by step for all: rates are below
     SEARCH_BELOW, and LLVM makes vectors of a step.
@@ -79,7 +79,7 @@ def _searched(
     for i in range(count):
         # exp(-rate) is not below 1 - rate, but for its rounding.
         total[i] = mass[i] if out[first + i] > 1.0 - rates[i] else 1.0
-        found[i] = 0.0
+        drawn[i] = 0.0
     for k in range(1, SEARCHED):
         going = 0
         for i in range(count):
@@ -87,12 +87,12 @@ def _searched(
             grown = total[i] + mass[i]
             on = out[first + i] > total[i] and grown != total[i]
             total[i] = grown if on else total[i]
-            found[i] += 1.0 if on else 0.0
+            drawn[i] += 1.0 if on else 0.0
             going += 1 if on else 0
         if going == 0:
             break
     for i in range(count):
-        out[first + i] = found[i]
+        out[first + i] = drawn[i]
 
 
 @record
@@ -131,7 +131,7 @@ class Counts:
 def fill_poisson(
     counts: Counts, pixels: _Places, rate: Annotated[Floats, "count"], out: _Drawn,
     valid: Written[Annotated[Bytes, "count"]], rates: Written[Floats], total: Written[Floats],
-    mass: Written[Floats], found: Written[Floats],
+    mass: Written[Floats], drawn: Written[Floats],
 ) -> None:  # fmt: skip
     """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number. From
     `rates` on: scratch for `BLOCK` pixels each.
@@ -139,15 +139,15 @@ def fill_poisson(
     count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, BLOCK):
         stop = min(first + BLOCK, count)
-        low, few = 0, 0
+        low, search_count = 0, 0
         for i in range(first, stop):
             valid[i] = rate[i] == rate[i]
             low += not rate[i] >= SETTLED_ABOVE
-            few += not rate[i] >= SEARCH_BELOW
+            search_count += not rate[i] >= SEARCH_BELOW
         for i in range(first, stop):
             out[i] = uniform(stream, pixels[i])
-        if few == stop - first:
-            _searched(rate, first, stop, out, rates, total, mass, found)
+        if search_count == stop - first:
+            _searched(rate, first, stop, out, rates, total, mass, drawn)
         elif counts.exact:
             for i in range(first, stop):
                 out[i] = poisson_exact(out[i], _drawable(rate[i], top))
@@ -167,15 +167,15 @@ def fill_poisson(
 
 @compiled
 def halved(
-    stream: np.uint64, pixel: int, node: int, count: float, left: float, right: float
+    stream: np.uint64, pixel: int, node: int, count: float, left_share: float, right_share: float
 ) -> float:
     """How many of `count` fall into the left half of a node whose halves have these shares."""
-    if count <= 0.0 or left <= 0.0:
+    if count <= 0.0 or left_share <= 0.0:
         return 0.0
-    if right <= 0.0:
+    if right_share <= 0.0:
         return count
     u = unit(bits(stream, pixel, _SLOT_LANES | np.uint64(node)))
-    return binomial(u, count, left / (left + right))
+    return binomial(u, count, left_share / (left_share + right_share))
 
 
 @record
@@ -198,25 +198,25 @@ def fill_thin(
     Halves are numbered as in a heap: 1 is the whole.
     """
     slots, stride, stream = spread.slots, spread.stride, spread.key
-    whole = 1
-    while whole < slots:
-        whole *= 2
+    leaf_count = 1
+    while leaf_count < slots:
+        leaf_count *= 2
     for i in range(spread.count):
         first, row = i * stride, i * slots
         if slots > 0:
             out[row] = counts[i]
-        size = whole // 2
+        size = leaf_count // 2
         while size > 0:
             for start in range(0, slots, 2 * size):
                 middle, end = start + size, min(start + 2 * size, slots)
                 if middle < slots:
-                    left, right = 0.0, 0.0
+                    left_share, right_share = 0.0, 0.0
                     for j in range(start, middle):
-                        left += shares[first + j]
+                        left_share += shares[first + j]
                     for j in range(middle, end):
-                        right += shares[first + j]
-                    count, node = out[row + start], (whole + start) // (2 * size)
-                    drawn = halved(stream, pixels[i], node, count, left, right)
+                        right_share += shares[first + j]
+                    count, node = out[row + start], (leaf_count + start) // (2 * size)
+                    drawn = halved(stream, pixels[i], node, count, left_share, right_share)
                     out[row + start] = drawn
                     out[row + middle] = count - drawn
             size //= 2

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import Product
-from nscc_runtime.formats import arrays, clips, pictures
+from nscc_runtime.formats import array_formats, clips, pictures
 from nscc_runtime.formats.content import Content
 
 
@@ -28,9 +28,9 @@ class Format:
 FORMATS = {
     format_.ending: format_
     for format_ in (
-        Format(".npz", "arrays", arrays.npz),
-        Format(".npy", "arrays", arrays.npy),
-        Format(".mat", "arrays", arrays.mat),
+        Format(".npz", "arrays", array_formats.npz),
+        Format(".npy", "arrays", array_formats.npy),
+        Format(".mat", "arrays", array_formats.mat),
         Format(".hdr", "picture", pictures.hdr),
         Format(".exr", "picture", pictures.exr),
         Format(".pfm", "picture", pictures.pfm),
@@ -47,12 +47,12 @@ def endings(*kinds: str) -> tuple[str, ...]:
     """The endings of the formats that hold one of these kinds; without kinds, all."""
     return tuple(
         ending
-        for ending, found in FORMATS.items()
-        if not kinds or any(kind in found.holds for kind in kinds)
+        for ending, format_ in FORMATS.items()
+        if not kinds or any(kind in format_.holds for kind in kinds)
     )
 
 
-def check_ending(path: Path, allowed: tuple[str, ...], what: str) -> str:
+def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
     """The ending of a product's name, in lower case, the first of `allowed` where it has none.
 
     Raises Rejected (NS0786) for another one: nothing is written in a format that its name denies.
@@ -65,28 +65,31 @@ def check_ending(path: Path, allowed: tuple[str, ...], what: str) -> str:
     known = ", ".join(allowed)
     raise rejected(
         "NS0786",
-        f"{what} cannot be written as '{path.name}': no format ends in '{path.suffix[:20]}' here",
+        f"{product} cannot be written as '{path.name}': "
+        f"no format ends in '{path.suffix[:20]}' here",
         notes=(f"it can end in {known}" if len(allowed) > 1 else f"it ends in {known}",),
         helps=(f"name it {path.stem or 'name'}{allowed[0]}",),
         data={"endings": list(allowed)},
     )
 
 
-def file_of(path: Path, content: Content, what: str) -> Product:
+def file_of(path: Path, content: Content, product: str) -> Product:
     """What `path` is to hold; Rejected (NS0786) where its format cannot hold that."""
-    ending = check_ending(path, endings(), what)
-    found = FORMATS[ending]
-    lacks = content.lacks(found.holds)
+    ending = check_ending(path, endings(), product)
+    format_ = FORMATS[ending]
+    lacks = content.lacks(format_.holds)
     if lacks is not None:
         kind = "clip" if content.moving else "picture"
-        others = endings("arrays", kind) if content.light is not None else endings("arrays")
+        possible_endings = (
+            endings("arrays", kind) if content.light is not None else endings("arrays")
+        )
         raise rejected(
             "NS0786",
-            f"{what} cannot be written as '{path.name}': {lacks}",
-            notes=(f"{ending} holds a {found.holds.replace(', ', ' or a ')}",),
-            helps=(f"use {', '.join(others)}",),
-            data={"endings": list(others)},
+            f"{product} cannot be written as '{path.name}': {lacks}",
+            notes=(f"{ending} holds a {format_.holds.replace(', ', ' or a ')}",),
+            helps=(f"use {', '.join(possible_endings)}",),
+            data={"endings": list(possible_endings)},
         )
-    if ending == ".npz" and content.whole is not None:
-        return content.whole
-    return found.write(content)
+    if ending == ".npz" and content.write_npz is not None:
+        return content.write_npz
+    return format_.write(content)

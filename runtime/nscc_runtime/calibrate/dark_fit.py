@@ -8,11 +8,11 @@ from math import hypot, sqrt
 
 import numpy as np
 
-from nscc_runtime.calibrate.levels import Level, Map, Mask, Moments
+from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
 
 
 @dataclass(frozen=True, eq=False)
-class Dark:
+class DarkFit:
     """What the darks say, in codes.
 
     `offset` is the mean code without charge, `offset_se` what the frames' noise leaves uncertain
@@ -42,41 +42,45 @@ class Dark:
         return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
 
 
-def dark_of(levels: Sequence[Level], seen: Sequence[Moments], good: Mask) -> Dark | None:
+def dark_of(
+    levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
+) -> DarkFit | None:
     """The line of codes over time through darks that are not cut off; None if there are none."""
     usable = [
         (level, moments)
-        for level, moments in zip(levels, seen, strict=True)
+        for level, moments in zip(levels, level_moments, strict=True)
         if not (moments.cut_at_zero or moments.cut_at_top)
     ]
     if not usable:
         return None
-    every = [level for level, _ in usable]
-    known = [level.exposure_s for level in every if level.exposure_s is not None]
-    pixels = int(np.count_nonzero(good))
-    if len(known) < len(every) or len(set(known)) < 2:
+    usable_levels = [level for level, _ in usable]
+    known = [level.exposure_s for level in usable_levels if level.exposure_s is not None]
+    pixels = int(np.count_nonzero(good_mask))
+    if len(known) < len(usable_levels) or len(set(known)) < 2:
         # Without times the darkest frames are the nearest to no charge.
         level, moments = min(usable, key=lambda pair: pair[1].mean)
         times = () if level.exposure_s is None else (level.exposure_s,)
-        same = [each for each in every if each.exposure_s in times] or [level]
+        same = [
+            usable_level for usable_level in usable_levels if usable_level.exposure_s in times
+        ] or [level]
         weight = _frames(same)
         halves = _combined(same, weight / weight.sum())
-        mean, spread = _mean(halves, good)
+        mean, spread = _mean(halves, good_mask)
         both = hypot(spread / sqrt(pixels), moments.mean_rounding)
-        return Dark(mean, moments.mean_se, both, halves, None, None, None, times)
-    time, weight = np.array(known), _frames(every)
+        return DarkFit(mean, moments.mean_se, both, halves, None, None, None, times)
+    time, weight = np.array(known), _frames(usable_levels)
     centre = float((weight * time).sum() / weight.sum())
     moment = float((weight * (time - centre) ** 2).sum())
     slopes = weight * (time - centre) / moment
     starts = weight / weight.sum() - centre * slopes
-    currents, offsets = _combined(every, slopes), _combined(every, starts)
-    offset, offset_spread = _mean(offsets, good)
-    current, current_spread = _mean(currents, good)
+    currents, offsets = _combined(usable_levels, slopes), _combined(usable_levels, starts)
+    offset, offset_spread = _mean(offsets, good_mask)
+    current, current_spread = _mean(currents, good_mask)
     errors = np.array([moments.mean_se for _, moments in usable])
     rounding = np.array([moments.mean_rounding for _, moments in usable])
     offset_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
     current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
-    return Dark(
+    return DarkFit(
         offset, _size(starts * errors), offset_se, offsets, current, current_se, currents,
         tuple(sorted(set(known))),
     )  # fmt: skip
@@ -86,17 +90,17 @@ def _frames(levels: Sequence[Level]) -> np.ndarray:
     return np.array([level.frames for level in levels], np.float64)
 
 
-def _size(parts: np.ndarray) -> float:
-    return sqrt(float((parts**2).sum()))
+def _size(terms: np.ndarray) -> float:
+    return sqrt(float((terms**2).sum()))
 
 
 def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
     """The weighted sums of the levels' halves."""
-    parts = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
-    return sum(parts, start=np.zeros_like(levels[0].halves))
+    terms = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
+    return sum(terms, start=np.zeros_like(levels[0].halves))
 
 
-def _mean(halves: Map, good: Mask) -> tuple[float, float]:
+def _mean(halves: Map, good_mask: Mask) -> tuple[float, float]:
     """Mean over the good pixels, and how much these differ."""
-    both = (halves[0][good] + halves[1][good]) / 2
+    both = (halves[0][good_mask] + halves[1][good_mask]) / 2
     return float(both.mean()), float(both.std())

@@ -88,14 +88,14 @@ def _refuse_other_axes(
     count = shape[-1] if len(shape) in (3, 4) else 0
     if shape[-3:-1] != need or tuple(shape[-2:]) == need:
         return
-    found = f"'light' in '{name}' is {size(shape)}"
+    subject = f"'light' in '{name}' is {size(shape)}"
     grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
     ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
     if count in (3, 4):
-        message = f"{found}: a colour picture, it seems, and light is one number a pixel"
+        message = f"{subject}: a colour picture, it seems, and light is one number a pixel"
         helps = (grey, ahead) if len(shape) == 3 and count == slots else (grey,)
     elif len(shape) == 3:
-        message, helps = f"{found}: (rows, cols, slots), it seems", (ahead,)
+        message, helps = f"{subject}: (rows, cols, slots), it seems", (ahead,)
     else:
         return
     raise rejected(
@@ -128,15 +128,15 @@ def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray
         raise damaged(path, error) from error
 
 
-def missing_key(path: Path, have: list[str], wanted: tuple[str, ...]) -> Rejected:
+def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
     """The file lacks the array that would be the scene (NS0733)."""
     shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
-    more = f" and {len(have) - 12} more" if len(have) > 12 else ""
-    names = " or ".join(f"'{key}'" for key in wanted)
+    further = f" and {len(have) - 12} more" if len(have) > 12 else ""
+    names = " or ".join(f"'{key}'" for key in keys)
     return rejected(
         "NS0733",
         f"'{path}' has no array {names}",
-        notes=(f"it holds {shown}{more}",),
+        notes=(f"it holds {shown}{further}",),
         helps=(
             "save the scene's light under that name: np.savez(file, light=a), electrons a slot "
             "(T, rows, cols) or electrons a second (rows, cols)",
@@ -154,13 +154,15 @@ def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> 
     if fortran:  # one block: the first axis is scattered over the whole file
         flat = np.frombuffer(_exactly(file, dtype.itemsize * math.prod(shape)), dtype)
         return _gather(path, shape, [flat.reshape(shape[::-1]).T])
-    each = dtype.itemsize * math.prod(shape[1:])
-    step = max(1, _BLOCK_BYTES // max(each, 1))
+    slab_bytes = dtype.itemsize * math.prod(shape[1:])
+    step = max(1, _BLOCK_BYTES // max(slab_bytes, 1))
 
     def blocks() -> Iterator[NDArray[Any]]:
         for start in range(0, shape[0], step):
             count = min(step, shape[0] - start)
-            yield np.frombuffer(_exactly(file, count * each), dtype).reshape(count, *shape[1:])
+            yield np.frombuffer(_exactly(file, count * slab_bytes), dtype).reshape(
+                count, *shape[1:]
+            )
 
     return _gather(path, shape, progress(blocks(), "reading light", -(-shape[0] // step)))
 
@@ -199,25 +201,25 @@ def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
 
     `light` wins where both are there.
     """
-    wanted = (KEY, MAT_CLIP_KEY)
+    keys = (KEY, MAT_CLIP_KEY)
     try:
         names = mat_names(path)
-        key = next((k for k in wanted if k in names), None)
+        key = next((k for k in keys if k in names), None)
         if key is None:
-            raise missing_key(path, names, wanted)
-        found = mat_array(path, key)
+            raise missing_key(path, names, keys)
+        array = mat_array(path, key)
     except (Rejected, ImportError):
         raise
     except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
         raise damaged(path, error) from error
-    check_type(path, key, found.dtype)
+    check_type(path, key, array.dtype)
     if key == KEY:
-        check(found.shape)
-        return key, _gather(path, found.shape, [found])
-    if found.ndim != 3 or 0 in found.shape:
+        check(array.shape)
+        return key, _gather(path, array.shape, [array])
+    if array.ndim != 3 or 0 in array.shape:
         raise rejected(
             "NS0733",
-            f"'{key}' in '{path}' is {size(found.shape)}, not (rows, cols, T)",
+            f"'{key}' in '{path}' is {size(array.shape)}, not (rows, cols, T)",
             helps=("a clip is three-dimensional, time last, with at least one frame",),
         )
-    return key, found
+    return key, array

@@ -69,14 +69,14 @@ def _score(network: DiGraph) -> _Score:
     column: dict[str, int] = {}
     at = 0
     for _, group in groupby(events, key=lambda node: nodes[node]["boundary"]):
-        whole = list(group)
-        left = -at % _COLUMNS
-        if left < len(whole) <= _COLUMNS:
-            at += left  # a boundary that would be torn begins a line
-        if column and at + len(whole) > _MOST:
+        boundary_nodes = list(group)
+        free_columns = -at % _COLUMNS
+        if free_columns < len(boundary_nodes) <= _COLUMNS:
+            at += free_columns  # a boundary that would be torn begins a line
+        if column and at + len(boundary_nodes) > _MOST:
             break
-        column |= {node: at + i for i, node in enumerate(whole[:_MOST])}
-        at += len(whole)
+        column |= {node: at + i for i, node in enumerate(boundary_nodes[:_MOST])}
+        at += len(boundary_nodes)
     values = [
         node for node in nodes
         if nodes[node]["kind"] == "plane" or (nodes[node]["kind"] in _WRITING and node in column)
@@ -123,9 +123,9 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
         if nodes[node]["kind"] == "plane":
             holder = _short(nodes[node]["holder"])
             axes.text(-1.6, row, holder, size=6.5, color=look().faint, ha="right", va="center")
-        left, right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
-        if left < right:
-            bars.append((row, left - first, right - first))
+        bar_left, bar_right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
+        if bar_left < bar_right:
+            bars.append((row, bar_left - first, bar_right - first))
     axes.hlines(*zip(*bars, strict=True), color=look().bar, linewidth=4, zorder=2)
     _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] in _WRITING], first)
     _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
@@ -134,15 +134,19 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
     """Boundaries as bands, every other one shaded, with their numbers and their kernels'."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
-    every = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
+    boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
         inside = list(group)
-        left = score.column[inside[0]] - first
-        if every.index(boundary) % 2 == 0:
-            axes.axvspan(left, left + len(inside), color=look().closed, zorder=0)
-        axes.text(left + 0.1, top - 0.75, f"{boundary}", size=7, color=look().ink, va="bottom")
+        band_left = score.column[inside[0]] - first
+        if boundaries.index(boundary) % 2 == 0:
+            axes.axvspan(band_left, band_left + len(inside), color=look().closed, zorder=0)
+        axes.text(band_left + 0.1, top - 0.75, f"{boundary}", size=7, color=look().ink, va="bottom")
         axes.plot(
-            [left, left], [top - 1.2, bottom], color=look().grid, linewidth=0.7, clip_on=False
+            [band_left, band_left],
+            [top - 1.2, bottom],
+            color=look().grid,
+            linewidth=0.7,
+            clip_on=False,
         )
     kernel = None
     for node in shown:

@@ -40,7 +40,12 @@ def frame_sheet(readouts: Sequence[Readout], title: str) -> Figure:
         window = f"{readout.window[0]} x {readout.window[1]}"
         around = "each pixel" if window == "1 x 1" else f"unsaturated pixels in {window}"
         saturated = np.count_nonzero(readout.saturated) / readout.saturated.size
-        read = f"{readout.name}: as read out", f"8 bit, {saturated:.1%} saturated"
-        told = f"{readout.name}: light a second", f"electrons / open time of {around}, log scale"
-        rows.append((Image(readout.frame, *read), Image(tone_mapped(light, usable), *told)))
+        readout_texts = f"{readout.name}: as read out", f"8 bit, {saturated:.1%} saturated"
+        light_texts = (
+            f"{readout.name}: light a second",
+            f"electrons / open time of {around}, log scale",
+        )
+        rows.append(
+            (Image(readout.frame, *readout_texts), Image(tone_mapped(light, usable), *light_texts))
+        )
     return image_sheet(rows, title)

@@ -29,7 +29,7 @@ MOST_PIXELS = 1 << 26
 
 
 @dataclass(frozen=True)
-class Layout:
+class Placement:
     """Where a picture lies: `picture` (R, C) as stored, `size` (rows, cols) as it is exposed, on
     `arrays` (down, across) of `array` (rows, cols) each."""
 
@@ -44,7 +44,7 @@ class Layout:
         return -(-self.size[0] // self.array[0]), -(-self.size[1] // self.array[1])
 
     @property
-    def whole(self) -> bool:
+    def fits_one_array(self) -> bool:
         """Whether one array sees all that is exposed, and nothing else."""
         return self.size == self.array
 
@@ -54,7 +54,7 @@ class Layout:
 
     def pieces(self, light: Light) -> list[Light]:
         """The light on each array, row by row."""
-        if self.whole:
+        if self.fits_one_array:
             return [light]
         (rows, cols), (down, across) = self.array, self.arrays
         return [
@@ -78,7 +78,7 @@ class Layout:
 
     def widened(self, container: Container) -> Container:
         """The container with the codes of every pixel of the picture."""
-        if container.pixel_codes is None or self.whole:
+        if container.pixel_codes is None or self.fits_one_array:
             return container
         return replace(container, pixel_codes=self.repeated(container.pixel_codes))
 
@@ -87,11 +87,13 @@ class Layout:
         return {"fit": self.fit, "picture": list(self.picture), "arrays": list(self.arrays)}
 
 
-def layout(fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name) -> Layout:
+def placement_of(
+    fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
+) -> Placement:
     """How a picture (R, C) lies; NS0734 for one in more pieces than there can be."""
     array = (window.rows, window.cols)
     if fit == "crop":
-        return Layout(fit, picture, array, array)
+        return Placement(fit, picture, array, array)
     if fit == "tiles":
         if picture[0] * picture[1] > MOST_PIXELS:
             raise rejected(
@@ -100,31 +102,31 @@ def layout(fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_nam
                 notes=(f"at most {MOST_PIXELS} pixels can be",),
                 helps=("--fit scale exposes the whole picture, reduced to the array",),
             )
-        return Layout(fit, picture, picture, array)
+        return Placement(fit, picture, picture, array)
     factor = min(array[0] / picture[0], array[1] / picture[1])
     rows, cols = (
         min(most, max(1, round(side * factor))) for side, most in zip(picture, array, strict=True)
     )
-    return Layout(fit, picture, (rows, cols), array)
+    return Placement(fit, picture, (rows, cols), array)
 
 
-def placed(light: NDArray[np.float64], where: Layout) -> NDArray[np.float32]:
+def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
     """The light (rows, cols) of what is exposed of a picture, on all arrays."""
-    found = light.astype(np.float32)
-    if found.shape != where.size:
-        found = _resized(found, where.size)
-    (rows, cols), (down, across) = where.array, where.arrays
-    margin = [(0, down * rows - found.shape[0]), (0, across * cols - found.shape[1])]
-    return np.pad(found, margin, mode="symmetric")
+    exposed = light.astype(np.float32)
+    if exposed.shape != placement.size:
+        exposed = _resized(exposed, placement.size)
+    (rows, cols), (down, across) = placement.array, placement.arrays
+    margin = [(0, down * rows - exposed.shape[0]), (0, across * cols - exposed.shape[1])]
+    return np.pad(exposed, margin, mode="symmetric")
 
 
-def _resized(light: NDArray[np.float32], wanted: tuple[int, int]) -> NDArray[np.float32]:
+def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
     """Means over the area of each new pixel; between old ones, where there are fewer of those."""
     import cv2
 
-    smaller = wanted[0] <= light.shape[0] and wanted[1] <= light.shape[1]
+    smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]
     how = cv2.INTER_AREA if smaller else cv2.INTER_LINEAR
-    return np.asarray(cv2.resize(light, wanted[::-1], interpolation=how), np.float32)
+    return np.asarray(cv2.resize(light, new_size[::-1], interpolation=how), np.float32)
 
 
 def in_colour(stored: NDArray[Any]) -> bool:
@@ -132,28 +134,30 @@ def in_colour(stored: NDArray[Any]) -> bool:
     return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
 
 
-def changes(where: Layout, colour: bool, name: str) -> list[Diagnostic]:
+def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
     """Notes (NS0773) on what becomes of a picture's size and colours on the way to the array."""
-    found = []
-    picture, array = size(where.picture), size(where.array)
-    if where.fit == "crop" and where.picture != where.size:
-        share = where.size[0] * where.size[1] / (where.picture[0] * where.picture[1])
-        found.append(picture_note(
+    notes = []
+    picture, array = size(placement.picture), size(placement.array)
+    if placement.fit == "crop" and placement.picture != placement.size:
+        share = (
+            placement.size[0] * placement.size[1] / (placement.picture[0] * placement.picture[1])
+        )
+        notes.append(picture_note(
             f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
             "--fit scale exposes the whole picture, reduced; --fit tiles all of it, in pieces; "
             "--crop R,C says which part",
         ))  # fmt: skip
-    elif where.fit == "scale" and where.picture != where.size:
-        text = f"'{name}' is {picture}, and is exposed as {size(where.size)}"
-        found.append(picture_note(text, "--fit tiles exposes every pixel of it, in pieces"))
-    elif where.fit == "tiles" and where.arrays != (1, 1):
-        text = f"'{name}' is {picture}: it is exposed in {size(where.arrays)} pieces of {array}"
-        found.append(picture_note(text, "--fit scale exposes it at once, reduced"))
+    elif placement.fit == "scale" and placement.picture != placement.size:
+        text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
+        notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in pieces"))
+    elif placement.fit == "tiles" and placement.arrays != (1, 1):
+        text = f"'{name}' is {picture}: it is exposed in {size(placement.arrays)} pieces of {array}"
+        notes.append(picture_note(text, "--fit scale exposes it at once, reduced"))
     if colour:
         text = f"'{name}' is in colour, and its luminance is exposed"
-        told = picture_note(text, "--color exposes red, green and blue one after the other")
-        found.append(replace(told, data={"grey": True}))
-    return found
+        note = picture_note(text, "--color exposes red, green and blue one after the other")
+        notes.append(replace(note, data={"grey": True}))
+    return notes
 
 
 def no_colours(name: str) -> Diagnostic:

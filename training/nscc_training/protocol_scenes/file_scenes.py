@@ -11,7 +11,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc_training.protocol_scenes.deblur import moments
 from nscc_training.protocol_scenes.hdr import ENDINGS, crops
 from nscc_training.protocol_scenes.made import made_scene
-from nscc_training.protocol_scenes.scene import Scene, Unusable
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.sci import sci_scenes
 from nscc_training.protocol_scenes.video import windows
 from nscc_training.protocols import Protocol, load_protocol
@@ -40,7 +40,7 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 
 def scenes_in(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
-) -> Iterator[Scene | Unusable]:
+) -> Iterator[ProtocolScene | Unusable]:
     """Yield the scenes of files, in order; `fraction` of a still's pixels saturates instead of the
     protocol's."""
     if protocol.name == "hdr-v1":
@@ -66,35 +66,37 @@ def kinds_in(data: Path) -> list[Kind]:
     endings: dict[Kind, Sequence[str]] = {"clips": CLIPS, "stills": ENDINGS}
     kinds = [kind for kind in KINDS if files_in(data, endings[kind])]
     if not kinds:
-        every = ", ".join(ending for kind in KINDS for ending in endings[kind])
+        all_endings = ", ".join(ending for kind in KINDS for ending in endings[kind])
         raise rejected(
             "NS0811",
             f"'{data}' holds no scenes",
-            notes=(f"clips and panoramas end in {every}",),
+            notes=(f"clips and panoramas end in {all_endings}",),
             helps=("name a folder of such files, or leave --data out: scenes are made then",),
         )
     return kinds
 
 
-def some_scenes(protocol: Protocol, data: Path | None, count: int, seed: int = 0) -> list[Scene]:
+def some_scenes(
+    protocol: Protocol, data: Path | None, count: int, seed: int = 0
+) -> list[ProtocolScene]:
     """Return at most `count` scenes, as many of one file as of another; made ones without `data`.
 
     Rejected (NS0811) if none can be exposed as the protocol says.
     """
     if data is None:
-        every = [made_scene(index, protocol, seed) for index in range(count)]
+        candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:
         files = files_of(protocol, data)
         of_file = -(-count // len(files))
-        every = [
+        candidates = [
             scene
             for path in files[:count]
             for scene in islice(
-                (s for s in scenes_in([path], protocol) if isinstance(s, Scene)), of_file
+                (s for s in scenes_in([path], protocol) if isinstance(s, ProtocolScene)), of_file
             )
         ]
-    found = [scene for scene in every if isinstance(scene, Scene)][:count]
-    if not found:
+    scenes = [scene for scene in candidates if isinstance(scene, ProtocolScene)][:count]
+    if not scenes:
         kind = "stills" if protocol.still else "clips"
         size = protocol["crop_size" if protocol.still else "size"]
         raise rejected(
@@ -108,4 +110,4 @@ def some_scenes(protocol: Protocol, data: Path | None, count: int, seed: int = 0
             ),
             helps=("name other files, or ask for smaller scenes",),
         )
-    return found
+    return scenes

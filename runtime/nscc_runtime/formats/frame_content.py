@@ -33,7 +33,7 @@ def frame_content(
     frame, colour = file.frame, "colours" in file.meta
     return Content(
         {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
-        colour=colour, codes=frame.frame, whole=file.write,
+        colour=colour, codes=frame.frame, write_npz=file.write,
         benchmark=lambda: benchmark_arrays(container, shutters(), frame.exposure_e, light, colour),
         tone=tone, usual="linear", picture=_picture,
     )  # fmt: skip
@@ -63,17 +63,17 @@ def benchmark_arrays(
         raise _one_bucket()
     clip = None if light is None else light.dense()
     white_e = _white_e(container, light, clip)
-    found: dict[str, NDArray[Any]] = {
+    arrays: dict[str, NDArray[Any]] = {
         "mask": np.asarray(shutters[:, 0][_lanes(container)], np.uint8),
         "meas": np.moveaxis(exposures[:, 0], 0, -1) * (_TOP / white_e),
         "white_e": np.array([[white_e]]),
     }
     if clip is not None:
         orig = np.moveaxis(clip, 0, -1) * (_TOP / white_e)
-        near = np.rint(orig)
-        whole = near.max() <= _TOP and bool((np.abs(orig - near) < _WHOLE).all())
-        found["orig"] = np.tile(near.astype(np.uint8) if whole else orig, len(exposures))
-    return found
+        rounded = np.rint(orig)
+        integral = rounded.max() <= _TOP and bool((np.abs(orig - rounded) < _WHOLE).all())
+        arrays["orig"] = np.tile(rounded.astype(np.uint8) if integral else orig, len(exposures))
+    return arrays
 
 
 def shutter_content(arrays: Arrays) -> Content:

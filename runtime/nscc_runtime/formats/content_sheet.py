@@ -20,7 +20,7 @@ def content_sheet(content: Content, title: str) -> Figure:
     shown = [*content.shown]
     numbers = np.unique(np.linspace(0, len(shown) - 1, min(_MOST, len(shown))).round().astype(int))
     images = [
-        Image(shown[k], f"frame {k}" if content.moving else "", content.told if k == 0 else "")
+        Image(shown[k], f"frame {k}" if content.moving else "", content.tone_text if k == 0 else "")
         for k in numbers
     ]
     rows = [images[k : k + _COLUMNS] for k in range(0, len(images), _COLUMNS)]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import Over, Trial, drawn
+from nscc_training.encoders.trial import CodeTrial, Over, drawn
 from nscc_training.gradients import replaced, rounded
 
 LOOKS = "looks"
@@ -23,7 +23,7 @@ _REACH = 0
 """A pixel's light has only what it did itself."""
 
 
-class Looks(Encoder):
+class LooksEncoder(Encoder):
     """Class looks: a tile (1, looks) of boundaries and levels, in steps of IN.
 
     `spec.levels` is the largest step that there is. Parameters are real: the logarithm (base 2) of
@@ -56,23 +56,25 @@ class Looks(Encoder):
         moments, levels = fields.chunk(2)
         at = 2.0**moments
         looks, slots = len(at), self.spec.slots
-        whole = torch.round(at.detach())
-        found: list[Tensor] = []
+        whole_slots = torch.round(at.detach())
+        boundaries: list[Tensor] = []
         for k in range(looks):
-            least = found[-1] + 1 if found else torch.ones_like(whole[k])
-            found.append(torch.clamp(torch.maximum(whole[k], least), max=slots - looks + k))
+            least = boundaries[-1] + 1 if boundaries else torch.ones_like(whole_slots[k])
+            boundaries.append(
+                torch.clamp(torch.maximum(whole_slots[k], least), max=slots - looks + k)
+            )
         return torch.cat([
-            replaced(at, torch.stack(found)), rounded(levels.clamp(1, max(self.most, 1)))
+            replaced(at, torch.stack(boundaries)), rounded(levels.clamp(1, max(self.most, 1)))
         ])  # fmt: skip
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         fields = over(self.fields())
         with torch.no_grad():
             spread = torch.full_like(fields, _OCTAVES)
             spread[len(fields) // 2 :] = max(1.0, _WELLS * self.most)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.hardened(fields + sign * moved).float() for sign in (1, -1))
-        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def codes(self) -> Codes:
         self.check_finite()

@@ -18,7 +18,7 @@ from nscc.syntax.parse import read_source
 from nscc.toml.kinds import Axis, Integer, Number, Several, Text
 from nscc.toml.schema import Key
 from nscc_training.code_choices import STARTS
-from nscc_training.sweep.point import Fault, Values
+from nscc_training.sweep.point import PointFault, Values
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
 SOURCES = ("program", "rule", "class")
@@ -37,8 +37,8 @@ _SILENT: dict[str, tuple[str, ...]] = {
 
 def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
     """A key that takes a value or a list of them."""
-    held = default if default is MISSING else (default,)
-    return Key("", name, Axis(kind), meaning, held)  # type: ignore[arg-type]
+    default_values = default if default is MISSING else (default,)
+    return Key("", name, Axis(kind), meaning, default_values)  # type: ignore[arg-type]
 
 
 def target_keys() -> tuple[Key, ...]:
@@ -78,47 +78,49 @@ def program_keys() -> tuple[Key, ...]:
     )
 
 
-def program_fault(values: Values, named: Collection[str]) -> Fault | None:
+def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
     """What is wrong with values of `program_keys` together, of which a grid names some keys."""
-    given = [name for name in SOURCES if name in values]
-    if len(given) != 1:
-        have = " and ".join(given) or "none of them"
-        return Fault(
-            given[-1] if given else "",
+    sources = [name for name in SOURCES if name in values]
+    if len(sources) != 1:
+        have = " and ".join(sources) or "none of them"
+        return PointFault(
+            sources[-1] if sources else "",
             f"a point compiles one of {', '.join(SOURCES)}, and here is {have}",
             'for instance program = "hdr_2x2.nsl", or class = "d"',
         )
     if "class" in values and prod(values["tile"]) > _MOST_PLACES:
-        return Fault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
-    return silent(named, _SILENT[given[0]], given[0]) or target_fault(values)
+        return PointFault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
+    return silent(named, _SILENT[sources[0]], sources[0]) or target_fault(values)
 
 
-def target_fault(values: Values) -> Fault | None:
+def target_fault(values: Values) -> PointFault | None:
     """What is wrong with values of `target_keys` together."""
     name = next((name for name in values if name.startswith(_CHIP)), None)
     if name is None or values["target"]:
         return None
     message = f"{name} changes a chip, and none is named"
-    return Fault(name, message, f'add target = "{DEFAULT_NAME}"')
+    return PointFault(name, message, f'add target = "{DEFAULT_NAME}"')
 
 
-def silent(named: Collection[str], keys: Sequence[str], what: str) -> Fault | None:
+def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
     """The fault of naming one of the keys that say nothing of such a point: points that differ in
     them alone would be one."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
-    return Fault(name, f"{name} says nothing of a point with {what}", f"leave {name} out")
+    return PointFault(
+        name, f"{name} says nothing of a point with {point_text}", f"leave {name} out"
+    )
 
 
 def program_files(values: Values) -> Sequence[Path]:
     """The files that decide a program: its text, all that it names, its chip's."""
-    found: list[Path] = []
+    files: list[Path] = []
     if "program" in values:
-        found += text_files(Path(values["program"]))
+        files += text_files(Path(values["program"]))
     if values["target"].endswith(".toml"):
-        found.append(Path(values["target"]))
-    return found
+        files.append(Path(values["target"]))
+    return files
 
 
 def text_files(path: Path) -> list[Path]:

@@ -10,7 +10,7 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, Task, others
+from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, DecoderTask, added_decoders
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 
 SMALL = 600_000
@@ -20,7 +20,7 @@ _PARTS = 24
 """
 
 
-def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Module:
+def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
     """A decoder of `DECODERS` in a size of `SIZES`, or one of `others`, or `module:name`.
 
     `width`, up to 1, makes all layers of the size narrower. One that is not nscc's is called as
@@ -30,7 +30,7 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
     """
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
-        known = (*DECODERS, *others())
+        known = (*DECODERS, *added_decoders())
         if size not in SIZES or not (is_import_path(name) or name in known):
             raise ValueError(f"{name!r} {size!r} is none of {known} in the sizes {SIZES}")
         if width != 1:
@@ -44,16 +44,16 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
     if declared.needs_code and not task.sees_code:
         raise ValueError(f"{name} {declared.needs_code}")
     if task.buckets > 1 and not declared.two_buckets:
-        takers = [each.name for each in DECODERS.values() if each.two_buckets]
+        takers = [decoder.name for decoder in DECODERS.values() if decoder.two_buckets]
         raise ValueError(f"{name} takes one bucket; {', '.join(takers)} take two")
     _check_guess(name, declared.guesses, task)
-    if declared.given and width != 1:
+    if declared.fixed_channels and width != 1:
         raise ValueError(f"{name} has one width: leave decoder.width at 1")
-    if declared.given or size != "small":
+    if declared.fixed_channels or size != "small":
         return _built(declared, size, task, width)
     count = 0
-    for part in range(_PARTS, 0, -1):
-        narrowed = width * part / _PARTS
+    for numerator in range(_PARTS, 0, -1):
+        narrowed = width * numerator / _PARTS
         with torch.device("meta"):
             count = parameter_count(_built(declared, size, task, narrowed))
         if count <= SMALL:
@@ -66,57 +66,58 @@ def make_decoder(name: str, size: str, task: Task, width: float = 1.0) -> nn.Mod
     )
 
 
-def _check_guess(name: str, guesses: bool, task: Task) -> None:
+def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
     if task.guess is not None and not guesses:
-        takers = " and ".join(each.name for each in DECODERS.values() if each.guesses)
+        takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
         raise ValueError(f"decoder.guess is for {takers}, and {name} is neither")
     if task.guess and not task.sees_code:
         raise ValueError("a first guess is made of the code: it takes decoder.sees_code")
 
 
-def _built(declared: Decoder, size: str, task: Task, width: float) -> nn.Module:
+def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
     """A decoder whose layers have that part of the declared channels, one at least."""
     module, _, function = declared.network.partition(":")
     # rounded first: 24ths of whole numbers are to come out whole
     channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
-    made: nn.Module = getattr(import_module(module), function)(channels, task, size)
-    return made
+    network: nn.Module = getattr(import_module(module), function)(channels, task, size)
+    return network
 
 
-def _own_decoder(name: str, size: str, task: Task) -> nn.Module:
-    make = imported(name, "decoder") if is_import_path(name) else others()[name]
-    more = {"buckets": task.buckets} if task.buckets > 1 else {}
+def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
+    make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
+    extra = {"buckets": task.buckets} if task.buckets > 1 else {}
     with own_code(name, "decoder"):
-        made = make(
+        network = make(
             size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code,
-            **more,
+            **extra,
         )  # fmt: skip
-    if not isinstance(made, nn.Module):
-        raise ValueError(f"'{name}' gave a {type(made).__name__}, not a torch module")
+    if not isinstance(network, nn.Module):
+        raise ValueError(f"'{name}' gave a {type(network).__name__}, not a torch module")
     # Not a module around it: weights keep the names that they have in the user's own.
-    made.forward = partial(_called, made, made.forward, name, task)
-    return made
+    network.forward = partial(_called, network, network.forward, name, task)
+    return network
 
 
 def _called(
-    module: nn.Module, forward: Callable[..., Any], name: str, task: Task,
+    module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
     frame: Tensor, shutters: Tensor,
 ) -> Tensor:  # fmt: skip
     """What the user's decoder gives; NS0822 where later steps would misunderstand it."""
     with own_code(name, "decoder"):
-        found = forward(frame, shutters)
-    wanted = (len(frame), *frame.shape[-2:])
+        output = forward(frame, shutters)
+    expected_shape = (len(frame), *frame.shape[-2:])
     if task.kind != "still":
-        wanted = (wanted[0], task.slots, *wanted[1:])
-    if not isinstance(found, Tensor):
-        raise own_failed(name, "decoder", f"it gives a {type(found).__name__}, not a tensor")
-    if tuple(found.shape) != wanted or not found.is_floating_point():
-        reason = f"it gives {tuple(found.shape)} {found.dtype}, and should real numbers {wanted}"
+        expected_shape = (expected_shape[0], task.slots, *expected_shape[1:])
+    if not isinstance(output, Tensor):
+        raise own_failed(name, "decoder", f"it gives a {type(output).__name__}, not a tensor")
+    if tuple(output.shape) != expected_shape or not output.is_floating_point():
+        reason = f"it gives {tuple(output.shape)} {output.dtype}, and should "
+        reason += f"real numbers {expected_shape}"
         raise own_failed(name, "decoder", reason)
     learns = any(p.requires_grad for p in module.parameters())
-    if module.training and torch.is_grad_enabled() and learns and not found.requires_grad:
+    if module.training and torch.is_grad_enabled() and learns and not output.requires_grad:
         raise own_failed(name, "decoder", "what it gives has no gradient: it cannot learn")
-    return found
+    return output
 
 
 def parameter_count(module: nn.Module) -> int:

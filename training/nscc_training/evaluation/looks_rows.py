@@ -39,8 +39,8 @@ from nscc_training.evaluation.results import (
     usable_scenes,
     with_arrays,
 )
-from nscc_training.protocol_scenes.files import files_of, scenes_in
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol, load_protocol
 
 SLOTS = 256
@@ -77,13 +77,13 @@ def evaluate_looks(
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
     target = _target(protocol)
-    own = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
-    program = _programs(name, target, load_sensor(target, None, own))
-    sensor = load_sensor(target, None, (*own, *changes))
+    noise_settings = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
+    program = _programs(name, target, load_sensor(target, None, noise_settings))
+    sensor = load_sensor(target, None, (*noise_settings, *changes))
     chosen = selected(effects or _EFFECTS)
 
-    def decoded(shown: Sequence[Scene | None]) -> list[Scored]:
-        def decode(crop: Scene, index: int) -> tuple[NDArray[np.float64], float]:
+    def decoded(shown: Sequence[ProtocolScene | None]) -> list[Scored]:
+        def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
             seeds = 1000 * seed + index, 0
             return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
 
@@ -91,8 +91,8 @@ def evaluate_looks(
 
     settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
     subject = Subject(name, {**_settings(name), **settings}, decoder_ms=0.0)
-    others = also_saturated(files, protocol, decoded)
-    return with_arrays(protocol, subject, files, decoded(usable), left_out, **others)
+    other_shares = also_saturated(files, protocol, decoded)
+    return with_arrays(protocol, subject, files, decoded(usable), left_out, **other_shares)
 
 
 def looked_light(
@@ -106,10 +106,10 @@ def looked_light(
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
-    told = capture(
+    readings = capture(
         container, light, sensor=sensor, effects=effects, seed=seeds[0], device_seed=seeds[1]
     ).told
-    return merged_image(told[LIGHT], told[DEVIATION]) * frame_s
+    return merged_image(readings[LIGHT], readings[DEVIATION]) * frame_s
 
 
 def _settings(name: str) -> dict[str, Any]:
@@ -128,25 +128,25 @@ def _target(protocol: Protocol) -> Target:
     )  # fmt: skip
 
 
-def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[Scene], Container]:
+def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
     """Return what gives the words for a crop: those of a row, or a crop's own."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words
     chip, known = Chip.of(target, sensor), dict[tuple[Any, ...], Container]()
 
-    def own(crop: Scene) -> Container:
+    def words_for(crop: ProtocolScene) -> Container:
         place = (crop.file.name, crop.crop, float(crop.light_e.sum()))
         if place not in known:
             model = Model(chip, histogram([crop.light_e]), [1.0] * SLOTS)
             known[place] = _compiled(model.best(DESIGNED[name] - 1, "mu"), target)
         return known[place]
 
-    return own
+    return words_for
 
 
 def _compiled(schedule: Schedule, target: Target) -> Container:
     text = looking_text(schedule, SLOTS, 125.0, target, None, "")
-    made = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
-    assert made is not None
-    return made
+    container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
+    assert container is not None
+    return container

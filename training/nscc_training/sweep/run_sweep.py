@@ -18,10 +18,10 @@ from nscc.program.problems import counted
 from nscc_runtime.progress import Progress, unseen
 from nscc_training.sweep.grid import Grid, of_parts
 from nscc_training.sweep.kinds import KINDS, key_of
-from nscc_training.sweep.point import OF_RUN, Point, Row
+from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow
+from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
 from nscc_training.sweep.store import POINTS, TIMES, put_row, rows_in, store_in, times_csv
-from nscc_training.sweep.table import Table, csv_text, parquet_bytes, table_of
-from nscc_training.sweep.work import FAILED, Done, Task, serially
+from nscc_training.sweep.work import FAILED, Done, PointTask, serially
 
 TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
 _POINTS = "points"
@@ -63,12 +63,14 @@ def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
         return len(keys), 0
     with store_in(out) as store:
         rows = rows_in(store)
-    found = (_is_known(rows.get(key), how, _left(out, p, key)) for p, key in keys.items())
-    return len(keys), sum(found)
+    known_flags = (
+        _is_known(rows.get(key), how, _output_path(out, p, key)) for p, key in keys.items()
+    )
+    return len(keys), sum(known_flags)
 
 
 def sweep(
-    grid: Grid, out: Path, how: How, *, parts: Sequence[str] = (), parquet: bool = False,
+    grid: Grid, out: Path, how: How, *, grid_parts: Sequence[str] = (), parquet: bool = False,
     track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
 ) -> Swept:  # fmt: skip
     """Compute what is not known of a grid, or of `parts` of it, and write table, report and diagram
@@ -81,15 +83,15 @@ def sweep(
     another nscc.
     """
     keys = _keys(grid, how.threads)
-    wanted = of_parts(grid, parts).points
+    points = of_parts(grid, grid_parts).points
     with store_in(out) as store:
         rows = rows_in(store)
         todo = {
             keys[point]: point
-            for point in dict.fromkeys(wanted)
-            if not _is_known(rows.get(keys[point]), how, _left(out, point, keys[point]))
+            for point in dict.fromkeys(points)
+            if not _is_known(rows.get(keys[point]), how, _output_path(out, point, keys[point]))
         }
-        count = len({keys[point] for point in wanted})
+        count = len({keys[point] for point in points})
         report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
         for key in todo.keys() & rows.keys():  # failed before, or lost what they left
             store.forget(POINTS, key)
@@ -98,17 +100,17 @@ def sweep(
             _compute(tasks, keys, store, how, track)
         rows, times = rows_in(store), times_csv(store)
     keys = {point: key for point, key in keys.items() if key in rows}
-    found = [(point, rows[key]) for point, key in keys.items()]
+    point_rows = [(point, rows[key]) for point, key in keys.items()]
     grid = replace(grid, points=tuple(keys))
-    table = table_of(grid, found)
+    table = table_of(grid, point_rows)
     files = _write(grid, table, out, times, parquet=parquet)
     _name(out, keys)
-    codes = [row.code for _, row in found if row.code]
+    codes = [row.code for _, row in point_rows if row.code]
     failed = codes.count(FAILED)
     return Swept(table, len(codes) - failed, failed, files)
 
 
-def told(swept: Swept) -> list[str]:
+def summary_lines(swept: Swept) -> list[str]:
     """What came of a sweep, in lines: how many points, why some have no figures, the files."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
@@ -140,34 +142,36 @@ def failures(swept: Swept) -> Rejected:
     )
 
 
-def _keys(grid: Grid, threads: int) -> dict[Point, str]:
+def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
     """The key of every point; those of one key count once."""
     with chdir(grid.folder):
         return {point: key_of(point, threads) for point in grid.points}
 
 
-def _is_known(row: Row | None, how: How, left: Path | None) -> bool:
+def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
     """Whether a point has a row, and what it `left` is still there."""
     if row is None or (row.code == FAILED and how.again):
         return False
-    return bool(row.code) or left is None or left.exists()
+    return bool(row.code) or output_path is None or output_path.exists()
 
 
-def _task(point: Point, keys: Mapping[Point, str], grid: Grid, out: Path, how: How) -> Task:
+def _task(
+    point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: How
+) -> PointTask:
     key = keys[point]
-    runs = {f"{OF_RUN}{run.name}": _left(out, run, keys[run]) for run in point.after}
-    files = _left(out, point, key) or out.resolve() / _POINTS / key
-    return Task(point, key, grid.folder.resolve(), files, how.threads, runs)
+    runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
+    files = _output_path(out, point, key) or out.resolve() / _POINTS / key
+    return PointTask(point, key, grid.folder.resolve(), files, how.threads, runs)
 
 
-def _left(out: Path, point: Point, key: str) -> Path | None:
+def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
     """The file or folder that a point leaves; None where its kind leaves none."""
     ending = KINDS[point.kind].leaves
     return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
 
 
 def _compute(
-    tasks: Sequence[Task], keys: Mapping[Point, str], store: ExperimentStore, how: How,
+    tasks: Sequence[PointTask], keys: Mapping[GridPoint, str], store: ExperimentStore, how: How,
     track: Progress,
 ) -> None:  # fmt: skip
     """Compute the tasks, those first whose runs others name."""
@@ -176,7 +180,7 @@ def _compute(
         out.mkdir(exist_ok=True)
     with _executor(how, len(tasks)) as execute:
 
-        def every() -> Iterator[Done]:
+        def all_results() -> Iterator[Done]:
             pending = {task.key: task for task in tasks}
             while pending:
                 # What the point names is computed before: one round for each step of the way.
@@ -193,69 +197,73 @@ def _compute(
                 for task in ready:
                     del pending[task.key]
 
-        for done in track(every(), "computing points", len(tasks)):
-            if done.other_key:
-                raise _differs(done)
-            put_row(store, done.row, done.task.point.name, done.seconds, done.worker)
+        for result in track(all_results(), "computing points", len(tasks)):
+            if result.other_key:
+                raise _differs(result)
+            put_row(store, result.row, result.task.point.name, result.seconds, result.worker)
 
 
 def _shared(
-    store: ExperimentStore, tasks: Sequence[Task], execute: Callable[..., Iterator[Done]]
+    store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
     """Yield what comes of tasks; those that another process computes are waited for.
 
     A task whose process ended without a result is taken over.
     """
-    left = [*tasks]
-    while left:
-        taken: list[Task] = []
+    waiting = [*tasks]
+    while waiting:
+        claimed_tasks: list[PointTask] = []
 
-        def claimed(taken: list[Task] = taken, left: Sequence[Task] = left) -> Iterator[Task]:
-            for task in left:
+        def claimed(
+            claimed_tasks: list[PointTask] = claimed_tasks, waiting: Sequence[PointTask] = waiting
+        ) -> Iterator[PointTask]:
+            for task in waiting:
                 if store.claim(POINTS, task.key):
-                    taken.append(task)
+                    claimed_tasks.append(task)
                     if store.get(POINTS, task.key) is None:
                         yield task
 
-        for done in execute(claimed()):
-            yield done
-            store.release(POINTS, done.task.key)
-        for task in taken:
+        for result in execute(claimed()):
+            yield result
+            store.release(POINTS, result.task.key)
+        for task in claimed_tasks:
             store.release(POINTS, task.key)
-        mine = {task.key for task in taken}
-        others = (task for task in left if task.key not in mine)
-        left = [task for task in others if store.get(POINTS, task.key) is None]
-        if left:
+        mine = {task.key for task in claimed_tasks}
+        unclaimed = (task for task in waiting if task.key not in mine)
+        waiting = [task for task in unclaimed if store.get(POINTS, task.key) is None]
+        if waiting:
             sleep(_POLL_S)
 
 
-def _without_run(task: Task, keys: Mapping[Point, str], store: ExperimentStore) -> Done | None:
+def _without_run(
+    task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
+) -> Done | None:
     """What comes of a task if a run that it names came to nothing; None where there are all."""
     for run in task.point.after:
         row = store.get(POINTS, keys[run])
         assert row is not None  # runs are computed first
         if row["code"]:
             error = f"its run {run.name} has none: {row['error']}"
-            return Done(task, Row(task.key, code=row["code"], error=error), 0.0, "")
+            return Done(task, PointRow(task.key, code=row["code"], error=error), 0.0, "")
     return None
 
 
 def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
     if how.scheduler is not None:
-        from nscc_training.sweep.cluster import at
+        from nscc_training.sweep.cluster import scheduler_workers
 
-        return at(how.scheduler)
+        return scheduler_workers(how.scheduler)
     if how.workers:
-        from nscc_training.sweep.cluster import here
+        from nscc_training.sweep.cluster import local_workers
 
-        return here(min(how.workers, count), how.threads)
+        return local_workers(min(how.workers, count), how.threads)
     return nullcontext(serially)
 
 
-def _differs(done: Done) -> Rejected:
+def _differs(result: Done) -> Rejected:
     return rejected(
         "NS0836",
-        f"the worker {done.worker} would compute another point than {done.task.point.name}",
+        f"the worker {result.worker} would compute another point than {result.task.point.name}",
         notes=(
             "its nscc, its Python or the files that the grid names are not those of this process, "
             "or they changed after the sweep began",
@@ -267,7 +275,7 @@ def _differs(done: Done) -> Rejected:
 
 def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
     """The products, all or none."""
-    from nscc_training.sweep.report import diagram_of, report_html
+    from nscc_training.sweep.sweep_report import diagram_of, report_html
 
     diagram = diagram_of(grid, table)
     products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
@@ -280,19 +288,19 @@ def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) ->
     return tuple(products)
 
 
-def _name(out: Path, keys: Mapping[Point, str]) -> None:
+def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
     """Links to what the grid's points left, by their names; those of another grid go."""
     for name in _NAMED.values():
         for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
             old.unlink()
-    taken: set[Path] = set()
+    links: set[Path] = set()
     for point, key in keys.items():
-        left = _left(out, point, key)
-        if left is None or not left.exists():
+        output_path = _output_path(out, point, key)
+        if output_path is None or not output_path.exists():
             continue
-        link = out / _NAMED[point.kind] / (point.name + left.suffix)
-        if link in taken:
-            link = link.with_name(f"{link.stem}_{key[:8]}{left.suffix}")
-        taken.add(link)
+        link = out / _NAMED[point.kind] / (point.name + output_path.suffix)
+        if link in links:
+            link = link.with_name(f"{link.stem}_{key[:8]}{output_path.suffix}")
+        links.add(link)
         link.parent.mkdir(parents=True, exist_ok=True)
-        os.symlink(os.path.relpath(left, link.parent.resolve()), link)
+        os.symlink(os.path.relpath(output_path, link.parent.resolve()), link)
