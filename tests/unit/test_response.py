@@ -10,7 +10,7 @@ import pytest
 from plan_cases import CASES, case
 from reference_programs import program, sensor_of
 
-from nscc_runtime import CaptureRequest, capture
+from nscc_runtime import Capture, capture
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
@@ -59,7 +59,7 @@ def test_codes_become_the_electrons_that_fell() -> None:
 
 
 @pytest.fixture(scope="module", params=["auto", "all"])
-def taken(request: pytest.FixtureRequest) -> tuple[CaptureRequest, Light]:
+def taken(request: pytest.FixtureRequest) -> tuple[Capture, Light]:
     """The README's program before its scene, at its exposure."""
     container = program(STOPS, "edges", SIDE, SIDE)
     scene = load_scene(
@@ -72,7 +72,7 @@ DECADES = [1e3, 1e4, 1e5, 1e6, 1.9e6]
 
 
 def test_the_longest_unsaturated_exposure_of_a_tile_tells_its_light(
-    taken: tuple[CaptureRequest, Light],
+    taken: tuple[Capture, Light],
 ) -> None:
     frames, scene = taken
     response = frames.response
@@ -95,7 +95,7 @@ def test_the_longest_unsaturated_exposure_of_a_tile_tells_its_light(
     assert np.median(np.abs(ratio[lit & (whole_e > 3e3)] - 1)) < 0.05
 
 
-def test_the_merge_tells_light_everywhere(taken: tuple[CaptureRequest, Light]) -> None:
+def test_the_merge_tells_light_everywhere(taken: tuple[Capture, Light]) -> None:
     frames, scene = taken
     (readout,) = readouts(frames.container, frames, frames.response)
     light, known = light_estimate(readout)

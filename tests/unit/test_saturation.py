@@ -9,7 +9,7 @@ from reference_programs import program, sensor_of
 from saturation_oracle import exposures, lost_e
 
 from nscc.words.container import Container
-from nscc_runtime import CaptureRequest, capture
+from nscc_runtime import Capture, capture
 from nscc_runtime.device.device_chip import frame_of
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
@@ -48,7 +48,7 @@ def lit(request: pytest.FixtureRequest) -> tuple[Container, np.ndarray]:
     return container, light_for(container)
 
 
-def taken(container: Container, light: np.ndarray, effects: str) -> CaptureRequest:
+def taken(container: Container, light: np.ndarray, effects: str) -> Capture:
     # Crosstalk takes light where the oracle, pixel by pixel, sees none.
     sensor = sensor_of(container, crosstalk_fraction=0.0)
     found = capture(container, light, sensor=sensor, effects=effects, seed=2, device_seed=4)

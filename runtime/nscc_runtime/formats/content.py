@@ -1,4 +1,4 @@
-"""The content of a product: a picture or a clip of light, and the arrays of the whole result."""
+"""The content of a product: a picture or a clip of light, and the arrays of the result."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ class Content:
         return f"{tone.name}, white {tone.white:.4g}{f' {self.unit}' if self.unit else ''}"
 
     def lacks(self, kinds: str) -> str | None:
-        """Return why a format of `kinds` (picture, clip, arrays) cannot hold the content, or None."""
+        """Return why a format of `kinds` cannot hold the content; None if it can."""
         if "arrays" in kinds:
             return None
         if self.light is None:

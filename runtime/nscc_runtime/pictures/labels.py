@@ -48,7 +48,7 @@ leader, of a later anchor, of a point nearer to another mark than to one's own."
 
 
 @dataclass(frozen=True)
-class Label:
+class ChartLabel:
     """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
 
     The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
@@ -101,7 +101,7 @@ class _Drawn:
     leaders: Points = field(default_factory=lambda: np.empty((0, 2)))
 
 
-def place_labels(axes: Axes, labels: Sequence[Label]) -> list[Label]:
+def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
     """Write the labels, in this order; those that had no room anywhere.
 
     The figure is laid out (`sheet.lay_out`): nothing in it moves any more.
@@ -117,7 +117,7 @@ def halo() -> list[Any]:
     return [withStroke(linewidth=_HALO, foreground=look().paper)]
 
 
-def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
+def _written(axes: Axes, label: ChartLabel, drawn: _Drawn) -> bool:
     dots = axes.figure.dpi / 72
     text = axes.annotate(
         label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left", va="bottom",
@@ -164,7 +164,7 @@ class _Places:
     turn: NDArray[np.float64]
 
 
-def _places(axes: Axes, label: Label, size: tuple[float, float], dots: float) -> _Places:
+def _places(axes: Axes, label: ChartLabel, size: tuple[float, float], dots: float) -> _Places:
     """All places around all anchors; sizes and boxes in dots, gaps in points."""
     gaps = np.array(_FAR if label.far else _NEAR)
     angles = np.arange(16) * np.pi / 8
@@ -185,7 +185,7 @@ def _places(axes: Axes, label: Label, size: tuple[float, float], dots: float) ->
 
 
 def _costs(
-    axes: Axes, label: Label, places: _Places, drawn: _Drawn, dots: float
+    axes: Axes, label: ChartLabel, places: _Places, drawn: _Drawn, dots: float
 ) -> NDArray[np.float64]:
     """What each place costs, in points; infinite where it would cover something or stick out."""
     boxes = places.boxes
@@ -210,7 +210,7 @@ def _costs(
 
 
 def _cheapest(
-    label: Label, places: _Places, drawn: _Drawn, costs: NDArray[np.float64]
+    label: ChartLabel, places: _Places, drawn: _Drawn, costs: NDArray[np.float64]
 ) -> int | None:
     """The place that costs least with what its leader crosses; None if there is none."""
     best, least = None, np.inf

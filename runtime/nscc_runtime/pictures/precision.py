@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Panel:
 
 
 @dataclass(frozen=True)
-class Reading:
+class PointReading:
     """How points are read: the label of the time axis and how many of its units a millisecond has,
     the line of a point (none: it only counts for who is dominated) and the text beside it.
 
@@ -78,7 +78,9 @@ class Reading:
         return [time_ms * self.per_ms for time_ms in times_ms]
 
 
-def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading: Reading) -> Figure:
+def precision_diagram(
+    problems: Sequence[Panel], title: str, note: str, reading: PointReading
+) -> Figure:
     """All panels, with one scale of time, and one of errors for those whose error is the same.
     Raises ValueError where there is nothing to draw."""
     from matplotlib.lines import Line2D
@@ -133,7 +135,7 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
     return figure
 
 
-def _heights(panel: Panel, reading: Reading) -> list[float]:
+def _heights(panel: Panel, reading: PointReading) -> list[float]:
     """All that a panel's error axis has to hold."""
     lines = reading.lines(panel.points)
     heights = [point.error for line_points in lines.values() for point in line_points]
@@ -142,9 +144,9 @@ def _heights(panel: Panel, reading: Reading) -> list[float]:
 
 
 def _draw(
-    axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: Reading,
+    axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: PointReading,
     beaten: dict[int, bool],
-) -> list[Label]:  # fmt: skip
+) -> list[ChartLabel]:  # fmt: skip
     """Draws lines and guides; their names, then the texts that go with points, those that nothing
     beats first."""
     lines = reading.lines(panel.points)
@@ -168,15 +170,15 @@ def _draw(
             )  # fmt: skip
             # The one setting of a method is all that is told of it.
             text, sought = reading.text(point), len(line_points) == 1
-            labels.append((hollow, Label(text, [(time, error)], colour, sought=sought)))
+            labels.append((hollow, ChartLabel(text, [(time, error)], colour, sought=sought)))
         ends = [*zip(medians, errors, strict=True)]
         between = ends[1 : -1 : 1 + len(ends) // _MOST_ANCHORS]
-        names.append(Label(name, [ends[-1], ends[0], *between], colour, name=True))
+        names.append(ChartLabel(name, [ends[-1], ends[0], *between], colour, name=True))
         if name in bounds:
             axes.axhline(bounds[name], color=colour, linewidth=1, linestyle="--")
             left_time, right_time = axes.get_xlim()
             edge = left_time * (right_time / left_time) ** 0.05
-            labels.append((False, Label(f"{bounds[name]:g}", [(edge, bounds[name])], colour)))
+            labels.append((False, ChartLabel(f"{bounds[name]:g}", [(edge, bounds[name])], colour)))
     for guide in panel.guides:
         line: dict[str, Any] = {"color": look().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:

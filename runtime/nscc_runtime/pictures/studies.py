@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, halo, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
 from nscc_runtime.pictures.look import look
-from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
+from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 from nscc_runtime.tradeoff import study as studied
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
 from nscc_runtime.tradeoff.study_text import SLACK
@@ -65,7 +65,7 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
         panels, "What the emulator's time buys",
         "against the reference with all effects, same draws (hollow: dominated; beside the marks: "
         f"tolerance{unit}); {times} on {device}",
-        Reading(
+        PointReading(
             "time of one frame, ms", line=lambda point: _NAMES.get(point.method, ""),
             text=lambda p: (
                 p.setting.removesuffix("e" if unit else "") if p.method == PLANNED else ""
@@ -116,7 +116,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
         axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **style)
         axes.plot(x, ends[1], markersize=4, clip_on=False, **style)
         if measured < low:
-            labels.append(Label(f"{measured:.1g}", [(x, ends[1])], style["color"]))
+            labels.append(ChartLabel(f"{measured:.1g}", [(x, ends[1])], style["color"]))
     sheet.round_ticks(axes.xaxis)
     sheet.round_ticks(axes.yaxis)
     dot: dict[str, Any] = {"color": look().faint, "linestyle": "", "marker": "o"}

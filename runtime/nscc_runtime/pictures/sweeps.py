@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
 
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
-) -> list[Label]:
+) -> list[ChartLabel]:
     """Draws a panel's lines; their names, for their ends."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
@@ -139,7 +139,7 @@ def _draw(
         chosen = look().of(names.index(name))
         axes.plot([x for x, _ in places], [y for _, y in places], clip_on=False, **chosen)
         if places and name:
-            labels.append(Label(name, places[::-1], chosen["color"], name=True))
+            labels.append(ChartLabel(name, places[::-1], chosen["color"], name=True))
     across.lay(axes, "x")
     upwards.lay(axes, "y")
     return labels

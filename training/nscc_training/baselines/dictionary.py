@@ -1,7 +1,7 @@
 """Clips from one coded frame with a learned dictionary (after Hitomi et al., ICCV 2011).
 
-Every block of the clip is a sum of few atoms; which ones, orthogonal matching pursuit finds from
-the coded block alone. The dictionary is learned by the method of optimal directions.
+Every block of the clip is a sum of few atoms, which orthogonal matching pursuit selects from the
+coded block. The dictionary is learned by the method of optimal directions.
 """
 
 from __future__ import annotations
@@ -26,16 +26,17 @@ _CLIPS = 24
 _BLOCKS = 4000
 _ROUNDS = 6
 _ENOUGH = 0.02
-"""The pursuit ends where the root mean square of what is left is below this (of white)."""
+"""The pursuit ends when the root mean square residual is below this, in units of white."""
 
 
 def dictionary_clip(
     measurement: NDArray[np.float32], mask: Clip, atoms: Matrix, sparsity: int = SPARSITY
 ) -> Clip:
-    """The clip (T, rows, cols) of a measurement (rows, cols), blocks averaged where they overlap.
+    """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), averaging overlapping
+    blocks.
 
-    `atoms` (T * SIDE * SIDE, K) as `learned` gives them. ValueError for a picture smaller than a
-    block or a dictionary of another length.
+    `atoms` (T * SIDE * SIDE, K) come from `learned`. ValueError for a picture smaller than a block,
+    or atoms of another length.
     """
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
@@ -54,8 +55,11 @@ def dictionary_clip(
 
 
 def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArray[np.float64]:
-    """Orthogonal matching pursuit: at most `sparsity` weights (K,) so that matrix @ weights is
-    near `right`; fewer where it is near enough, and never a column that depends on the others."""
+    """Solve matrix @ weights = right with at most `sparsity` weights (K,), by orthogonal matching
+    pursuit.
+
+    It ends early when the residual is small, and never selects a column that depends on the others.
+    """
     weights = np.zeros(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
@@ -78,10 +82,10 @@ def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArra
 
 
 def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -> Matrix:
-    """A dictionary (d, K) with columns of length 1 for blocks (n, d).
+    """Learn a dictionary (d, K) with columns of length 1 for blocks (n, d).
 
-    The first atom is constant. An atom that no block uses is replaced by the block that is
-    explained worst. ValueError for fewer blocks than atoms.
+    The first atom is constant. An unused atom is replaced by the block with the largest error.
+    ValueError for fewer blocks than atoms.
     """
     if len(blocks) < atoms:
         raise ValueError(f"{len(blocks)} blocks for {atoms} atoms")
@@ -104,7 +108,7 @@ def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -
 
 @lru_cache(maxsize=4)
 def made_dictionary(frames: int) -> Matrix:
-    """A dictionary for clips of so many frames, learned from made scenes: no data is needed."""
+    """Learn a dictionary for clips of `frames` frames from procedural scenes; no data is needed."""
     generator = np.random.default_rng([0, frames])
     blocks = []
     for _ in range(_CLIPS):
@@ -116,10 +120,9 @@ def made_dictionary(frames: int) -> Matrix:
 
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
-    """Weights (n, K) of whole blocks: matching pursuit for all of them at once.
+    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together.
 
-    Each round adds the atom that fits best and solves for all weights so far, through the atoms'
-    inner products.
+    Each round adds the best atom and solves for all weights, using the inner products of the atoms.
     """
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
@@ -144,5 +147,5 @@ def _unit(atoms: Matrix) -> Matrix:
 
 
 def _places(size: int) -> list[int]:
-    """Where blocks begin: every `STRIDE`, and one that ends with the picture."""
+    """Return the first pixels of blocks: every `STRIDE`, and the last that fits the picture."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

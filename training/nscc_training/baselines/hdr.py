@@ -1,4 +1,4 @@
-"""High dynamic range from one coded frame without learning: each pixel asks its neighbours."""
+"""High dynamic range from one coded frame without learning: weighted means of neighbours."""
 
 from __future__ import annotations
 
@@ -8,19 +8,20 @@ from numpy.typing import NDArray
 Picture = NDArray[np.float64]
 
 _OWN = 8.0
-"""A pixel's own measurement counts so much more than a direct neighbour's."""
+"""Weight of a pixel's own measurement relative to that of a direct neighbour."""
 
 
 def merged(
     frame: NDArray[np.floating], open_share: Picture, electrons_per_lsb: float,
     saturated: NDArray[np.bool_], read_noise_e: float,
 ) -> Picture:  # fmt: skip
-    """Light over the whole frame in electrons (rows, cols), from a frame's codes above the offset.
+    """Estimate the light over the whole frame in electrons (rows, cols), from codes above the
+    offset.
 
-    `open_share` is the part of the frame for which each pixel was open. Every pixel's light is the
-    mean of the measurements around it, weighted by their precision; saturated ones have none. The
-    neighbourhood grows until a measurement is found. A saturated pixel has at least the light that
-    saturates it.
+    `open_share` is the open fraction of the frame of each pixel. The light of a pixel is the mean
+    of the measurements around it, weighted by precision; saturated measurements have weight 0. The
+    neighbourhood grows until it contains a measurement. A saturated pixel has at least the light
+    that saturates it.
     """
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
@@ -42,7 +43,7 @@ def merged(
 
 
 def _tent(values: Picture, reach: int) -> Picture:
-    """Sums over windows with weights that fall linearly to 0 at `reach` pixels."""
+    """Sum over windows with weights that fall linearly to 0 at `reach` pixels."""
     weights = 1 - np.abs(np.arange(1 - reach, reach)) / reach
     sums = values
     for axis in (0, 1):

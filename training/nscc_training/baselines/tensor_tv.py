@@ -10,19 +10,20 @@ from nscc_training.baselines.tv_loop import Volume, denoise
 from nscc_training.measured import Measured
 
 START = 20
-"""Iterations of GAP-TV that decoders begin with."""
+"""Iterations of GAP-TV at the start of decoders."""
 _WEIGHT, _INNER, _TIME = 0.1, 5, 0.3
 _FAR = 1.0
-"""What a clip is taken to be wrong by while GAP-TV runs: frames are believed as they are."""
+"""Standard deviation of the clip's error that GAP-TV assumes, so large that frames are fitted
+exactly."""
 
 
 def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tensor]:
-    """GAP-TV of so many iterations: the clip (batch, N, rows, cols), and its target as
-    `gap_step` takes it. Frames in several buckets, saturated and noisy ones too.
+    """Return the clip (batch, N, rows, cols) after `iterations` of GAP-TV, and its target for
+    `gap_step`.
 
-    It begins with a clip in which nothing moves, each pixel's light spread over the frame. From a
-    dark one light would come only to slots that are open, and by smoothing to those near them: of
-    64 slots, of which some are open nowhere, these would stay a fifth too dark.
+    Frames may have several buckets, and be saturated and noisy. The start is a static clip, with
+    each pixel's light spread over the frame: from a dark start, slots that no pixel recorded would
+    stay about a fifth too dark (64 slots).
     """
     far = measured.value.new_full((len(measured.value),), _FAR)
     target = measured.value
@@ -36,7 +37,7 @@ def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tens
 def gap_step(
     measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
 ) -> tuple[Tensor, Tensor]:
-    """A clip led towards the frames, and the frames as they are asked for from now on."""
+    """Return the clip after a step towards the frames, and the updated target."""
     predicted = measured.of(clip)
     target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
     return clip + measured.correction(measured.missing(predicted, target), sigma), target
@@ -73,7 +74,7 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return the same by torch's operators, on whatever device the clips are."""
+    """Return the result of `tv_denoised` by torch's operators, on any device."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     step = 1.0 / (4.0 + 2.0 * time * time)

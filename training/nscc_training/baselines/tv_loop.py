@@ -19,7 +19,7 @@ def _primal_row(
 ) -> None:  # fmt: skip
     """out = image + div(field) in the row that begins at `at`.
 
-    `links` says which neighbours there are: 1 above, 2 in the frame before.
+    `links` are bits for existing neighbours: 1 above, 2 in the frame before.
     """
     if links == 3:
         for k in range(at + 1, at + cols):
@@ -51,10 +51,10 @@ def _dual_row(
     cols: int, at: int, plane: int, links: int, step: np.float32, pull: np.float32,
     time: np.float32, out: Floats32, later: Floats32, down: Floats32, right: Floats32,
 ) -> None:  # fmt: skip
-    """A descent step of the field in one row, back into the ball of radius `weight`.
+    """Take a descent step of the field in one row, projected back into the ball of radius `weight`.
 
-    `links` says which neighbours there are: 1 below, 2 in the frame after. Without one, that part
-    of the field stays 0.
+    `links` are bits for existing neighbours: 1 below, 2 in the frame after. Without a neighbour,
+    that component of the field stays 0.
     """
     end = at + cols - 1
     last_down, last_later = _ZERO, _ZERO
@@ -94,9 +94,8 @@ def _dual_row(
 
 @record
 class Volume:
-    """The size of clips and how they are denoised: `time` weighs differences in time relative to
-    those in space.
-    """
+    """Size of clips and options of denoising: `time` weights differences in time relative to those
+    in space."""
 
     clips: int
     frames: int
@@ -146,10 +145,10 @@ def denoise(
     volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
     right: Written[_Clip], out: Written[_Clip],
 ) -> None:  # fmt: skip
-    """Chambolle's projection (2004) of each clip: least |out - image|^2 / 2 + weight TV(out).
+    """Chambolle's projection (2004) of each clip: minimise |out - image|^2 / 2 + weight TV(out).
 
-    `later`, `down` and `right` are the dual field, from where it is to where it has come, 0 where a
-    neighbour is missing.
+    `later`, `down` and `right` are the dual field, updated in place; 0 where a neighbour is
+    missing.
     """
     for clip in range(volume.clips):
         _denoise_clip(volume, clip, image, later, down, right, out)

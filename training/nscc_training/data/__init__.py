@@ -1,4 +1,5 @@
-"""Scenes for training: folders of pictures and clips, a camera turned in panoramas, made ones."""
+"""Scenes for training: folders of pictures and clips, a turning camera in panoramas, procedural
+scenes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Exposures of scenes: which ones depends on seed and step alone, cut on the run's device."""
+"""Exposures of scenes, drawn from seed and step alone, cut on the run's device."""
 
 from __future__ import annotations
 
@@ -17,23 +17,31 @@ from nscc_training.protocols import load_protocol
 from nscc_training.settings import DataSettings
 
 _TRIES = 20
-"""Surroundings that are dark where they should saturate are drawn again so often."""
+"""Most draws of a region, if the regions are too dark to saturate."""
 EXPOSED = 256
-"""Rows and columns of what is exposed together: a patch may be its dark or its bright part."""
+"""Rows and columns exposed together; a patch may be its dark or its bright part."""
 _POLES = 8
-"""Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
+"""A panorama loses 1/8 of its rows at the top and at the bottom, which are stretched unlike any
+lens."""
 _WHITE = 0.999
 """The quantile of a still's light that metrics and losses count as 1."""
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Patches of light, and what is to be found.
+    """Patches of light, and the truth to reconstruct.
 
-    `light` (batch, rows, cols), electrons over the frame, of stills; (batch, N, rows, cols),
-    electrons a slot, of clips. `truth` is the same over a full well (over a full well / N), as
-    decoders give it. `peak` (batch,) is the truth that metrics and losses count as 1. `names` are
-    the scenes' and places.
+    Attributes
+    ----------
+    light : Tensor
+        Stills (batch, rows, cols) in electrons over the frame; clips (batch, N, rows, cols) in
+        electrons per slot.
+    truth : Tensor
+        `light` over a full well, or over a full well / N, as decoders return it.
+    peak : Tensor
+        (batch,): the truth that metrics and losses count as 1.
+    names : tuple of str
+        The scenes and places of the patches.
     """
 
     light: Tensor
@@ -42,20 +50,20 @@ class Batch:
     names: tuple[str, ...]
 
     def patches(self, first: int, last: int) -> Batch:
-        """Return some of its patches."""
+        """Return the patches from `first` up to `last`."""
         cut = slice(first, last)
         return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
                        names=self.names[cut])  # fmt: skip
 
     @cached_property
     def goal(self) -> Tensor:
-        """The truth over the peak, at most 1."""
+        """The truth over the peak, clipped to 1."""
         return self._relative.clamp(max=1)
 
     @cached_property
     def most(self) -> Tensor:
-        """What predictions over the peak count as at most: 1 wherever the truth reaches the peak,
-        infinity elsewhere."""
+        """Upper limit of predictions over the peak: 1 where the truth reaches the peak, else
+        infinity."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
     @cached_property
@@ -64,12 +72,12 @@ class Batch:
 
 
 class Exposures(NamedTuple):
-    """What is drawn for a batch, E exposures of square surroundings, before anything is cut.
+    """E exposures of square regions, drawn for a batch before anything is cut.
 
-    `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is turned by
-    `turns` right angles, and mirrored, and its time goes `backwards`; light is raised to the power
-    of `contrast`, of a still the part `share` of the pixels saturates. Patch k is cut from exposure
-    `source[k]` at `corner[k]` (row, column).
+    `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is rotated by
+    `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
+    power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
+    exposure `source[k]` at `corner[k]` (row, column).
     """
 
     light: Tensor
@@ -134,7 +142,8 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return light that is exposed together, of a still the share that saturates, its place."""
+        """Return the light of a region, the fraction of a still's pixels that saturates, and the
+        place."""
         light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
@@ -172,7 +181,7 @@ def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, devi
         level = quantiles(total, 0.99 if grey_e is None else 0.5)
         level = level if grey_e is None else level * (full_well_e / grey_e)
         white = torch.ones_like(level)
-    # What has no light is dark at any exposure.
+    # A region without light is dark at any exposure.
     scale = torch.where(level > 0, full_well_e / level, 0.0)
     values = _cut(light, settings.patch, turns, mirrored, backwards, source, corner)
     wide = (-1,) + (1,) * (values.ndim - 1)
@@ -188,14 +197,14 @@ def _cut(
     light: Tensor, patch: int, turns: Tensor, mirrored: Tensor, backwards: Tensor, source: Tensor,
     corner: Tensor,
 ) -> Tensor:  # fmt: skip
-    """Return the patches (batch, [N,] patch, patch) of turned and mirrored surroundings."""
+    """Return the patches (batch, [N,] patch, patch) of rotated and mirrored regions."""
     last = light.shape[-1] - 1
     step = torch.arange(patch, device=light.device)
     rows = (corner[:, 0, None] + step)[:, :, None]
     cols = (corner[:, 1, None] + step)[:, None, :]
     cols = torch.where(mirrored[source, None, None], last - cols, cols)
     turned = turns[source, None, None]
-    # The pixel that np.rot90 has there, of as many right angles.
+    # The source pixel of np.rot90 by this number of right angles.
     row = torch.where(turned == 0, rows, torch.where(
         turned == 1, cols, torch.where(turned == 2, last - rows, last - cols)))  # fmt: skip
     col = torch.where(turned == 0, cols, torch.where(
@@ -211,7 +220,7 @@ def _cut(
 
 
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
-    """Return the quantile `part`, a number or (batch,), of each row of values (batch, count).
+    """Return the quantile (a number, or (batch,)) of each row of values (batch, count).
 
     The result is float64, interpolated as numpy does.
     """

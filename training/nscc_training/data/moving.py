@@ -1,7 +1,7 @@
-"""Clips made of pictures: several layers that pan, turn, zoom, bend and cross one another.
+"""Clips made of pictures: layers that pan, rotate, zoom, bend and cross one another.
 
-There is little video that may be used freely, and many photographs. What a clip needs to teach is
-in them: detail, and motion of its parts by itself, with edges that cover and uncover.
+Little video may be used freely, but many photographs may. They provide detail; the layers provide
+independent motion of parts, with edges that cover and uncover.
 """
 
 from __future__ import annotations
@@ -23,22 +23,24 @@ Generator = np.random.Generator
 
 _SHORT = 1000
 _LOOKED_AT = 3
-"""Places of a picture of which the one with most detail is taken: skies teach little."""
+"""Places of a picture that are tried; the one with most detail is used, because skies teach little.
+"""
 _SPEEDS = (0.03, 6.0)
-"""Pixels a frame, slowest and fastest: all ratios between are as likely."""
+"""Slowest and fastest speed in pixels per frame, drawn uniformly in the logarithm."""
 _STILL = 0.15
-"""The part of layers that do not move at all."""
+"""Fraction of layers that stand still."""
 _BLURRED = 3
-"""Moments that a frame is the mean of, where a clip's shutter stays open while things move."""
+"""Moments averaged for a frame of a clip with motion blur."""
 
 
 def moving(
     pictures: Sequence[Picture], generator: Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
-    """A clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than `size`.
+    """Return a clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than
+    `size`.
 
-    A background and up to three things before it, each from a picture of its own; half of the
-    clips have motion within a frame, too. Values are as stored or, raised to a power, like light.
+    A background and up to three objects in front of it come from different pictures; half of the
+    clips have motion blur. Values are as stored or, raised to a power, like light.
     """
     layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
@@ -59,10 +61,11 @@ def moving(
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """A picture on its way: at moment t the place p of a clip shows `picture` at
-    centre + turn(t) (p - size / 2 - velocity t) * scale * zoom^t, bent by waves.
+    """A moving picture.
 
-    `outline` is a polygon of radii around `middle`, none for a background.
+    At moment t, place p of the clip shows `picture` at centre + turn(t) (p - size / 2 - velocity t)
+    * scale * zoom^t, distorted by waves. `outline` is a polygon of radii around `middle`; None for
+    a background.
     """
 
     picture: Picture
@@ -132,7 +135,7 @@ class _Layer:
         return np.asarray(warped, np.float32)
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
-        """How much of each pixel the thing covers: its edge is a pixel wide."""
+        """Return the fraction of each pixel that the object covers; its edge is one pixel wide."""
         assert self.outline is not None
         y, x = self.middle + self.velocity * moment
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
@@ -145,7 +148,7 @@ class _Layer:
 
 
 def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.float64]:
-    """A place (row, column) of a picture, rather where there is something to see."""
+    """Return the place (row, column) with most detail of some random places of a picture."""
     places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
     def detail(place: NDArray[np.float64]) -> float:
@@ -157,7 +160,7 @@ def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.f
 
 
 def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
-    """The layers at a moment, each over those before it, 0..255."""
+    """Return the layers at a moment, each painted over those before it, 0..255."""
     image = layers[0].picture_at(moment, size)
     for layer in layers[1:]:
         cover = layer.cover_at(moment, size)
@@ -182,8 +185,10 @@ def pictures_below(folder: Path) -> list[Path]:
 
 
 def light_of_picture(path: Path) -> NDArray[np.float32]:
-    """Return the light of a picture, halved until its shorter side is below 1000 pixels: detail as
-    sharp as small cameras have it."""
+    """Return the light of a picture, halved until its shorter side is below 1000 pixels.
+
+    That gives detail as sharp as that of small cameras.
+    """
     import cv2
 
     light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)
@@ -194,6 +199,6 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
 
 
 def shown_picture(light: NDArray[np.float32]) -> Picture:
-    """The picture on a display whose white is the light that all but 2 % of the pixels have."""
+    """Return the picture on a display whose white is the 98 % quantile of the light."""
     level = max(float(np.percentile(light, 98)), 1e-30)
     return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)

@@ -1,4 +1,4 @@
-"""Where scenes come from, and which of them are for validation."""
+"""Sources of scenes, and the split into training and validation."""
 
 from __future__ import annotations
 
@@ -33,23 +33,23 @@ from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
 
 _MOST_SIDE = 512
-"""Clips are cut to this from their centre: training takes patches."""
+"""Clips are cut to this many rows and columns around their centre: training takes patches."""
 _CAMERA_SIDE = 256
-"""Rows and columns of the clips that a camera makes of a panorama, at least."""
+"""Minimum rows and columns of the clips made of a panorama."""
 _MOST_LIGHT = 1e32
-"""Sums over all slots of more than that are infinite."""
+"""Sums of light over all slots beyond this overflow."""
 _LIT_SHARE = 0.01
-"""A clip's exposure is set by its brightest hundredth."""
+"""The exposure of a clip follows from its brightest hundredth."""
 _VALIDATION = 5
-"""Every so many files one is for validation, where no folder is named for it."""
+"""Every fifth file is for validation if no folder is named for it."""
 
 
 @dataclass(frozen=True, eq=False)
 class SourceScene:
-    """One scene: linear light (rows, cols) or (T, rows, cols), in no particular unit.
+    """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
-    For clips of display files 1 is white. `sha256` is the file's digest, or the array's where there
-    is no file.
+    For clips of display files 1 is white. `sha256` is the digest of the file, or of the array if
+    there is no file.
     """
 
     name: str
@@ -59,13 +59,13 @@ class SourceScene:
 
 @dataclass(frozen=True, eq=False)
 class Scenes:
-    """The scenes of a run; `train` and `val` share none."""
+    """The scenes of a run; `train` and `val` share no scene."""
 
     train: tuple[SourceScene, ...]
     val: tuple[SourceScene, ...]
 
     def split(self) -> dict[str, list[dict[str, str]]]:
-        """What `split.json` holds: names and digests."""
+        """Return the content of `split.json`: names and digests."""
         return {
             split_name: [{"file": s.name, "sha256": s.sha256} for s in scenes]
             for split_name, scenes in (("train", self.train), ("val", self.val))
@@ -76,12 +76,12 @@ def load_scenes(
     settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False,
     tell: Callable[[str], object] = lambda _text: None,
 ) -> Scenes:  # fmt: skip
-    """The scenes that a configuration names; with `pictures` those to learn from are the light of
-    all pictures below a folder. `tell` is told which of a folder are for validation, and what was
-    changed in a scene.
+    """Load the scenes that a configuration names.
 
-    Raises Rejected: NS0811 for a folder without scenes of the kind, or where training and
-    validation would share one, NS0812 for an import path.
+    With `pictures`, the training scenes are the light of all pictures below a folder. `tell` is
+    called with a message on the validation split, and on changes of a scene. Raises Rejected:
+    NS0811 for a folder without scenes of the kind, or if training and validation would share a
+    scene; NS0812 for an import path.
     """
     kind = _Kind(settings, still, slots, seed, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
@@ -117,7 +117,7 @@ def load_scenes(
 
 @dataclass(frozen=True)
 class _Kind:
-    """What is loaded: stills or clips of at least `slots` frames."""
+    """The kind of scenes to load: stills, or clips of at least `slots` frames."""
 
     settings: DataSettings
     still: bool
@@ -126,7 +126,7 @@ class _Kind:
     tell: Callable[[str], object] = lambda _text: None
 
     def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
-        """A stored picture as light, by the same rules as `nscc run`."""
+        """Return the light of a stored picture, by the rules of `nscc run`."""
         return picture_light(
             stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
         )
@@ -176,7 +176,7 @@ def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
 
 
 def _read(path: Path, kind: _Kind) -> list[SourceScene]:
-    """The scenes of a file: one, or the clips of a panorama or a photograph."""
+    """Return the scenes of a file: one, or the clips of a panorama or a photograph."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
@@ -196,9 +196,9 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
 def _turned(
     panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
 ) -> list[SourceScene]:
-    """The clips of a panorama; the camera's paths are fixed by the file and the seed.
+    """Return the clips of a panorama; file and seed determine the camera's paths.
 
-    Where stored values of clips are taken as light, so are those that a display camera would store.
+    If stored values of clips count as light, the values of a display camera are used here too.
     """
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
@@ -212,7 +212,8 @@ def _turned(
 
 
 def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
-    """The clips of a photograph: layers that are all cut from it, so that no other file is seen."""
+    """Return the clips of a photograph, with all layers cut from it, so that clips of different
+    files stay separate."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     picture = shown_picture(light_of_picture(path))
     transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
@@ -226,7 +227,7 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
 
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
-    """One for each of the clips that a file's scene is made of, fixed by file and seed."""
+    """Return a generator for each clip made of a file; file and seed determine it."""
     return [
         np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
@@ -234,7 +235,7 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 
 
 def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:
-    """The first frames of a clip as light."""
+    """Return the first frames of a clip as light."""
     chosen = kind.settings.transfer or ("linear" if path.suffix.lower() == ".mat" else "srgb")
     transfer: Transfer = "linear" if chosen == "linear" else "srgb"
     return _clip_light(path, frames_in(path), transfer, kind)
@@ -257,7 +258,7 @@ def _centre(frame: NDArray[Any]) -> NDArray[Any]:
 
 
 def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
-    """Why no exposure fits a scene of which too little is lit; "" for others."""
+    """Return why no exposure suits a scene, because too few pixels are lit; "" otherwise."""
     share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
     lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
     return "" if lit >= share else (
@@ -267,7 +268,7 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
 
 
 def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
-    """The scene, if training can use it; else Rejected (NS0811)."""
+    """Return the scene; Rejected (NS0811) if training cannot use it."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"
@@ -289,7 +290,7 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
             helps=("take it out of the folder, or change [data] patch or [shutter] slots",),
         )
     if kind.still and not _MOST_LIGHT**-0.25 < light.max() < _MOST_LIGHT**0.25:
-        # Stills have no unit, and far from 1 their powers and sums leave float32.
+        # Stills have an arbitrary unit; far from 1 their powers and sums overflow float32.
         light = light.astype(np.float64) / (float(light.max()) or 1.0)
     values = np.ascontiguousarray(light, np.float32)
     return SourceScene(name, digest or sha256(values.tobytes()).hexdigest(), values)

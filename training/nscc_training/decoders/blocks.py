@@ -16,9 +16,10 @@ Size = tuple[int, int]
 
 
 def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
-    """Blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows, cols).
+    """Return the blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows,
+    cols).
 
-    Blocks are in order of their rows; so many of them as lie in the pictures, `step` apart.
+    Blocks are ordered by rows and lie `step` pixels apart.
     """
     blocks = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
     batch, count, down, across = blocks.shape[:4]
@@ -28,9 +29,10 @@ def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
 
 
 def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
-    """Sums of blocks where they lie in pictures (batch, *size): the adjoint of `taken`.
+    """Return the sums of overlapping blocks in pictures (batch, *size): the adjoint of
+    `unfold_blocks`.
 
-    A step is a block or a whole part of one, and the blocks fill the pictures.
+    A step is a block or a whole fraction of one, and the blocks fill the pictures.
     """
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
@@ -69,16 +71,17 @@ class _Put(Function):
 
 
 def fcnet(channels: Sequence[int], task: DecoderTask, size: str) -> BlockNet:
-    """The declared decoder `fcnet`, of one width."""
+    """Build the declared decoder `fcnet`, which has one width."""
     return BlockNet(channels[0], task.slots, task.tile)
 
 
 class BlockNet(nn.Module):
-    """Every block of 2 x 2 tiles of the frame becomes N pictures of that block.
+    """Fully connected layers from every block of 2 x 2 tiles of the frame to N pictures of that
+    block.
 
-    Blocks overlap by a tile in both directions, and a pixel's values are averaged over the blocks
-    that hold it. It sees no code but knows its tile: blocks always begin at a tile's corner.
-    `overlapping` (down, across) may be switched off after training: fewer blocks, less work.
+    Blocks overlap by a tile in both directions; each pixel is the average over the blocks that
+    contain it. The network sees no code, but blocks always begin at the corner of a tile.
+    `overlapping` (down, across) may be switched off after training for fewer blocks.
     """
 
     def __init__(self, hidden: int, slots: int, tile: tuple[int, int]) -> None:
@@ -111,11 +114,11 @@ class BlockNet(nn.Module):
 
     @property
     def step(self) -> tuple[int, int]:
-        """Pixels from a block to the next, down and across."""
+        """Distance between blocks in pixels, down and across."""
         down, across = self.overlapping
         return (self.tile if down else self.block)[0], (self.tile if across else self.block)[1]
 
     def grown(self, size: int, axis: int) -> int:
-        """The next size that whole blocks fill, at their steps."""
+        """Return the smallest size, at least `size`, that whole blocks fill along an axis."""
         block, step = self.block[axis], self.step[axis]
         return block + max(0, -(-(size - block) // step)) * step

@@ -36,8 +36,8 @@ class Decoder:
     ----------
     name : str
     network : str
-        `module:function` that builds the network from its channels, a task and the size. The
-        module is loaded when the decoder is built.
+        `module:function` that builds the network from its channels, a task and the size. The module
+        is loaded when the decoder is built.
     channels : mapping of str to tuple of int
         The channels of the layers, by size.
     stills, clips : bool
@@ -47,12 +47,11 @@ class Decoder:
     any_code : bool
         Whether it decodes codes that it was not trained with.
     fixed_channels : bool
-        Whether its width cannot be changed: it starts from weights that come with nscc, or has none.
+        Whether its width is fixed: it starts from weights that come with nscc, or has no weights.
     guesses : bool
         Whether it can start from a first guess, or without.
     two_buckets : bool
-        Whether it takes frames (batch, 2, rows, cols) of clips, with the shutters of the first
-        bucket.
+        Whether it takes frames (batch, 2, rows, cols) of clips, and shutters of the first bucket.
     """
 
     name: str
@@ -115,9 +114,9 @@ DECODERS = {decoder.name: decoder for decoder in _OWN}
 
 
 def added_decoders() -> dict[str, Callable[..., Any]]:
-    """What makes the decoders that other distributions add, by name; called as a user's own is.
+    """Return the builders of decoders that other distributions declare, by name.
 
-    Raises Rejected (NS0905) for what cannot be called or has a name of `DECODERS`.
+    Raises Rejected (NS0905) for an object that is not callable, or a name of `DECODERS`.
     """
     makers = added("nscc.decoders", DECODERS)
     for name, make in makers.items():

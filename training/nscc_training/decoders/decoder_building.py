@@ -1,4 +1,4 @@
-"""Decoders by name and size, and what they cost."""
+"""Build decoders by name and size; count their parameters and operations."""
 
 from __future__ import annotations
 
@@ -16,17 +16,34 @@ from nscc_training.import_paths import imported, is_import_path, own_code, own_f
 SMALL = 600_000
 """Parameters that a small decoder has at most."""
 _PARTS = 24
-"""Where slots or a tile are so large that more would come of it, widths are fewer 24ths of these.
-"""
+"""If slots or tile are so large that a small decoder exceeds SMALL, its widths are reduced in
+24ths."""
 
 
 def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
-    """A decoder of `DECODERS` in a size of `SIZES`, or one of `others`, or `module:name`.
+    """Build a decoder.
 
-    `width`, up to 1, makes all layers of the size narrower. One that is not nscc's is called as
-    name(size=.., kind=.., slots=.., tile=.., sees_code=..), for two buckets with buckets=2 as well;
-    Rejected (NS0822), here and whenever it decodes, where it fails. ValueError for what a decoder
-    cannot be, and where slots and tile leave none of that size.
+    Parameters
+    ----------
+    name : str
+        A name of `DECODERS` or `added_decoders`, or `module:name` of the user's own code.
+    size : str
+        One of `SIZES`.
+    task : DecoderTask
+    width : float
+        Factor up to 1 on the channels of all layers.
+
+    Raises
+    ------
+    ValueError
+        If the decoder does not support the task, or no decoder of this size exists for it.
+    Rejected
+        NS0822 if the user's code fails, now or when it decodes.
+
+    Notes
+    -----
+    The user's own code is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..), with
+    buckets=2 for two buckets.
     """
     declared = DECODERS.get(name)
     if declared is None or size not in SIZES:
@@ -75,7 +92,7 @@ def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
 
 
 def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
-    """A decoder whose layers have that part of the declared channels, one at least."""
+    """Build a decoder whose layers have `width` times the declared channels, at least one."""
     module, _, function = declared.network.partition(":")
     # rounded first: 24ths of whole numbers are to come out whole
     channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
@@ -102,7 +119,10 @@ def _called(
     module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
     frame: Tensor, shutters: Tensor,
 ) -> Tensor:  # fmt: skip
-    """What the user's decoder gives; NS0822 where later steps would misunderstand it."""
+    """Return the output of the user's decoder.
+
+    Raises Rejected (NS0822) for an output of another type, shape or dtype, or without a gradient.
+    """
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])
@@ -121,12 +141,13 @@ def _called(
 
 
 def parameter_count(module: nn.Module) -> int:
-    """How many numbers a module has learned."""
+    """Return the number of parameters of a module."""
     return sum(p.numel() for p in module.parameters())
 
 
 def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
-    """Floating-point operations, multiplications and additions each, for one exposure."""
+    """Return the floating-point operations of one exposure; a multiplication and an addition count
+    as two."""
     from torch.utils.flop_counter import FlopCounterMode
 
     device = next((p.device for p in module.parameters()), torch.device("cpu"))

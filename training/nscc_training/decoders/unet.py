@@ -15,19 +15,19 @@ from nscc_training.decoders.guess import clip_guess, still_guess
 from nscc_training.sensor_model import laid, lifted, shared_out
 
 LOG_FLOOR = 1e-3
-"""Stills are predicted as log(1 + light / LOG_FLOOR)."""
-# The paper's networks begin with nothing; the small ones have no time for that.
+"""Networks predict stills as log(1 + light / LOG_FLOOR)."""
+# The paper's networks start from nothing; the small ones train too briefly for that.
 _GUESSES = {"paper": False, "small": True}
 
 
 def flat(channels: Sequence[int], task: DecoderTask, size: str) -> StillUNet:
-    """The declared decoder `unet2d`."""
+    """Build the declared decoder `unet2d`."""
     slots = None if task.kind == "still" else task.slots
     return StillUNet(channels, slots, task.sees_code, _guesses(task, size), task.buckets)
 
 
 def deep(channels: Sequence[int], task: DecoderTask, size: str) -> ClipUNet:
-    """The declared decoder `unet3d`."""
+    """Build the declared decoder `unet3d`."""
     return ClipUNet(channels, task.slots, _guesses(task, size), task.buckets)
 
 
@@ -36,10 +36,10 @@ def _guesses(task: DecoderTask, size: str) -> bool:
 
 
 class UNet(nn.Module):
-    """The common shape of both: `widths` channels from the finest level to the coarsest.
+    """A U-Net with `widths` channels from the finest level to the coarsest.
 
-    Any size of input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the
-    result is cut to what came in.
+    The input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the result is
+    cut to the size of the input.
     """
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
@@ -93,10 +93,10 @@ class UNet(nn.Module):
 
 
 class _Convolution3d(nn.Conv3d):
-    """A convolution that is in float32 where only two slots are left, on CPUs.
+    """A convolution in float32 if only two slots remain, on CPUs.
 
-    In bfloat16 parts of its weights' gradients are uninitialised memory there (torch 2.13 on
-    processors with AVX512-BF16).
+    In bfloat16 some gradients of its weights are uninitialised memory (torch 2.13 on processors
+    with AVX512-BF16).
     """
 
     def forward(self, x: Tensor) -> Tensor:
@@ -107,13 +107,14 @@ class _Convolution3d(nn.Conv3d):
 
 
 class StillUNet(nn.Module):
-    """2D U-Net. Sees the frame, or those of two buckets; with `sees_code`, for stills also the part
-    of the frame that each pixel was open for and its light by itself, for clips S^T E, a channel a
-    slot.
+    """2D U-Net.
 
-    The result of stills is the logarithm of light, that of clips (`slots`) has a channel a slot.
-    With `guesses` the network sees the first guess, too, and says what must be added to it, for
-    clips also how much of it is to stay (`gated`); that takes `sees_code`.
+    Inputs: the frame, or the frames of two buckets. With `sees_code` also, for stills, the open
+    fraction of each pixel and its light alone; for clips S^T E, a channel per slot.
+
+    Output: the logarithm of the light of a still, or a channel per slot of a clip (`slots`). With
+    `guesses` the first guess is another input, and the network predicts a correction to it, for
+    clips also a gain (`gated`); this needs `sees_code`.
     """
 
     def __init__(
@@ -160,8 +161,8 @@ class StillUNet(nn.Module):
 class ClipUNet(nn.Module):
     """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
 
-    With `guesses` it sees the first guess, too, and says what must be added to it and how much of
-    it is to stay (`gated`).
+    With `guesses` the first guess is another input, and the network predicts its correction and its
+    gain (`gated`).
     """
 
     def __init__(
@@ -181,18 +182,19 @@ class ClipUNet(nn.Module):
 
 
 def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
-    """A guess of which a network takes so much more or less, and to which it adds something.
+    """Return `guess * (1 + extra_share) + added`.
 
-    A clip's guess holds the code's own pattern. To take that away by adding alone, a network has to
-    make the pattern again; taking less of the guess is one number.
+    A clip's guess contains the pattern of the code. Removing it by addition would make the network
+    reproduce the pattern; a gain removes it with one number.
     """
     return added + guess * (1 + extra_share)
 
 
 def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
-    """S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows, cols).
+    """Return S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows,
+    cols).
 
-    Added up, two buckets' have something in every slot; apart they show where their light went.
+    The buckets stay separate: their sum has light in every slot and hides which bucket got it.
     """
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
     array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
@@ -208,6 +210,6 @@ def _added(volumes: Sequence[Tensor]) -> Tensor:
 
 
 def begin_with_nothing(network: UNet) -> UNet:
-    """Let a network that improves on something begin with adding nothing to it."""
+    """Set the last layer to zero, so that the network starts by adding nothing."""
     nn.init.zeros_(network.last.weight)
     return network

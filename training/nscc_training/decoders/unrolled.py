@@ -19,24 +19,25 @@ _TV_ITERATIONS = 20
 
 
 def unrolled(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
-    """The declared decoder `unrolled`."""
+    """Build the declared decoder `unrolled`."""
     return Unrolled(channels, task.slots, _STAGES[size])
 
 
 def refined(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
-    """The declared decoder `refined`: GAP-TV first."""
+    """Build the declared decoder `refined`, which starts from GAP-TV."""
     return Unrolled(channels, task.slots, _STAGES[size], _TV_ITERATIONS)
 
 
 class Unrolled(nn.Module):
-    """`stages` times: take the clip to one that gives the frame, then let a 2D U-Net improve it.
+    """Alternate a projection and a 2D U-Net, `stages` times.
 
     The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
-    on Imaging Sciences 2014): it spreads what the frame has more than the clip's own capture over
-    the slots that each pixel was open in. A U-Net has a channel a slot, and sees the shutters.
+    on Imaging Sciences 2014): it distributes the difference between the frame and the clip's own
+    capture over the slots in which each pixel was open. A U-Net has a channel per slot and sees the
+    shutters.
 
-    It begins with the first guess, or, with `tv_iterations`, with so many of GAP-TV: better, but no
-    gradient passes them, so that codes do not learn what they are worth.
+    The clip starts from the first guess, or from `tv_iterations` of GAP-TV. The latter is better,
+    but passes no gradient to the codes.
     """
 
     def __init__(

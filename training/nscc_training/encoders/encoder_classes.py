@@ -23,15 +23,32 @@ CLASSES: dict[str, type[Encoder]] = {
 }
 
 _MOST_LEVELS = 16
-"""Exposures that are scattered one by one: of more, those that double."""
+"""Most exposures that are scattered one by one; with more, powers of two."""
 
 
 def make_encoder(
     spec: ShutterSpec, start: str = "random", seed: int = 0, relaxation: str = "straight-through"
 ) -> Encoder:
-    """An encoder of that class, at one of `STARTS`; the seed is for what is drawn.
+    """Make an encoder of the class that `spec` names.
 
-    ValueError for what the class cannot be.
+    Parameters
+    ----------
+    spec : ShutterSpec
+    start : str
+        One of `nscc_training.code_choices.STARTS`.
+    seed : int
+        Seed of random starts.
+    relaxation : str
+        How codes are learned: one of `nscc_training.code_choices.RELAXATIONS`.
+
+    Returns
+    -------
+    Encoder
+
+    Raises
+    ------
+    ValueError
+        For a start or a relaxation that the class does not support.
     """
     if spec.kind not in CLASSES:
         raise ValueError(f"{spec.kind!r} is none of {', '.join(CLASSES)}")
@@ -56,7 +73,8 @@ def make_encoder(
 
 
 def _scatter(encoder: Encoder, start: str, generator: np.random.Generator) -> None:
-    """Give the tile exposures that keep away from their like; ValueError for other classes."""
+    """Start with exposures that keep away from equal ones. ValueError for classes without
+    exposures."""
     if not isinstance(encoder, Bump) or len(encoder.limits) != 1:
         raise ValueError(f"{start} is for codes of one field, classes b and c")
     ((name, (low, high)),) = encoder.limits.items()

@@ -1,4 +1,4 @@
-"""Pixels that look: at which boundaries and above which levels they close, all of them alike."""
+"""Pixels that look: the boundaries and levels at which they close, the same for all pixels."""
 
 from __future__ import annotations
 
@@ -14,20 +14,19 @@ from nscc_training.encoders.trial import CodeTrial, Over, drawn
 from nscc_training.gradients import replaced, rounded
 
 LOOKS = "looks"
-"""The name of the class. What stands for its shutters are fields (2 looks, rows, cols), the
-boundaries and then the levels: when a pixel is open hangs on the light
-(`nscc_training.looking_model`)."""
+"""The name of the class. Its shutters are represented by fields (2 looks, rows, cols), boundaries
+followed by levels, because the open time depends on the light (`nscc_training.looking_model`)."""
 _OCTAVES, _WELLS = 0.3, 0.06
-"""How far trials go: moments count by their ratio, levels by their part of a full well."""
+"""Standard deviations of trials: of moments in octaves, of levels in full wells."""
 _REACH = 0
-"""A pixel's light has only what it did itself."""
+"""Radius in pixels of a trial: the reconstruction of a pixel depends on that pixel alone."""
 
 
 class LooksEncoder(Encoder):
     """Class looks: a tile (1, looks) of boundaries and levels, in steps of IN.
 
-    `spec.levels` is the largest step that there is. Parameters are real: the logarithm (base 2) of
-    the boundary, and the step.
+    `spec.levels` is the largest step. Parameters are real: the logarithm (base 2) of the boundary,
+    and the step.
     """
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
@@ -47,12 +46,14 @@ class LooksEncoder(Encoder):
         return self.hardened(self.fields()).float()
 
     def fields(self) -> Tensor:
-        """Moments and levels (2 looks, 1, 1), real."""
+        """Return real moments and levels (2 looks, 1, 1)."""
         return torch.cat([self.moment, self.level]).reshape(-1, 1, 1)
 
     def hardened(self, fields: Tensor) -> Tensor:
-        """Whole boundaries, each after the one before, and whole levels, of real fields (2 looks,
-        rows, cols); straight through."""
+        """Return increasing whole boundaries and whole levels of real fields (2 looks, rows, cols).
+
+        The gradient passes straight through.
+        """
         moments, levels = fields.chunk(2)
         at = 2.0**moments
         looks, slots = len(at), self.spec.slots
@@ -104,7 +105,8 @@ class LooksEncoder(Encoder):
         self._fill(at, np.full(looks, max(1, self.most // 2)))
 
     def start_quad(self) -> None:
-        """Geometric moments, from the first boundary on, and half of what the next one may hold."""
+        """Set geometric moments from the first boundary on, and levels of half of the next moment's
+        limit."""
         looks = self.spec.tile[1]
         ratio = self.spec.slots ** (1 / looks)
         level = 0.9 * self.most / max(ratio, 2.0)

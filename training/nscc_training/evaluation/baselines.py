@@ -17,8 +17,8 @@ from nscc_training.evaluation import methods
 from nscc_training.evaluation.captured import CapturedScene, captured
 from nscc_training.evaluation.methods import Light, Method
 from nscc_training.evaluation.results import (
+    ResultSubject,
     Scored,
-    Subject,
     also_saturated,
     mean_score,
     scored,
@@ -167,7 +167,7 @@ def evaluate_baseline(
     published = protocol.values.get("published_db", {}).get(name)
     extra_settings = {} if published is None else {"published_db": published}
     spent_s = [entry.seconds for entry in scored_scenes]
-    subject = Subject(
+    subject = ResultSubject(
         name, {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
         sees=baseline.method.sees,
         decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
@@ -285,5 +285,5 @@ def evaluate_sci8(
 
     scored_scenes = list(scored(scenes_in(paths, protocol), decode))
     spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
-    subject = Subject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
+    subject = ResultSubject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
     return with_arrays(protocol, subject, paths, scored_scenes, [])

@@ -32,8 +32,8 @@ from nscc_training.design.looking import Model, Schedule
 from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.evaluation.results import (
+    ResultSubject,
     Scored,
-    Subject,
     also_saturated,
     scored,
     usable_scenes,
@@ -90,7 +90,7 @@ def evaluate_looks(
         return list(scored(shown, decode))
 
     settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
-    subject = Subject(name, {**_settings(name), **settings}, decoder_ms=0.0)
+    subject = ResultSubject(name, {**_settings(name), **settings}, decoder_ms=0.0)
     other_shares = also_saturated(files, protocol, decoded)
     return with_arrays(protocol, subject, files, decoded(usable), left_out, **other_shares)
 

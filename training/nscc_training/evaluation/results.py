@@ -114,7 +114,7 @@ def check_finite(result: Array, name: str) -> None:
 
 
 @dataclass(frozen=True)
-class Subject:
+class ResultSubject:
     """What was evaluated, with hard shutters: a method's name and settings, and what it costs."""
 
     method: str
@@ -128,7 +128,7 @@ class Subject:
 
 def result(
     protocol: Protocol,
-    subject: Subject,
+    subject: ResultSubject,
     files: Sequence[Path],
     items: Sequence[Item],
     left_out: Sequence[Mapping[str, Any]] = (),
@@ -172,7 +172,7 @@ def result(
 
 def with_arrays(
     protocol: Protocol,
-    subject: Subject,
+    subject: ResultSubject,
     files: Sequence[Path],
     scored_scenes: Sequence[Scored],
     left_out: Sequence[Mapping[str, Any]],

@@ -21,8 +21,8 @@ from nscc_training.decoders.declared import DECODERS
 from nscc_training.decoders.decoder_building import flops, parameter_count
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.evaluation.results import (
+    ResultSubject,
     Scored,
-    Subject,
     also_saturated,
     scored,
     usable_scenes,
@@ -156,11 +156,11 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
 
 def _subject(
     folder: RunFolder, scored_scenes: Sequence[Scored], seed: int, effects: str
-) -> Subject:
+) -> ResultSubject:
     """What a result says of the run."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
-    return Subject(
+    return ResultSubject(
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,

@@ -1,4 +1,4 @@
-"""What a finished run leaves: the program, its codes, the decoder, and what they are worth."""
+"""The files of a finished run: program, codes, decoder, and their scores."""
 
 from __future__ import annotations
 
@@ -40,15 +40,15 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
     ("exposure x 0.5", {}, 0.5),
     ("exposure x 2", {}, 2.0),
 )
-"""Names, and factors: of the sensor's values, and of the exposure."""
+"""Name of each change, and factors on values of the sensor and on the exposure."""
 
 
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """The files of a run by name; the parts are in their best state, reached at `step`.
+    """Return the files of a run by name; the setup is in its best state, reached at `step`.
 
-    All scores are the protocol's, of the validation scenes that are `shown`.
+    All scores are the protocol's, of the validation scenes `shown`.
     """
     from safetensors.torch import save
 
@@ -95,7 +95,7 @@ def artifacts(
 
 
 def environment(setup: TrainingSetup) -> dict[str, Any]:
-    """Versions that the numbers depend on; no host, no time, no path."""
+    """Return the versions that results depend on; without host, time and path."""
     return {
         "nscc": __version__,
         "python": platform.python_version(),
@@ -107,22 +107,22 @@ def environment(setup: TrainingSetup) -> dict[str, Any]:
 
 
 def lines_of(values: Any) -> bytes:
-    """JSON as a file."""
+    """Return JSON as the bytes of a file."""
     return (json.dumps(values, indent=2, allow_nan=False) + "\n").encode()
 
 
 def config_digest(settings: RunSettings) -> str:
-    """That of config.resolved.toml: everything that a run depends on."""
+    """Return the digest of config.resolved.toml, which determines the run."""
     return sha256(config_toml(settings).encode()).hexdigest()
 
 
 def split_digest(scenes: Scenes) -> str:
-    """That of split.json: the scenes that a run learns from and is chosen by."""
+    """Return the digest of split.json, the scenes of training and validation."""
     return sha256(lines_of(scenes.split())).hexdigest()
 
 
 def capture_toml(setup: TrainingSetup) -> str:
-    """What a frame must have been made with for the decoder to understand it."""
+    """Return the text of capture.toml: the conditions of capture that the decoder was trained for."""
     model, slots = setup.model, "" if setup.still else " / slots in a slot"
     values = {
         "sensor_sha256": sensor_sha256(setup.sensor),
@@ -144,7 +144,7 @@ def capture_toml(setup: TrainingSetup) -> str:
 
 
 def _exposure(setup: TrainingSetup) -> str:
-    """How bright scenes are."""
+    """Return the exposure of scenes as a text."""
     if setup.still:
         return "30 % of the pixels saturate when always open"
     grey_e = setup.protocol.mid_grey_e
@@ -156,7 +156,8 @@ def _exposure(setup: TrainingSetup) -> str:
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
-    """PSNR with soft, hard, compiled and emulated shutters on the same scenes, without noise."""
+    """Return the PSNR with soft, hard, compiled and emulated shutters on the same scenes, without
+    noise."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
     if kind == LOOKS:
@@ -190,7 +191,7 @@ def _stages(
 def _headline(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
 ) -> dict[str, Any]:
-    """What a run is worth on the sensor that it was `trained` under, and beside effects without."""
+    """Return the scores on the sensor of training; with effects, also the scores without them."""
     effects = setup.settings.sensor.effects
     headline = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
     if effects:
@@ -200,7 +201,7 @@ def _headline(
 
 
 def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[dict[str, Any]]:
-    """Scores under a sensor and an exposure that are not those of training."""
+    """Return scores under sensors and exposures that differ from those of training."""
     rows = []
     for name, factors, exposure in _CHANGES:
         values = {key: getattr(setup.model, key) * factor for key, factor in factors.items()}
@@ -215,8 +216,11 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
-    """How many shutters there are, how far from dependent they are, at how many places of the tile
-    they are not those that the run began with, and what these alone are worth to the decoder."""
+    """Report on the codes: number, rank and condition of the shutters, moved places, and the score
+    of the start.
+
+    Moved places are those whose shutter differs from the start of the run.
+    """
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:
@@ -247,7 +251,7 @@ def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[
 
 
 def _headline_text(headline: dict[str, Any], db: Callable[[float | str], str]) -> str:
-    """The headline of a run as a sentence."""
+    """Return the headline of a run as a sentence."""
     score = f"{db(headline['psnr_db'])} dB, SSIM {headline['ssim']:.4f}"
     if not headline["effects"]:
         return (
@@ -265,7 +269,7 @@ def _headline_text(headline: dict[str, Any], db: Callable[[float | str], str]) -
 
 
 def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
-    """The model card."""
+    """Return the text of the model card."""
     settings = setup.settings
 
     def db(value: float | str) -> str:
@@ -273,7 +277,7 @@ def _card(setup: TrainingSetup, scenes: Scenes, result: dict[str, Any]) -> str:
 
     alone = ""
     if result["codes"]["moved"] and "start_alone_psnr_db" in result["codes"]:
-        # Pixels that look have no such score: their report is another.
+        # The report of pixels that look lacks this score.
         alone = (f"\nBehind this decoder the start alone gives "
                  f"{db(result['codes']['start_alone_psnr_db'])} dB where these shutters give "
                  f"{db(result['robustness'][0]['psnr_db'])}.")  # fmt: skip

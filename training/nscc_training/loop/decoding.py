@@ -1,4 +1,5 @@
-"""Whole frames and scenes through a run's decoder: by the model of the sensor, or by the chip."""
+"""Decode frames and scenes with a run's decoder, captured by the sensor model or by the emulated
+chip."""
 
 from __future__ import annotations
 
@@ -26,8 +27,10 @@ from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out
 
 _BLOCK, _MARGIN = 256, 32
-"""Pixels a side that are decoded at a time of frames larger than an array, and around them those
-that are seen too: more than decoders reach."""
+"""Side in pixels of the blocks in which large frames are decoded, and their margin.
+
+The margin is larger than the receptive field of decoders.
+"""
 
 Arrays = NDArray[Any]
 
@@ -46,10 +49,10 @@ def scene_by_model(
     setup: TrainingSetup, light_e: Arrays, seed: int, tile: Tensor | None = None,
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Return the light of a scene, captured by the model of the sensor, and the decoder's seconds.
+    """Return the light of a scene captured by the sensor model, and the decoding time in seconds.
 
-    Light is in electrons, over the frame or a slot. `tile` are other shutters than the run's hard
-    ones; `model` is another sensor than the one that the decoder was trained with.
+    Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
+    `model` replaces the sensor model of training.
     """
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
@@ -73,10 +76,11 @@ def scene_by_chip(
     setup: TrainingSetup, container: Container, sensor: Sensor, light_e: Arrays, effects: str,
     seeds: tuple[int, int],
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Return the same from a frame of the emulated chip, as `nscc run` and `nscc reconstruct` do.
+    """Return the same for a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make
+    it.
 
     `seeds` are those of noise and of the chip. A scene smaller than the array is continued by its
-    edge, and of a larger one the upper left part is seen.
+    edge; of a larger scene the upper left part is exposed.
     """
     array = (container.target.rows, container.target.cols)
     size = tuple(min(pair) for pair in zip(light_e.shape[-2:], array, strict=True))
@@ -105,7 +109,7 @@ def scene_by_chip(
 def scene_by_words(
     setup: TrainingSetup, container: Container, light_e: Arrays
 ) -> tuple[NDArray[np.float64], float]:
-    """Return the same from a frame that the words expose exactly, without noise."""
+    """Return the same for a frame that the words expose exactly, without noise."""
     rows, cols = light_e.shape[-2:]
     padded = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
     padded[..., :rows, :cols] = light_e
@@ -136,11 +140,12 @@ def decoded_frame(
     saturated: NDArray[np.bool_],
     share: NDArray[np.float32] | None = None, corner: tuple[int, int] = (0, 0),
 ) -> NDArray[np.float32]:  # fmt: skip
-    """Return electrons over the frame (rows, cols), or a slot (T, rows, cols), of a frame's codes.
+    """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
+    cols).
 
-    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the part of the frame that
-    each pixel was open, where pixels looked; `corner` the place on the array of the first pixel of
-    a part of a frame. Frames larger than the array are decoded block by block.
+    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of the frame
+    of each pixel, for pixels that look. `corner` is the place on the array of the first pixel.
+    Frames larger than the array are decoded in blocks.
     """
     rows, cols = frame.shape[-2:]
     light: NDArray[np.float32] | None = None
@@ -178,7 +183,7 @@ def _decoded_block(
     shutters = shutters.to(setup.device)
     codes = torch.from_numpy(frame.astype(np.float32)).to(setup.device)
     relative = setup.model.relative(codes - setup.model.adc_offset_lsb)
-    # The knee of registers, and light that eats the reset level, make full pixels read less.
+    # Saturated pixels may read less: registers compress, and light lowers the reset level.
     full = torch.from_numpy(np.ascontiguousarray(saturated)).to(setup.device)
     if setup.encoder.spec.kind != LOOKS:
         relative = filled(relative, full, shared_out(shutters, setup.buckets))
@@ -189,7 +194,7 @@ def _decoded_block(
 def shutters_at(
     setup: TrainingSetup, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
 ) -> Tensor:
-    """Return the run's shutters (N, rows, cols) at a block of pixels of arrays side by side."""
+    """Return the run's shutters (N, rows, cols) at a block of pixels; arrays lie side by side."""
     target = setup.target
     array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (

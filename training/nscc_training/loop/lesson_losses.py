@@ -1,4 +1,4 @@
-"""Losses of the decoder for any code: one for each update of a lesson."""
+"""Losses of the decoder for any code, one per update of a lesson."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ from nscc_training.loop.setup import TrainingSetup
 def lesson_losses(
     setup: TrainingSetup, lesson: Lesson, generator: torch.Generator
 ) -> Iterator[Tensor]:
-    """Yield the losses of a lesson's updates; what comes after an update is computed after it."""
+    """Yield the losses of a lesson's updates; each is computed after the update before it."""
     decoder = setup.decoder
     assert isinstance(decoder, AnyCode)
     chosen = setup.settings.decoder
@@ -54,7 +54,7 @@ def _of_codes(
     waiting: list[Tensor] = []
     for number, sigma in enumerate(schedule(stages), start=1):
         clip, target = stage(measured, decoder.denoiser, clip, target, sigma)
-        # The root: a clip counts by its error's ratio, nearly, as decibels do.
+        # The square root weights clips by relative error, similar to decibels.
         squared = _difference(clip, truth, shown).square().mean(dim=(1, 2, 3))
         waiting.append(squared.add(1e-6).sqrt().mean())
         if number % through == 0 or number == stages:
@@ -75,7 +75,7 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
 
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
-    """Return that of two clips, or of what a display shows of them, whose white is `shown`."""
+    """Return the loss of two clips; with `shown` as white, of their display encodings."""
     if shown is None:
         return clip - truth
     level = shown.reshape(-1, 1, 1, 1)
@@ -83,8 +83,10 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
-    """Return errors of light and of its logarithm, over the peak that all but a thousandth of the
-    pixels stay below: as protocol hdr-v1 counts them, nearly."""
+    """Return the errors of light and of its logarithm, relative to the 99.9 % quantile.
+
+    This is close to the scores of protocol hdr-v1.
+    """
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
     linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()

@@ -1,4 +1,4 @@
-"""A configuration as the things it names, checked by the compiler before anything is learned."""
+"""Build the objects that a configuration names, checked by the compiler before training."""
 
 from __future__ import annotations
 
@@ -43,10 +43,10 @@ _STARTS = (*STARTS, "learned")
 
 @dataclass(frozen=True, eq=False)
 class TrainingSetup:
-    """Everything that a run is made of. `still` says whether scenes are stills or clips.
+    """The objects of a training run.
 
-    `files` are a chip and a sensor of the user's own, as they were read: by the names that they
-    have in a run folder. So many `chips` stand for all in what `emulated` measures.
+    `still`: scenes are stills, not clips. `files` are the user's chip and sensor files, by their
+    names in a run folder. `chips` is the number of chips that `emulated` measures.
     """
 
     settings: RunSettings
@@ -65,24 +65,25 @@ class TrainingSetup:
 
     @property
     def slots(self) -> int:
-        """N."""
+        """Number of slots per frame."""
         return self.encoder.spec.slots
 
     @property
     def unit_e(self) -> float:
-        """Electrons, over the frame or a slot, of what decoders call 1."""
+        """Electrons, over the frame or per slot, that decoders represent as 1."""
         return self.model.full_e / (1 if self.still else self.slots)
 
     @property
     def buckets(self) -> int:
-        """How many frames an exposure gives."""
+        """Number of frames per exposure."""
         return self.encoder.spec.buckets
 
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
-        """What the emulator makes of the shutters that the run began with, where `[sensor] effects`
-        asks for it; places keep it while their codes learn. Takes seconds, once, on the device
-        that the run trains on."""
+        """The emulated sensor of the initial shutters, if `[sensor] effects` asks for it.
+
+        Places keep it while their codes learn. It takes seconds, once, on the device of the run.
+        """
         if not self.settings.sensor.effects:
             return None
         seed = self.settings.train.seed
@@ -97,7 +98,7 @@ class TrainingSetup:
 
 
 def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
-    """The parts of a configuration, at their start.
+    """Build the objects of a configuration in their initial state.
 
     Raises Rejected: NS0815 for settings that do not go together, NS0812 for import paths, and the
     compiler's own errors where the shutters cannot be compiled for the chip.
@@ -137,7 +138,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
         chosen.buckets,
         {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
     )
-    # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
+    # The parameters of a decoder come from torch's global generator, so its state is restored.
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         try:
@@ -166,8 +167,8 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
         raise _invalid_setting("train.device", "there is no CUDA device here")
     device = torch.device("cuda" if device_name != "cpu" and has_cuda else "cpu")
     _check_effects(settings, encoder)
-    # The sensor's own numbers where a file is named or its effects are wanted, else the protocol's
-    # where it has some.
+    # Values of the sensor if a file or effects are named, else those of the protocol,
+    # if it has any.
     named_sensor = settings.sensor.file or settings.sensor.effects
     fixed = not named_sensor and "full_well_e" in protocol.values
     model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
@@ -184,7 +185,7 @@ def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """The shutters that a run begins with. Rejected (NS0815) where there can be none."""
+    """Return the initial shutters of a run; Rejected (NS0815) if they do not exist."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
@@ -229,8 +230,10 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Give an encoder the shutters of a program; ValueError, or Rejected as the compiler, where
-    they cannot be its own."""
+    """Set an encoder to the shutters of a program.
+
+    Raises ValueError, or Rejected as the compiler, for a program that the encoder cannot represent.
+    """
     start = begun_with(path, encoder.spec, chip)
     encoder.load_codes(start.codes)
     if start.opened is None:
@@ -245,7 +248,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
-    """Give a decoder the weights of a run. Rejected (NS0815) where there are none that fit it."""
+    """Load the weights of a run into a decoder; Rejected (NS0815) if they do not fit."""
     from safetensors.torch import load_file
 
     path = run_path(Path(run)) / WEIGHTS
@@ -258,7 +261,7 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
 
 
 def _check_learning(settings: RunSettings) -> None:
-    """Rejected (NS0815) for what no codes can learn by, or not at all."""
+    """Raise Rejected (NS0815) for settings with which codes cannot learn."""
     chosen = settings.shutter
     if settings.decoder.lessons:
         if settings.decoder.name != "any":
@@ -281,7 +284,7 @@ def _check_learning(settings: RunSettings) -> None:
 
 
 def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
-    """NS0756 for effects that there are not, NS0815 where they go with nothing else."""
+    """Raise Rejected for unknown effects (NS0756) and for invalid combinations (NS0815)."""
     if not settings.sensor.effects:
         return
     selected(settings.sensor.effects)
@@ -295,7 +298,7 @@ def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
 
 
 def _check_looks(settings: RunSettings, still: bool) -> None:
-    """Rejected (NS0815) for what pixels that look do not have in training."""
+    """Raise Rejected (NS0815) for settings that pixels that look do not support."""
     if not still:
         raise _invalid_setting(
             "shutter.class", "looks are learned from stills: [data] protocol is hdr-v1"
@@ -309,7 +312,7 @@ def _check_looks(settings: RunSettings, still: bool) -> None:
 
 
 def _check_buckets(settings: RunSettings, still: bool) -> None:
-    """Rejected (NS0815) for what two buckets do not have in training."""
+    """Raise Rejected (NS0815) for settings that two buckets do not support."""
     if settings.shutter.kind in ("a", LOOKS):
         reason = f"class {settings.shutter.kind} has no light to leave to a second bucket"
         raise _invalid_setting("shutter.buckets", reason)

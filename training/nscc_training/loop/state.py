@@ -1,4 +1,4 @@
-"""What a run must remember to go on as if nothing had happened: one file, safetensors."""
+"""The checkpoint of a run: all state that an exact continuation needs, in one safetensors file."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ from nscc_training.settings import RunSettings
 
 CHECKPOINT = "checkpoint.safetensors"
 _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
-"""What an optimizer keeps of a parameter, by whether it is Muon."""
+"""State per parameter of an optimizer, by whether it is Muon."""
 
 
 @dataclass
 class TrainingProgress:
-    """How far a run has come: `step` updates are done; the best validation's loss so far.
+    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss.
 
-    `best` holds the encoder's and decoder's tensors at that validation.
+    `best` holds the tensors of encoder and decoder at that validation.
     """
 
     step: int = 0
@@ -41,14 +41,14 @@ class TrainingProgress:
 
 @dataclass(frozen=True, eq=False)
 class TrainingState:
-    """All tensors that a run's steps depend on and change."""
+    """All tensors that the steps of a run read and change."""
 
     setup: TrainingSetup
     optimizers: list[torch.optim.Optimizer]
     average: AveragedModel | None
 
     def tensors(self) -> dict[str, Tensor]:
-        """Copies of all of them by name."""
+        """Return copies of all tensors by name."""
         tensors = tensors_of(self.setup)
         if self.average is not None:
             tensors |= {f"average.{k}": _copied(v) for k, v in self.average.state_dict().items()}
@@ -60,7 +60,8 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """The reverse of `tensors`; KeyError, RuntimeError or ValueError if they are another's."""
+        """Load the tensors of `tensors()`; KeyError, RuntimeError or ValueError if they belong to
+        another network."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -69,12 +70,12 @@ class TrainingState:
 
 
 def _other_settings_digest(settings: RunSettings) -> str:
-    """The digest of all settings but `train.steps`: a run may be given more of these."""
+    """Return the digest of all settings except `train.steps`, which may be increased."""
     return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
 def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
-    """Copies of the parameters of encoder and decoder, by name."""
+    """Return copies of the parameters of encoder and decoder, by name."""
     return {
         f"{name}.{key}": _copied(value)
         for name, module in (("encoder", setup.encoder), ("decoder", setup.decoder))
@@ -83,13 +84,13 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """The reverse of `tensors_of`; KeyError or RuntimeError where they are another network's."""
+    """Load the tensors of `tensors_of`; KeyError or RuntimeError if they belong to another network."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 
 
 def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> bytes:
-    """The checkpoint as bytes."""
+    """Return the checkpoint as bytes."""
     from safetensors.torch import save
 
     tensors = state.tensors()
@@ -104,15 +105,15 @@ def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> 
         "files": _file_digests(state.setup),
         "split_sha256": split_digest(scenes),
     }
-    # One entry: several would be written in an order of the moment.
+    # A single metadata entry: the order of several entries is not deterministic.
     return save(tensors, metadata={"nscc": json.dumps(about)})
 
 
 def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress:
-    """Set everything to a checkpoint.
+    """Load a checkpoint into `state`, and return its progress.
 
-    The run may have more steps than the checkpoint's. Rejected (NS0816) if the checkpoint is
-    damaged, of another run, or one that has seen other scenes.
+    The run may have more steps than the checkpoint. Rejected (NS0816) for a checkpoint that is
+    damaged, or of another configuration or other scenes.
     """
     from safetensors import safe_open
 
@@ -156,7 +157,7 @@ def _copied(value: Tensor) -> Tensor:
 
 
 def _below(start: str, tensors: dict[str, Tensor]) -> dict[str, Tensor]:
-    """Those whose names begin so, by the rest of their names."""
+    """Return the tensors whose names begin with `start`, by the rest of their names."""
     return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}
 
 

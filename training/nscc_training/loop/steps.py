@@ -1,4 +1,4 @@
-"""One step of training: capture, decode, and what the loss makes of it."""
+"""One step of training: capture, decode, loss."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nscc_training.sensor_model import SensorModel, exposed, filled, read_out, s
 
 
 def window(shutters: Tensor, rows: int, cols: int, seed: tuple[int, ...]) -> Tensor:
-    """The shutters over a patch: a tile from its corner, or some part of an array of free codes."""
+    """Return the shutters over a patch: a tile from its corner, or a random part of free codes."""
     if shutters.shape[1] <= rows and shutters.shape[2] <= cols:
         return shutters
     draw = np.random.default_rng(list(seed))
@@ -28,12 +28,14 @@ def decoded(
     setup: TrainingSetup, light: Tensor, shutters: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """What the decoder makes of a capture of `light` with `shutters`, a tile that repeats, those of
-    the first bucket; a model without noise has no other effects either."""
+    """Decode a capture of `light` with `shutters`, a repeating tile, of the first bucket.
+
+    A model without noise has no other effects either.
+    """
     if setup.encoder.spec.kind == LOOKS:
         return _decoded_looks(setup, light, shutters, model, generator)
     with torch.autocast(setup.device.type, enabled=False):
-        # What a frame means is the run's to say, under another sensor too.
+        # The run's own model defines the unit of a frame, under another sensor too.
         if setup.emulated is None or not model.shot_noise:
             exposure = exposed(light, shared_out(shutters, setup.buckets))
             codes = read_out(exposure, model, generator) - model.adc_offset_lsb
@@ -53,7 +55,7 @@ def _decoded_looks(
     setup: TrainingSetup, light: Tensor, fields: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """The same of pixels that look: the decoder is told how long each pixel was open."""
+    """Decode a capture of pixels that look; the decoder gets the open fraction of each pixel."""
     step_e = setup.target.electrons_per_step
     with torch.autocast(setup.device.type, enabled=False):
         codes, share = looked(light, fields, setup.slots, step_e, model, generator)
@@ -65,7 +67,8 @@ def _decoded_looks(
 
 
 def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Tensor) -> Tensor:
-    """The loss, and the stand-in for words a slot: how many places change between slots."""
+    """Return the loss, plus the weighted fraction of places that change between slots, which stands
+    for words."""
     loss = setup.loss(*compared(prediction, batch))
     weight = setup.settings.shutter.words_weight
     if weight:
@@ -74,24 +77,24 @@ def loss_of(setup: TrainingSetup, prediction: Tensor, batch: Batch, shutters: Te
 
 
 def changes_of(shutters: Tensor) -> Tensor:
-    """In which part of the steps from slot to slot each place of (N, rows, cols) changes."""
+    """Return the fraction of slot boundaries at which each place of (N, rows, cols) changes."""
     return (shutters[1:] - shutters[:-1]).abs().sum(dim=0) / max(1, len(shutters) - 1)
 
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
-    """Prediction and truth over the peak, as losses take them.
+    """Return prediction and truth relative to the peak, as losses take them.
 
-    As in metrics, light above the peak counts as the peak, wherever the truth is above it.
+    As in metrics, light above the peak counts as the peak wherever the truth exceeds it.
     """
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
     return torch.minimum(relative, batch.most), batch.goal
 
 
 def finite_norm(loss: Tensor, setup: TrainingSetup, names: tuple[str, ...], step: int) -> Tensor:
-    """The norm of the decoder's gradients, all taken together.
+    """Return the norm of all gradients of the decoder.
 
-    Rejected (NS0817, status 3) where the loss or a gradient, the codes' included, is not finite;
-    nothing was learned. The batch is named, so that its scenes can be looked at.
+    Raises Rejected (NS0817, status 3), before the update, if the loss or a gradient (of the codes
+    too) is not finite. The message names the batch, so that its scenes can be examined.
     """
     decoder, codes = (
         {key: p.grad for key, p in module.named_parameters() if p.grad is not None}

@@ -1,4 +1,4 @@
-"""The loop itself: batches in, a run folder out, and at any time the way back into it."""
+"""The training loop: from batches to a run folder, resumable at any time."""
 
 from __future__ import annotations
 
@@ -51,8 +51,7 @@ from nscc_training.settings import RunSettings
 
 @dataclass
 class TrainingRun:
-    """A run while it goes on: `dataset` has what is drawn for each step, `shown` is what it is
-    validated on."""
+    """A run in progress: `dataset` holds the draws of each step, `shown` the validation scenes."""
 
     state: TrainingState
     dataset: Dataset[Any]
@@ -65,7 +64,7 @@ class TrainingRun:
 
     @property
     def setup(self) -> TrainingSetup:
-        """Its encoder, decoder and sensor."""
+        """Encoder, decoder and sensor of the run."""
         return self.state.setup
 
 
@@ -80,9 +79,9 @@ def train(
 ) -> None:
     """Train, and write the run folder `out`.
 
-    `resume` is auto (go on from a checkpoint in `out` if there is one), never, or a run folder or
-    checkpoint to go on from. `track` draws a bar and `report` is told each validation and the end,
-    both in the process that writes. With `stop_after` the run ends after that step, as if
+    `resume` is auto (continue from a checkpoint in `out` if it has one), never, or a run folder or
+    checkpoint. `track` draws a progress bar, and `report` gets a text for each validation and at
+    the end, both in the writing process. With `stop_after` the run ends after that step, as if
     interrupted, but with a checkpoint.
     """
     is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
@@ -100,8 +99,8 @@ def _train(
         checkpoint = _checkpoint(out, resume)
         run = start(settings, checkpoint, ranks, out, report)
         if ranks.first:
-            # A checkpoint and a log of another folder become this one's: else what is in it would
-            # be of two runs, or could not be gone on with.
+            # Copy checkpoint and log from another folder: else this folder would mix two runs,
+            # or could not be resumed.
             checkpoint_path = out / CHECKPOINT
             brought = checkpoint is not None and checkpoint.resolve() != checkpoint_path.resolve()
             out.mkdir(parents=True, exist_ok=True)
@@ -128,7 +127,7 @@ def start(
     settings: RunSettings, checkpoint: Path | None, ranks: Ranks, out: Path,
     report: Callable[[str], None] = lambda _text: None,
 ) -> TrainingRun:  # fmt: skip
-    """Everything at the first step, or at a checkpoint's."""
+    """Return a run at its first step, or at that of a checkpoint."""
     setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     tell: Callable[[str], object] = report if ranks.first else str
@@ -159,7 +158,7 @@ def start(
 
 
 def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
-    """NS0815 for what several processes cannot share."""
+    """Raise Rejected (NS0815) for settings that several processes do not support."""
     if settings.train.batch < ranks.count:
         raise rejected(
             "NS0815",
@@ -194,8 +193,8 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
 
 
 def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
-    """What is drawn for these steps, in order; by processes of their own if `train.workers` are
-    asked for."""
+    """Return the draws of steps `first` to `last`, in order; made by `train.workers` processes if
+    any."""
     workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
@@ -224,7 +223,7 @@ def _steps(
 
 
 def _so_far(run: TrainingRun) -> dict[Path, bytes]:
-    """What a run goes on from: its log and its checkpoint, by their files."""
+    """Return the files that a run resumes from: log and checkpoint."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
@@ -232,14 +231,14 @@ def _so_far(run: TrainingRun) -> dict[Path, bytes]:
 
 
 def batch_of(run: TrainingRun, drawn: Exposures) -> Batch:
-    """This process's part of a step's batch, on the run's device."""
+    """Return this process's share of a step's batch, on the run's device."""
     setup, settings = run.setup, run.setup.settings
     batch = cut_batch(drawn, settings.data, setup.model.full_e, setup.device)
     return batch.patches(*run.ranks.batch_range(settings.train.batch))
 
 
 def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
-    """One step; returns its mean loss on this process's part of the batch."""
+    """Take one step; return its mean loss on this process's share of the batch."""
     setup, settings = run.setup, run.setup.settings
     anneal(setup, step)
     set_rates(run.state.optimizers, settings.train, step)
@@ -256,7 +255,7 @@ def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
 
 
 def _losses(run: TrainingRun, step: int, drawn: Any) -> Iterator[Tensor]:
-    """The losses of a step, each after the update by the one before: one, unless it is a lesson."""
+    """Yield the losses of a step, one per update; only lessons have several."""
     setup = run.setup
     if isinstance(drawn, Lesson):
         on_device = drawn._replace(
@@ -269,13 +268,13 @@ def _losses(run: TrainingRun, step: int, drawn: Any) -> Iterator[Tensor]:
 
 
 def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
-    """An update by a loss, which is given back."""
+    """Update the parameters by a loss, and return the loss."""
     setup, clip, state = run.setup, run.setup.settings.train.clip, run.state
     for optimizer in state.optimizers:
         optimizer.zero_grad(set_to_none=True)
     setup.encoder.zero_grad(set_to_none=True)
     setup.decoder.zero_grad(set_to_none=True)
-    if loss.requires_grad:  # or neither the decoder learns nor, in this step, the codes
+    if loss.requires_grad:  # False if neither decoder nor codes learn in this step
         loss.backward()  # type: ignore[no-untyped-call]
     norm = finite_norm(loss, setup, names, step)
     if clip > 0:
@@ -289,9 +288,9 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in a step: shutters, capture, decoder, and the trial of other codes.
+    """The loss of a batch in a step: shutters, capture, decoder, and a trial of codes.
 
-    A module, so that gradients of several processes are averaged as they come.
+    It is a module so that gradients of several processes are averaged.
     """
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
@@ -310,7 +309,7 @@ class StepLoss(nn.Module):
             trial = trial_of(setup.encoder, rows, cols, (seed, 6, step, rank), place)
             shutters = trial.shutters[0]
         elif learns:
-            # The codes' noise is the same in every process, the sensor's is not.
+            # All processes share the noise of the codes, and draw the sensor's noise independently.
             tile = setup.encoder(generator_of(device, seed, 6, step))
             shutters = window(tile, rows, cols, place)
         else:
@@ -326,14 +325,13 @@ class StepLoss(nn.Module):
 
 
 def codes_learn(settings: RunSettings, step: int) -> bool:
-    """Whether the codes change in a step: first the decoder may have to know them, and last they
-    may be settled."""
+    """Return whether the codes change in a step, which is neither in `warm_up` nor in `settle`."""
     shutter, steps = settings.shutter, settings.train.steps
     return shutter.learn and shutter.warm_up * steps <= step < (1 - shutter.settle) * steps
 
 
 def anneal(setup: TrainingSetup, step: int) -> None:
-    """Temperature and noise of the codes at a step; both rates follow in the optimizer."""
+    """Set temperature and noise of the codes at a step."""
     settings = setup.settings
     progress_share = step / max(1, settings.train.steps - 1)
     warm, cold = settings.shutter.temperature
@@ -342,9 +340,9 @@ def anneal(setup: TrainingSetup, step: int) -> None:
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and remember the best state whose shutters compile.
+    """Score the hard shutters, log, and keep the best state whose shutters compile.
 
-    With a moving average of the decoder it is this average that is scored and remembered.
+    With a moving average of the decoder, the average is scored and kept.
     """
     setup, step = run.setup, run.progress.step
     settings = setup.settings
@@ -375,8 +373,11 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
 
 
 def take_best(run: TrainingRun) -> None:
-    """Go back to the best state that was validated. Rejected where there is none: as the compiler,
-    or NS0850 where codes were found that compile, and none within `shutter.most_words`."""
+    """Restore the best validated state.
+
+    Raises Rejected without such a state: as the compiler, or NS0850 if no code within
+    `shutter.most_words` was found.
+    """
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         set_tensors(setup, run.progress.best)
@@ -393,9 +394,9 @@ def take_best(run: TrainingRun) -> None:
 
 
 def _finish(run: TrainingRun, out: Path) -> None:
-    """Take the best state and write what it is worth."""
+    """Restore the best state, and write the artifacts."""
     progress = run.progress
-    # A run that was interrupted after its last step makes no step that would do this.
+    # A run interrupted after its last step has no further step that would anneal.
     anneal(run.setup, run.setup.settings.train.steps - 1)
     take_best(run)
     run.setup.decoder.eval()

@@ -1,4 +1,4 @@
-"""What a run is worth on the scenes that it is chosen by, as `nscc evaluate` scores scenes."""
+"""Scores of a run on its validation scenes, computed as `nscc evaluate` does."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ from nscc_training.sensor_model import SensorModel
 from nscc_training.statistics import summary
 
 Decode = Callable[[NDArray[Any], int], tuple[NDArray[np.float64], float]]
-"""Captures and decodes light in electrons, which is the scene of that number; and the seconds."""
+"""Captures and decodes light in electrons of a scene with that number; returns electrons and
+seconds."""
 
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
+    """Loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
 
     loss: float
     psnr_db: float
@@ -37,7 +38,7 @@ class Validation:
 
 
 def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
-    """Return the validation scenes as the run's protocol exposes them, at most `val_items`.
+    """Return at most `val_items` validation scenes, exposed by the run's protocol.
 
     Clips have as many frames as the run has slots. Rejected (NS0811) if no scene can be exposed.
     """
@@ -64,10 +65,10 @@ def validated(
     decode: Decode | None = None,
     exposure: float = 1.0,
 ) -> Validation:
-    """Score the decoder on scenes; without `decode` as the run was trained, see `as_trained`.
+    """Score the decoder on scenes; by default under the effects of training (`as_trained`).
 
-    `exposure` makes all light so many times brighter than the decoder expects; the scores count
-    what comes of it as if it had not. The scores are those that `nscc evaluate` has of the scenes.
+    `exposure` is a factor on the light that the decoder does not know; the result is divided by it.
+    The scores equal those of `nscc evaluate`.
     """
     decode = decode or as_trained(setup)
     losses, scores, similar = [], [], []
@@ -83,7 +84,8 @@ def validated(
 
 
 def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
-    """Return what captures and decodes under the run's effects, by the chip, or else by the model.
+    """Return a function that captures and decodes under the run's effects: by the chip, or else by
+    the model.
 
     `sensor` is the chip's, by default the run's.
     """
@@ -97,14 +99,15 @@ def by_model(
     model: SensorModel | None = None,
     seed: int = 0,
 ) -> Decode:
-    """Return what captures with the model of the sensor: with other shutters, or another model."""
+    """Return a function that captures by the sensor model, optionally with other shutters or
+    another model."""
     return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 
 def by_chip(
     setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
 ) -> Decode:
-    """Return what captures with the emulated chip, each scene with noise of its own."""
+    """Return a function that captures by the emulated chip, with independent noise per scene."""
     container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
         setup, container, used, light_e, effects, (1000 * seed + index, seed)
@@ -112,7 +115,7 @@ def by_chip(
 
 
 def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
-    """Return the loss of a reconstruction; light above the peak counts as the peak."""
+    """Return the loss of a reconstruction, with light above the peak clipped."""
     truth, result = (
         torch.from_numpy(np.asarray(light_e / scene.peak_e, np.float32))[None]
         for light_e in (scene.light_e, result_e)

@@ -1,4 +1,4 @@
-"""Protocol deblur-v1: panoramas while the camera turns, and a sharp picture of one slot."""
+"""Protocol deblur-v1: panoramas under a turning camera, and a sharp picture of one slot."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Picture = NDArray[np.float64]
 
 
 class DeblurMoment(ProtocolScene):
-    """A view of a panorama: its truth is the light of one slot, as if it lasted a whole frame."""
+    """A view of a panorama. Its truth is the light of one slot, scaled to a whole frame."""
 
     @property
     def truth_e(self) -> Picture:
@@ -42,7 +42,8 @@ class DeblurMoment(ProtocolScene):
 
 
 def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
-    """Yield the views of panoramas, in order; the numbers of panorama and view fix a motion."""
+    """Yield the views of panoramas, in order; the numbers of panorama and view determine the
+    motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     for index, path in enumerate(files):
         light = light_of(path, protocol)

@@ -29,7 +29,7 @@ _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
 
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:
-    """Return the files of a folder that the protocol is about, by name; Rejected (NS0811) without.
+    """Return the files of a folder that a protocol uses, by name; Rejected (NS0811) without any.
 
     For sci8 `folder` may be one file.
     """
@@ -41,8 +41,8 @@ def files_of(protocol: Protocol, folder: Path) -> list[Path]:
 def scenes_in(
     files: Sequence[Path], protocol: Protocol, fraction: float | None = None
 ) -> Iterator[ProtocolScene | Unusable]:
-    """Yield the scenes of files, in order; `fraction` of a still's pixels saturates instead of the
-    protocol's."""
+    """Yield the scenes of files, in order; `fraction` replaces the protocol's fraction of saturated
+    pixels."""
     if protocol.name == "hdr-v1":
         return crops(files, protocol, fraction)
     if protocol.name == "deblur-v1":
@@ -51,9 +51,9 @@ def scenes_in(
 
 
 def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = None) -> Protocol:
-    """Return video-v1 or hdr-v1 with scenes, clips and a full well of other sizes.
+    """Return video-v1 or hdr-v1 with other sizes of scenes, clips and full well.
 
-    Its digest is that of the file, and numbers of such a protocol are not the protocol's.
+    The digest is that of the file, but scores under such a protocol are not the protocol's.
     """
     changed: dict[str, Any] = {} if full_well_e is None else {"full_well_e": full_well_e}
     if kind == "clips":
@@ -79,9 +79,9 @@ def kinds_in(data: Path) -> list[Kind]:
 def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes, as many of one file as of another; made ones without `data`.
+    """Return at most `count` scenes, equally many per file; procedural scenes without `data`.
 
-    Rejected (NS0811) if none can be exposed as the protocol says.
+    Rejected (NS0811) if no scene can be exposed as the protocol says.
     """
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]

@@ -1,4 +1,4 @@
-"""Protocol hdr-v1: crops of panoramas, exposed so that a given share of their pixels saturates."""
+"""Protocol hdr-v1: crops of panoramas, of which a given fraction of the pixels saturates."""
 
 from __future__ import annotations
 

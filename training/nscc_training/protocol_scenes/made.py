@@ -1,4 +1,4 @@
-"""Scenes that no file holds: those that are made of a seed, and light that is given as arrays."""
+"""Scenes without files: procedural scenes, and light given as arrays."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ from nscc_training.protocol_scenes.video import exposed_window, windows_of
 from nscc_training.protocols import Protocol
 
 _MADE = 3
-"""Apart from the made scenes that runs learn from (1) and are chosen by (2)."""
+"""Random-stream index of these scenes; 1 and 2 are those of training and validation."""
 
 
 def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
-    """Return a still or a clip that is made of a seed, exposed as hdr-v1 or video-v1 says."""
+    """Return a procedural still or clip, exposed as hdr-v1 or video-v1 says."""
     generator, name = np.random.default_rng([seed, _MADE, index]), Path(f"made-{index}")
     if protocol.still:
         still = made_scenes.still(generator, protocol["crop_size"]).astype(np.float64)
@@ -34,10 +34,10 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes of light by name, as many of one array as of another.
+    """Return at most `count` scenes of the given light, taking the arrays in turn.
 
-    `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` says in which encoding
-    errors of clips are counted.
+    `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` selects the encoding in
+    which errors of clips are measured.
     """
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)

@@ -1,4 +1,4 @@
-"""What the scenes of all protocols have in common."""
+"""The base class of the scenes of all protocols."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class Item:
 
 @dataclass(frozen=True, eq=False)
 class ProtocolScene(ABC):
-    """A scene: `light_e` in electrons, over the frame (rows, cols) or a slot (slots, rows, cols).
+    """A scene: `light_e` in electrons, over the frame (rows, cols) or per slot (slots, rows, cols).
 
     `crop` is its corner in a picture, `frame` its first frame in a clip.
     """
@@ -45,7 +45,7 @@ class ProtocolScene(ABC):
 
     @property
     def truth_e(self) -> Array:
-        """What a perfect decoder would make of the scene, in electrons: by default its light."""
+        """The result of a perfect decoder, in electrons: by default the light."""
         return self.light_e
 
     @property
@@ -62,21 +62,21 @@ class ProtocolScene(ABC):
         return result_e
 
     def items(self, result_e: Array) -> list[Item]:
-        """Return the same as items of a result: one for the scene, unless frames count alone."""
+        """Return the items of a result: one for the scene, unless each frame is an item."""
         crop = None if self.crop is None else list(self.crop)
         return [Item(self.file.name, crop, self.frame, self.scores(result_e))]
 
 
 @dataclass(frozen=True)
 class Unusable:
-    """A scene that cannot be exposed as the protocol says: its file, its place there, and why."""
+    """A scene that cannot be exposed as the protocol says: file, place in it, and reason."""
 
     file: str
     place: Mapping[str, Any]
     reason: str
 
     def as_json(self) -> dict[str, Any]:
-        """Return what a result says of it."""
+        """Return the entry of a result for it."""
         return {"file": self.file, **self.place, "reason": self.reason}
 
 

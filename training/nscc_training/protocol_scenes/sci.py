@@ -26,7 +26,7 @@ class SciClip(ProtocolScene):
     """A clip of the benchmark on 0..1 (8, rows, cols), whose frames are scored one by one.
 
     `mask` (8, rows, cols) and `measurement` (rows, cols), in units of the full scale of one frame,
-    come with it.
+    come from the file.
     """
 
     mask: Clip

@@ -1,4 +1,5 @@
-"""Protocol video-v1: windows of sixteen frames, at the source's own rate, cut from the centre."""
+"""Protocol video-v1: windows of sixteen frames at the frame rate of the source, cut from the
+centre."""
 
 from __future__ import annotations
 
@@ -23,9 +24,9 @@ Clip = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ClipWindow(ProtocolScene):
-    """A window of a clip: `scale_e` electrons a slot are 1 in the source's light.
+    """A window of a clip: `scale_e` electrons per slot are 1 in the light of the source.
 
-    `srgb` says whether errors are counted in display encoding.
+    `srgb`: errors are measured in display encoding.
     """
 
     scale_e: float
@@ -49,7 +50,7 @@ class ClipWindow(ProtocolScene):
 
 
 def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
-    """Yield the windows of clips, in order; what cannot be used as `Unusable`."""
+    """Yield the windows of clips, in order; those that cannot be used as `Unusable`."""
     for path in files:
         known = protocol["transfer"]
         srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
@@ -88,13 +89,13 @@ def exposed_window(
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(path.name, {"frame": first}, "it is dark where it should fill a well")
-    # Of a film of several coded frames, each frame on average fills a well.
+    # In a film of several coded frames, each frame fills a well on average.
     scale_e = float(protocol["full_well_e"]) / level * int(protocol.values.get("film", 1))
     return ClipWindow(path, None, first, light * scale_e, protocol, scale_e, srgb)
 
 
 def encoded(light: Clip, srgb: bool) -> Clip:
-    """Return light in the encoding that errors are counted in, clipped to 0..1."""
+    """Return light in the encoding in which errors are measured, clipped to 0..1."""
     clipped = np.clip(light, 0.0, 1.0)
     return curves.srgb(clipped) if srgb else clipped
 

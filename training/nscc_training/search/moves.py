@@ -1,4 +1,4 @@
-"""Moves of a tile's codes that many places make together."""
+"""Moves: changes of a tile's codes at many places together."""
 
 from __future__ import annotations
 
@@ -16,17 +16,18 @@ Values = NDArray[np.int64]
 _PERIODS = (1, 2, 4, 8)
 _MOST_AT_ONCE = 4
 _REPEATED = 0.25
-"""The part of the draws that begin by making the tile anew of a block of it."""
+"""Probability that a move starts by repeating a block of the tile."""
 
 
 def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Codes one to four moves away, in the form of `Encoder.codes`, of a codebook with its `book`.
+    """Return codes one to four moves away, in the form of `Encoder.codes`; a codebook has its
+    `book`.
 
-    A move is of one place, of a rectangle, of all places that are alike modulo a period down and
-    across, or of every other block. Their shutters open at another time, are open for longer or for
-    less, or become those of places beside them, in exchange or as copies. Before that the tile may
-    become copies of a block of its own, later by so much from block to block. Codes stay legal for
-    the class; a move may find nothing to change.
+    The places that move are one place, a rectangle, all places congruent modulo a period down and
+    across, or every other block. Their shutters shift in time, lengthen, shorten, or take the codes
+    of neighbouring places, as copies or in exchange. Before that the tile may become copies of one
+    of its blocks, each later than the one before. Codes stay legal for the class; a move may change
+    nothing.
     """
     changed_codes = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
@@ -40,7 +41,7 @@ def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
-    """Which places (rows, cols) of a tile move together."""
+    """Return which places (rows, cols) of a tile move together."""
     y, x = np.mgrid[: tile[0], : tile[1]]
     kind = generator.integers(4)
     if kind == 0:
@@ -58,7 +59,7 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
 
 
 def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
-    """Places take the codes of places somewhere beside them, which may get theirs."""
+    """Give places the codes of neighbouring places, which may get theirs in exchange."""
     step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
     exchanged = np.roll(places, step, axis=(0, 1)) & ~places
@@ -74,11 +75,10 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """The tile as copies of a block of it, each later by so much than the one above and the one to
-    its left.
+    """Return the tile as copies of one of its blocks, each later than those above and to the left.
 
-    Of one place it makes shutters that open one after the other, of a pattern its phases: tiles
-    that small steps do not come to.
+    From one place this makes shutters that open in sequence, from a pattern its phases: tiles that
+    small steps do not reach.
     """
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
@@ -92,13 +92,13 @@ def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
 
 
 def _by(slots: int, generator: Generator) -> int:
-    """Slots, few or many, to either side."""
+    """Return a random number of slots, few or many, of either sign."""
     most = max(1, slots // 2)
     return int(generator.choice((-1, 1)) * np.rint(most ** generator.random()))
 
 
 def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Exposures grow or shrink by the same ratio, a slot at least."""
+    """Scale exposures by a common ratio, by at least one slot."""
     stop = codes["stop"]
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
     stops = np.rint(stop * ratio)
@@ -134,8 +134,7 @@ def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
-    """Places take one row of the book, or a row becomes another shape, or all rows become one's
-    shape at moments around the frame."""
+    """Change the choice of rows, the shape of a row, or all rows to shifted copies of one shape."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
@@ -149,8 +148,10 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
-    """Shutters (N, rows, cols) later or earlier around the frame, longer or shorter, or otherwise
-    in one slot; what would never open stays as it is."""
+    """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
+
+    Shutters that would never open stay unchanged.
+    """
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:
@@ -166,7 +167,7 @@ def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.boo
 
 
 def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Exposures halved so often; after one slot comes the longest."""
+    """Halve exposures `lag` times; after one slot follows the longest."""
     octaves = np.log2(spec.slots)
     stops = 2.0 ** ((np.log2(codes["stop"]) - lag) % (octaves + 1))
     return {"stop": _clipped(np.rint(stops), 1, spec.slots)}
@@ -178,7 +179,7 @@ def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Bumps go on past the frame's end, which cuts them, and come in again at its begin."""
+    """Shift bumps around the frame; a bump that wraps around its end is cut."""
     before = codes["stop"] - codes["start"] - 1
     start = (codes["start"] + before + lag) % (spec.slots + before) - before
     stop = start + before + 1
@@ -192,7 +193,7 @@ def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """The shapes of a codebook one after the other, in whatever order they are."""
+    """Advance the choice of shapes by `lag` rows."""
     return {"id": (codes["id"] + lag) % len(codes["book"]), "book": codes["book"]}
 
 
@@ -203,10 +204,10 @@ def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
 MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
     "b": _stops, "c": _starts, "d": _edges, "e": _bits, "codebook": _rows,
 }  # fmt: skip
-"""How the shutters of some places change together, by class."""
+"""Changes of shutters at some places, by class."""
 
 _LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
     "b": _shorter, "c": _starts_later, "d": _edges_later, "e": _bits_later,
     "codebook": _rows_later,
 }  # fmt: skip
-"""Shutters later around the frame, by class; for stills, shorter."""
+"""Shifts of shutters around the frame, by class; for stills, shorter exposures."""

@@ -1,4 +1,4 @@
-"""Points of kind compile: what a program costs; and of kind limits: how large a class may be."""
+"""Points of kind compile, the costs of a program, and of kind limits, the largest size of a class."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def _compile(values: Values, _place: Place) -> Figures:
 
 
 def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
-    """What the reports of all chips tell."""
+    """Return the figures that the reports of all chips have."""
     return {
         "program_class": build_report["class"],
         "shutters": build_report["codes"]["shutters"],

@@ -1,4 +1,4 @@
-"""Points of kind design: programs made for scenes."""
+"""Points of kind design: programs designed for scenes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Points of kind emulate: what the emulated chip captures, and what can be made of it."""
+"""Points of kind emulate: captures of the emulated chip, and scores of reconstructions."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _SILENT = {
     "bench": ("slot_us", "max_words", "exposure", "transfer", "tolerance", "fidelity", "audit",
               "device_seed"),
 }  # fmt: skip
-"""Keys that say nothing of points with a scene, and with a bench."""
+"""Keys that do not apply to points with a scene, and with a bench."""
 
 
 def _keys() -> tuple[Key, ...]:

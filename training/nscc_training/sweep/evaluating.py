@@ -16,7 +16,7 @@ from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Val
 from nscc_training.sweep.point_programs import axis
 
 RUN = "run"
-"""The key that names parts of kind train: each of their points is evaluated."""
+"""The key that names a part of kind train; each of its runs is evaluated."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -74,8 +74,10 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it, which not
-    all do: a crop without dark pixels has no score of dark pixels."""
+    """Return the mean of each score over the items that have it.
+
+    Some items lack a score: a crop without dark pixels has no score of dark pixels.
+    """
     from nscc_training.statistics import summary
 
     means = {}
@@ -98,7 +100,7 @@ def _result(values: Values) -> dict[str, Any]:
     if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
         return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
-    # A run of this grid executes the code that its configuration names.
+    # Runs of this grid may execute the code that their configuration names.
     chosen = {
         "trust_code": RUN in values, "skip_seen": values["skip_seen"],
         "codes": values["shutter"], "effects": values["effects"],

@@ -50,7 +50,7 @@ _CALLED = Key(
 )  # fmt: skip
 _LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has none", "")
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
-"""Keys of every part that are no axes."""
+"""Keys of every part that are not axes."""
 _PLOT_KEYS = (
     Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
     Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
@@ -61,7 +61,7 @@ _PLOT_KEYS = (
 
 @dataclass(frozen=True)
 class Plot:
-    """What is drawn; "" and none: what suits the grid."""
+    """The diagram of a grid; empty values mean a suitable default."""
 
     x: str = ""
     y: tuple[str, ...] = ()
@@ -71,10 +71,10 @@ class Plot:
 
 @dataclass(frozen=True)
 class Grid:
-    """A grid read from a file of that `name` in a `folder`.
+    """A grid read from a file `name` in a `folder`.
 
-    `columns` are the keys that any part names, in the order of the file; `axes` those with several
-    values somewhere. `text` is the file's.
+    `columns` are the keys that any part names, in the order of the file; `axes` are those with
+    several values in a part. `text` is the file's.
     """
 
     name: str
@@ -87,10 +87,10 @@ class Grid:
 
 
 def read_grid(path: Path) -> Grid:
-    """The grid in a file.
+    """Read the grid in a file.
 
-    Raises Rejected, status 2: NS0830 for a file that cannot be read or is no TOML, NS0831 for keys
-    that are none, NS0832 for wrong values; all that is wrong at once.
+    Raises Rejected, status 2, with all mistakes at once: NS0830 for a file that cannot be read or
+    is not TOML, NS0831 for unknown keys, NS0832 for wrong values.
     """
     head = _schema({})
     tables, source = file_table(head, file_bytes(head, path), str(path))
@@ -132,8 +132,11 @@ def read_grid(path: Path) -> Grid:
 
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
-    """Return the grid with the points of these parts alone, by default all, and with the runs that
-    they name. Rejected (NS0832) for a part that the grid does not have."""
+    """Return the grid with the points of `grid_parts` alone, by default all, and the runs that they
+    name.
+
+    Rejected (NS0832) for a part that the grid does not have.
+    """
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:
@@ -153,7 +156,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
 
 
 def part_text(kind: str) -> str:
-    """A complete part of that kind, every key with its default or as a remark."""
+    """Return a complete part of a kind as text, every key with its default or as a comment."""
     keys = [replace(key, section=kind, heading=kind) for key in KINDS[kind].takes()]
     known = [key for key in keys if key.default is not MISSING]
     schema = Schema("grid", (replace(_KIND, default=kind), *known), {"": "", kind: ""}, _CODES, "")
@@ -178,7 +181,7 @@ def _is_part(name: str, value: Any) -> bool:
 
 
 def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
-    """A table whose keys may be dotted: `sensor.adc_noise_lsb = 1` is one key."""
+    """Return a table with dotted keys: `sensor.adc_noise_lsb = 1` is one key."""
     flat_keys: dict[str, Any] = {}
     for name, value in table.items():
         if isinstance(value, Mapping) and value:
@@ -191,7 +194,7 @@ def _flat(table: Mapping[str, Any], begin: str = "") -> dict[str, Any]:
 def _kinds(
     tables: Mapping[str, Any], grid_parts: Mapping[str, Mapping[str, Any]], source: Source
 ) -> dict[str, str]:
-    """The kind of each part; Rejected (NS0832) where one has none."""
+    """Return the kind of each part; Rejected (NS0832) if a part lacks one."""
     problems: list[Diagnostic] = []
     head = _schema({})
     common = tables.get(_KIND.name)
@@ -216,7 +219,7 @@ def _kinds(
 
 
 def _schema(kinds: Mapping[str, str]) -> Schema[Key]:
-    """The keys of a grid whose parts have these kinds."""
+    """Return the schema of a grid whose parts have these kinds."""
     keys = [
         replace(key, section=grid_part, heading=grid_part)
         for grid_part, kind in kinds.items()
@@ -230,7 +233,7 @@ def _points(
     axes_by_part: Mapping[str, Mapping[str, tuple[Any, ...]]], kinds: Mapping[str, str],
     called: Mapping[str, str], schema: Schema[Key], source: Source,
 ) -> tuple[GridPoint, ...]:  # fmt: skip
-    """All combinations of all parts, runs before what needs them."""
+    """Return the points of all parts, with runs before the points that need them."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
         message = f"the grid has {count} points, {MOST_POINTS} are the most"
@@ -284,7 +287,7 @@ def _points(
 def _linked(
     points: Sequence[GridPoint], schema: Schema[Key], source: Source
 ) -> tuple[GridPoint, ...]:
-    """Return the points, each knowing those whose runs its values name: `run:NAME`.
+    """Return the points, each with the points whose runs its values name: `run:NAME`.
 
     Rejected (NS0832) unless one point of kind train has the name, and for points that name each
     other in a circle.
@@ -326,7 +329,7 @@ def _linked(
 def _of_part(
     grid_part: str, kind: str, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> Iterator[GridPoint]:
-    """A part's combinations, the key that is named first changing last."""
+    """Yield the points of a part; the first key varies slowest."""
     defaults = {
         key.name: key.default[0] for key in KINDS[kind].takes() if key.default is not MISSING
     }
@@ -338,7 +341,7 @@ def _of_part(
 
 
 def _called(called: str, values: Values) -> str:
-    """A name with values in the place of their keys; of a path the folders that it goes down."""
+    """Return a name with its keys replaced by values; a path becomes a folder path."""
 
     def spelled(value: Any) -> str:
         if not isinstance(value, str):
@@ -354,7 +357,7 @@ def _called(called: str, values: Values) -> str:
 
 
 def _name_fault(called: str, point: GridPoint) -> PointFault | None:
-    """What is wrong with the name that a part gives its points."""
+    """Return the fault of the name that a part gives its points, or None."""
     unknown_key = next((key for key in _VALUE.findall(called) if key not in point.values), None)
     if unknown_key is None:
         return None
@@ -367,7 +370,7 @@ def _name_fault(called: str, point: GridPoint) -> PointFault | None:
 def _about(
     point: GridPoint, run: GridPoint, axes: Mapping[str, tuple[Any, ...]], called: str
 ) -> GridPoint:
-    """The evaluation of a run: known by its run's name, and by its own axes."""
+    """Return the point that evaluates a run, named after the run and the axes of its part."""
     own_axes = [name for name, values in axes.items() if len(values) > 1 and name != RUN]
     name = "_".join([run.name, *(_spelled(point.values[axis]) for axis in own_axes)])
     values = {**point.values, "subject": f"{OF_RUN}{run.name}"}
@@ -375,7 +378,7 @@ def _about(
 
 
 def _spelled(value: Any) -> str:
-    """A value as a part of a file's name."""
+    """Return a value in the form that file names use."""
     items: Sequence[Any] = value if isinstance(value, tuple) else (value,)
     text = "x".join(f"{item:g}" if isinstance(item, float) else str(item) for item in items)
     text = text.lower() if isinstance(value, bool) else text

@@ -1,4 +1,4 @@
-"""What a point of a grid can be, and what its result is known by: a digest of all that decides."""
+"""The kinds of points, and the key of a point: a digest of all inputs of its result."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ _SCHEMA = "nscc-point-1"
 
 
 def key_of(point: GridPoint, threads: int) -> str:
-    """The key of a point: 64 hexadecimal digits. Paths are relative to the current folder.
+    """Return the key of a point: 64 hexadecimal digits. Paths are relative to the current folder.
 
-    Its values count, the content of every file that they name, the sources of the packages that
-    compute it, and the versions of those that do it for them. Where torch computes, the number of
-    `threads` counts as well: sums of floats depend on it. Raises Rejected for a program that cannot
+    The key depends on the values, the content of every file that they name, the sources of the
+    packages that compute the point, and the versions of their dependencies. If torch computes, it
+    also depends on `threads`, because sums of floats do. Raises Rejected for a program that cannot
     be read.
     """
     kind = KINDS[point.kind]
@@ -42,7 +42,7 @@ def key_of(point: GridPoint, threads: int) -> str:
 
 
 def kind_plain(value: object) -> object:
-    """A value as it counts: 1 and 1.0 are the same number."""
+    """Return a value in canonical form: 1 and 1.0 are the same number."""
     if isinstance(value, float) and value.is_integer():
         return int(value)
     return value
@@ -50,7 +50,7 @@ def kind_plain(value: object) -> object:
 
 @cache
 def versions(packages: Sequence[str], distributions: Sequence[str]) -> tuple[str, ...]:
-    """What computes: the digests of our own packages, then the versions of others."""
+    """Return the digests of nscc's packages and the versions of distributions."""
     package_versions = (
         version_digest() if name == "nscc" else package_digest(name) for name in packages
     )

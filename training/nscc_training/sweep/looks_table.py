@@ -1,4 +1,4 @@
-"""The table of `nscc evaluate looks`: a grid, and a page of what comes of it."""
+"""The table of `nscc evaluate looks`: a grid, and a page of its results."""
 
 from __future__ import annotations
 
@@ -20,9 +20,10 @@ from nscc_training.sweep.run_sweep import How, sweep
 def looks_table(
     data: Path, out: Path, seed: int = 0, track: Progress = unseen
 ) -> tuple[list[dict[str, Any]], str]:
-    """Return the results of hdr-v1's pixels that look, under all conditions, and their table.
+    """Return the results of hdr-v1's pixels that look under all conditions, and their table.
 
-    `out` is the folder of a sweep: it goes on where it ended. Rejected (NS0811) without panoramas.
+    `out` is the folder of a sweep, which continues where it ended. Rejected (NS0811) without
+    panoramas.
     """
     files_of(load_protocol("hdr-v1"), data)
     package = files("nscc_training.sweep")

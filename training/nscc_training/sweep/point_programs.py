@@ -1,4 +1,4 @@
-"""Programs of points: files, rules in any number of slots, or classes with random codes."""
+"""Programs of points: files, rules for any number of slots, or classes with random codes."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ from nscc_training.sweep.point import PointFault, Values
 
 CLASSES = ("a", "b", "c", "d", "e", "codebook")
 SOURCES = ("program", "rule", "class")
-"""Where a program may come from: one of them."""
+"""Keys of a program's source; a point has one of them."""
 
 _MOST_PLACES = 4096
-"""A tile of more codes would need a file beside the program."""
+"""Most codes of a tile; more would need a file beside the program."""
 _CHIP = "chip."
 _SILENT: dict[str, tuple[str, ...]] = {
     "program": ("slots", "slot_us", "tile", "init", "length", "rows"),
     "rule": ("tile", "init", "length", "rows"),
     "class": (),
 }
-"""Keys that say nothing of programs from such a source."""
+"""Keys that do not apply to programs from a source."""
 
 
 def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
-    """A key that takes a value or a list of them."""
+    """Return a key that takes a value or a list of values."""
     default_values = default if default is MISSING else (default,)
     return Key("", name, Axis(kind), meaning, default_values)  # type: ignore[arg-type]
 
 
 def target_keys() -> tuple[Key, ...]:
-    """The chip, and each of its numbers as `chip.KEY`."""
+    """Return the keys of chips: the target, and each value as `chip.KEY`."""
     numbers = (
         axis(_CHIP + key.attribute, key.kind, key.meaning)
         for key in SCHEMA.keys
@@ -53,7 +53,7 @@ def target_keys() -> tuple[Key, ...]:
 
 
 def program_keys() -> tuple[Key, ...]:
-    """What to compile, and how."""
+    """Return the keys of programs and of their compilation."""
     return (
         axis("program", Text(), "a file of a program"),
         axis("rule", Text(), "instead: all of a program that stands below its frame"),
@@ -79,7 +79,10 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """What is wrong with values of `program_keys` together, of which a grid names some keys."""
+    """Return the fault of a combination of values of `program_keys`, or None.
+
+    `named` are the keys that the grid names.
+    """
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -94,7 +97,7 @@ def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
 
 
 def target_fault(values: Values) -> PointFault | None:
-    """What is wrong with values of `target_keys` together."""
+    """Return the fault of a combination of values of `target_keys`, or None."""
     name = next((name for name in values if name.startswith(_CHIP)), None)
     if name is None or values["target"]:
         return None
@@ -103,8 +106,10 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """The fault of naming one of the keys that say nothing of such a point: points that differ in
-    them alone would be one."""
+    """Return the fault of naming a key that does not apply to a point, or None.
+
+    Points that differ only in such a key would be identical.
+    """
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -114,7 +119,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """The files that decide a program: its text, all that it names, its chip's."""
+    """Return the files that determine a program: its text, the files that it names, and its chip's."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -124,13 +129,13 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """A program's text and all files that it names; Rejected where it cannot be read."""
+    """Return a program's file and all files that it names; Rejected if it cannot be read."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 
 
 def target_of(values: Values) -> Target | None:
-    """The chip that a point names, its numbers changed; None where it is the program's own."""
+    """Return the chip of a point, with its changes; None for the program's own chip."""
     if not values["target"]:
         return None
     changes = {
@@ -140,8 +145,8 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """A point's program, compiled and proved without the cache of searches; Rejected where it is
-    wrong or does not fit."""
+    """Compile and prove a point's program, without the cache of searches; Rejected if it is wrong
+    or does not fit."""
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],

@@ -1,4 +1,4 @@
-"""The table of a sweep: a line a point, in the order of the grid, without times."""
+"""The table of a sweep: a row per point, in the order of the grid, without times."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from nscc_training.sweep.point import GridPoint, PointRow
 
 @dataclass(frozen=True)
 class Table:
-    """`columns` by name: `part`, the keys that the grid names, figures, `code` and `error` of
-    points that have none, `key`. None: no value."""
+    """A table by columns: `part`, the keys that the grid names, figures, `code` and `error` of
+    points without figures, and `key`. None: no value."""
 
     columns: dict[str, list[Any]]
     inputs: tuple[str, ...]
@@ -25,12 +25,12 @@ class Table:
         return len(self.columns["part"])
 
     def rows(self) -> list[tuple[Any, ...]]:
-        """The lines."""
+        """Return the rows."""
         return [*zip(*self.columns.values(), strict=True)]
 
 
 def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
-    """The table of a grid's points, each with its row."""
+    """Return the table of a grid's points, each with its row."""
     figures = tuple(dict.fromkeys(name for _, row in rows for name in row.figures))
     several = len({point.grid_part for point, _ in rows}) > 1 or not grid.columns
     columns: dict[str, list[Any]] = {"part": [point.grid_part for point, _ in rows]}
@@ -47,19 +47,19 @@ def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
 
 
 def _input(point: GridPoint, name: str) -> Any:
-    """What a point, or the first run that it names, has for a key."""
+    """Return the value of a key of a point, or of the first run that it names."""
     if name in point.values:
         return plain(point.values[name])
     return _input(point.after[0], name) if point.after else None
 
 
 def plain(value: Any) -> Any:
-    """A value as a cell has it."""
+    """Return a value in the form of a cell."""
     return " x ".join(map(str, value)) if isinstance(value, tuple) else value
 
 
 def csv_text(table: Table) -> str:
-    """The table as CSV."""
+    """Return the table as CSV."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(table.columns)
@@ -68,14 +68,14 @@ def csv_text(table: Table) -> str:
 
 
 def cell(value: Any) -> str:
-    """A value as text: nothing for None, numbers as Python spells them."""
+    """Return a value as text: empty for None, numbers as Python prints them."""
     if value is None:
         return ""
     return ("no", "yes")[value] if isinstance(value, bool) else str(value)
 
 
 def parquet_bytes(table: Table) -> bytes:
-    """The table as Parquet, each column of one type: text where its values have several."""
+    """Return the table as Parquet; columns of mixed types become text."""
     import pyarrow
     from pyarrow import parquet
 

@@ -1,4 +1,4 @@
-"""A sweep from its grid to its table: what is known is not computed again."""
+"""Run a sweep from its grid to its table; known points are not computed again."""
 
 from __future__ import annotations
 
@@ -28,15 +28,15 @@ _POINTS = "points"
 _MOST_REASONS = 5
 _POLL_S = 0.2
 _NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
-"""Folders in which what points leave has their names."""
+"""Folders with named links to the outputs of points, by kind."""
 
 
 @dataclass(frozen=True)
 class How:
     """Where points are computed.
 
-    `workers` processes of `threads` each on this machine, 0: in this process; or those of a
-    `scheduler`. `again` computes points that failed before.
+    `workers` processes of `threads` threads each on this machine (0: in this process), or those of
+    a `scheduler`. `again` recomputes points that failed.
     """
 
     workers: int = 0
@@ -47,8 +47,8 @@ class How:
 
 @dataclass(frozen=True)
 class Swept:
-    """A sweep that is done: its table, how many of its points have a message instead of figures
-    (`misfits`), and `failed`; the files that were written."""
+    """A finished sweep: its table, the numbers of points with a message instead of figures
+    (`misfits`) and of failed points, and the files written."""
 
     table: Table
     misfits: int
@@ -57,7 +57,7 @@ class Swept:
 
 
 def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
-    """How many points a grid has, and how many of them are known; nothing is computed."""
+    """Return the number of points of a grid, and how many are known; nothing is computed."""
     keys = _keys(grid, how.threads)
     if not out.is_dir():
         return len(keys), 0
@@ -73,14 +73,14 @@ def sweep(
     grid: Grid, out: Path, how: How, *, grid_parts: Sequence[str] = (), parquet: bool = False,
     track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
 ) -> Swept:  # fmt: skip
-    """Compute what is not known of a grid, or of `parts` of it, and write table, report and diagram
-    of all that is known into `out`.
+    """Compute the unknown points of a grid, or of some parts, and write table, report and diagram
+    to `out`.
 
-    Rows are kept as they are found: killed and started again it goes on, and two sweeps with one
-    `out` share the work. Paths in the grid, and in what it names, are relative to its folder.
-    `track` draws progress, `report` is told what there is to do. Raises Rejected: NS0834 for a
-    damaged store in `out`, NS0835 without the scheduler, NS0836 where workers have other files or
-    another nscc.
+    Rows are stored as they are computed: a killed sweep continues when started again, and two
+    sweeps with one `out` share the work. Paths in the grid, and in the files that it names, are
+    relative to its folder. `track` draws progress; `report` gets a text on the work to do. Raises
+    Rejected: NS0834 for a damaged store in `out`, NS0835 without the scheduler, NS0836 if workers
+    have other files or another version of nscc.
     """
     keys = _keys(grid, how.threads)
     points = of_parts(grid, grid_parts).points
@@ -93,7 +93,7 @@ def sweep(
         }
         count = len({keys[point] for point in points})
         report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
-        for key in todo.keys() & rows.keys():  # failed before, or lost what they left
+        for key in todo.keys() & rows.keys():  # failed before, or lost their output
             store.forget(POINTS, key)
         tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
         if tasks:
@@ -111,7 +111,8 @@ def sweep(
 
 
 def summary_lines(swept: Swept) -> list[str]:
-    """What came of a sweep, in lines: how many points, why some have no figures, the files."""
+    """Return the summary of a sweep as lines: numbers of points, reasons for missing figures,
+    files."""
     columns, count = swept.table.columns, len(swept.table)
     figures = count - swept.misfits - swept.failed
     lines = [
@@ -128,7 +129,7 @@ def summary_lines(swept: Swept) -> list[str]:
 
 
 def failures(swept: Swept) -> Rejected:
-    """NS0833 for the points that failed."""
+    """Return the error (NS0833) for failed points."""
     columns = swept.table.columns
     errors = [
         e for e, code in zip(columns["error"], columns["code"], strict=True) if code == FAILED
@@ -143,13 +144,13 @@ def failures(swept: Swept) -> Rejected:
 
 
 def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
-    """The key of every point; those of one key count once."""
+    """Return the key of every point; points of the same key count once."""
     with chdir(grid.folder):
         return {point: key_of(point, threads) for point in grid.points}
 
 
 def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
-    """Whether a point has a row, and what it `left` is still there."""
+    """Return whether a point has a row, and its output still exists."""
     if row is None or (row.code == FAILED and how.again):
         return False
     return bool(row.code) or output_path is None or output_path.exists()
@@ -165,7 +166,7 @@ def _task(
 
 
 def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
-    """The file or folder that a point leaves; None where its kind leaves none."""
+    """Return the output file or folder of a point; None if its kind has none."""
     ending = KINDS[point.kind].leaves
     return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
 
@@ -174,7 +175,7 @@ def _compute(
     tasks: Sequence[PointTask], keys: Mapping[GridPoint, str], store: ExperimentStore, how: How,
     track: Progress,
 ) -> None:  # fmt: skip
-    """Compute the tasks, those first whose runs others name."""
+    """Compute the tasks; runs come before the points that name them."""
     out = tasks[0].files.parent
     if any(KINDS[task.point.kind].leaves is not None for task in tasks):
         out.mkdir(exist_ok=True)
@@ -183,7 +184,7 @@ def _compute(
         def all_results() -> Iterator[Done]:
             pending = {task.key: task for task in tasks}
             while pending:
-                # What the point names is computed before: one round for each step of the way.
+                # Runs that a point names come first: one round per level of dependency.
                 ready = [
                     task for task in pending.values()
                     if not any(keys[run] in pending for run in task.point.after)
@@ -206,7 +207,7 @@ def _compute(
 def _shared(
     store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
-    """Yield what comes of tasks; those that another process computes are waited for.
+    """Yield the results of tasks, waiting for tasks that another process computes.
 
     A task whose process ended without a result is taken over.
     """
@@ -238,7 +239,7 @@ def _shared(
 def _without_run(
     task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
 ) -> Done | None:
-    """What comes of a task if a run that it names came to nothing; None where there are all."""
+    """Return the failure of a task if a run that it names failed; None if all runs exist."""
     for run in task.point.after:
         row = store.get(POINTS, keys[run])
         assert row is not None  # runs are computed first
@@ -274,7 +275,7 @@ def _differs(result: Done) -> Rejected:
 
 
 def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
-    """The products, all or none."""
+    """Write the products, all or none."""
     from nscc_training.sweep.sweep_report import diagram_of, report_html
 
     diagram = diagram_of(grid, table)
@@ -289,7 +290,7 @@ def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) ->
 
 
 def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
-    """Links to what the grid's points left, by their names; those of another grid go."""
+    """Make named links to the outputs of the grid's points; links of another grid are removed."""
     for name in _NAMED.values():
         for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
             old.unlink()

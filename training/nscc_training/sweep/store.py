@@ -1,4 +1,4 @@
-"""The rows of a sweep in its experiment store, and how long each took."""
+"""Rows of a sweep in its experiment store, and the time of each."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nscc_training.sweep.point import PointRow
 
 TIMES = "times.csv"
 POINTS = "points"
-"""The experiment that a point's row belongs to: its key says everything else."""
+"""The experiment of all rows; the key identifies the point."""
 
 
 def store_in(folder: Path) -> ExperimentStore:
@@ -35,13 +35,13 @@ def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
 
 
 def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
-    """Keep a row, which took a worker so many seconds; it is on the disk when this returns."""
+    """Store a row with the seconds that a worker took; it is on the disk on return."""
     value = {"figures": row.figures, "code": row.code, "error": row.error}
     store.put(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
 
 
 def times_csv(store: ExperimentStore) -> str:
-    """Return how long each point took, and where; the first one began at 0 s."""
+    """Return the time and the worker of each point as CSV; the first point began at 0 s."""
     timings = store.timings(POINTS)
     begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     text = io.StringIO()

@@ -1,4 +1,4 @@
-"""What a sweep says to who looks at it: a diagram, and a page of HTML that stands alone."""
+"""The report of a sweep: a diagram, and a self-contained HTML page."""
 
 from __future__ import annotations
 
@@ -15,15 +15,15 @@ from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.result_table import Table, cell
 
 _MOST_ROWS = 2000
-"""Of the page; the table has all."""
+"""Most rows on the page; the table has all rows."""
 _MOST_PANELS, _MOST_LINES = 12, 7
-"""Of lines those of one panel, unless a grid says what a line is."""
+"""Most panels of a diagram, and most lines of a panel unless the grid names the lines."""
 _MOST_LETTERS = 60
 _WIDTH = 900
 
 
 def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
-    """The page: diagram, what does not fit and why, all points, the grid."""
+    """Return the HTML page: diagram, points without figures, all points, the grid."""
     shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
     shown += [name for name in table.figures if _says_something(table.columns[name])]
     rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
@@ -45,8 +45,10 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
 
 
 def diagram_of(grid: Grid, table: Table) -> bytes | None:
-    """The diagram that the grid asks for, or else one that suits it; None for a single point or
-    where there are no numbers. Rejected (NS0832) for columns that there are not."""
+    """Return the diagram that the grid asks for, or a suitable one.
+
+    None for a single point, or without numbers. Rejected (NS0832) for unknown columns.
+    """
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -86,7 +88,7 @@ def diagram_of(grid: Grid, table: Table) -> bytes | None:
 
 
 def _drawn(grid: Grid, table: Table) -> list[str]:
-    """The figures that are drawn where a grid asks for none: one for each kind of its points."""
+    """Return the default figures of a diagram: one per kind of point."""
     kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
     known = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
     return list(dict.fromkeys(names[0] for names in known if names))
@@ -95,8 +97,11 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """The points of each line of a panel. Against an axis they are in its order, and means where
-    several are at one place; against a figure in the table's order."""
+    """Return the points of each line of a panel.
+
+    Against an axis they are sorted, and averaged where several have the same position; against a
+    figure they follow the order of the table.
+    """
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):
@@ -111,7 +116,7 @@ def _lines(
 
 
 def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
-    """One point for each place across."""
+    """Return one point, the mean, for each horizontal position."""
     places: dict[Any, list[float]] = {}
     for across, up in points:
         places.setdefault(across, []).append(up)
@@ -120,7 +125,7 @@ def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any
 
 
 def _misfits(grid: Grid, table: Table) -> html.Html:
-    """Points without figures, those together that have one reason."""
+    """Return the points without figures, grouped by reason."""
     together: dict[tuple[str, str], list[str]] = {}
     columns = table.columns
     for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
@@ -145,7 +150,7 @@ def _check(key: str, name: str, table: Table) -> None:
 
 
 def _take(names: list[str], fits: Any = lambda _name: True) -> str:
-    """The first of the names that fits, which is then no more among them; "" without one."""
+    """Remove and return the first name that fits; "" without one."""
     first_fit = next((name for name in names if fits(name)), "")
     if first_fit:
         names.remove(first_fit)
@@ -170,7 +175,7 @@ def _says_something(values: Sequence[Any]) -> bool:
 
 
 def _short(value: Any) -> str:
-    """A cell for a reader: six digits are enough, and of a text its beginning on one line."""
+    """Return a cell for a reader: six digits of numbers, the beginning of texts on one line."""
     if isinstance(value, float):
         return f"{value:.6g}"
     text = " ".join(cell(value).split())

@@ -1,4 +1,4 @@
-"""Points of kind train: runs, each in a folder of its own."""
+"""Points of kind train: runs, each in its own folder."""
 
 from __future__ import annotations
 
@@ -43,7 +43,8 @@ def _settings(values: Values) -> RunSettings:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    """The configuration, the data and what else it names. Of code of one's own the module."""
+    """Return the configuration, the data and all other files that it names; of the user's code the
+    module."""
     settings = _settings(values)
     named = [
         settings.shutter.target, settings.sensor.file, settings.decoder.name,
@@ -67,13 +68,14 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _begun_with(path: Path) -> Sequence[Path]:
-    """What a run begins with: a run's folder, codes, or a program and the files that it names."""
+    """Return the files of a run's start: a run folder, codes, or a program and the files that it
+    names."""
     is_program = path.suffix.lower() == ".nsl" and path.is_file()
     return text_files(path) if is_program else [path]
 
 
 def _train(values: Values, place: Place) -> Figures:
-    """Goes on from a checkpoint where the point was begun before."""
+    """Train, resuming from the checkpoint of an earlier attempt."""
     import json
 
     import torch

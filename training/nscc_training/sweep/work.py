@@ -1,4 +1,4 @@
-"""Computing points: one here, or one after the other."""
+"""Compute points in this process."""
 
 from __future__ import annotations
 
@@ -18,18 +18,20 @@ from nscc_training.sweep.kinds import KINDS, key_of
 from nscc_training.sweep.point import Figures, GridPoint, Place, PointRow
 
 FAILED = "NS0833"
-"""The code of a point that failed, which says nothing of its values."""
+"""The code of a failed point; it does not depend on the values."""
 
 
 _ONE = Lock()
-"""Folder, warnings and torch's threads are the process's: a worker of several threads computes one
-point at a time."""
+"""Current folder, warnings and torch's threads belong to the process, so a worker of several
+threads computes one point at a time."""
 
 
 @dataclass(frozen=True)
 class PointTask:
-    """A point to compute: paths that it names are relative to `folder`, and what it leaves begins
-    with `files`. `runs` are the run folders that its values name, by the value."""
+    """A point to compute: its paths are relative to `folder`, and its output begins with `files`.
+
+    `runs` are the run folders that its values name, by value.
+    """
 
     point: GridPoint
     key: str
@@ -41,8 +43,10 @@ class PointTask:
 
 @dataclass(frozen=True)
 class Done:
-    """A task's row, where and how long it was worked at. `failed`: it may be tried again.
-    `other_key`, if any, is what its point is known by where it was to be computed."""
+    """The row of a task, its time and worker.
+
+    `failed`: it may be tried again. `other_key`: the key computed by the worker, if it differs.
+    """
 
     task: PointTask
     row: PointRow
@@ -53,15 +57,17 @@ class Done:
 
 
 def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
-    """All of them in this process; one that fails is tried once more."""
+    """Compute all tasks in this process; a task that fails is tried once more."""
     for task in tasks:
         result = work(task)
         yield work(task) if result.failed else result
 
 
 def work(task: PointTask) -> Done:
-    """One of them, in this process. What goes wrong is in the row, whatever it is but a package
-    that is missing (ModuleNotFoundError)."""
+    """Compute a task in this process.
+
+    Errors become part of the row, except ModuleNotFoundError for a missing package.
+    """
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what compilers and scenes say of a point
         current_key = key_of(task.point, task.threads)
@@ -73,7 +79,7 @@ def work(task: PointTask) -> Done:
 
 
 def failure(task: PointTask, why: str) -> PointRow:
-    """The row of a point that failed."""
+    """Return the row of a failed point."""
     return PointRow(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
 
 
@@ -98,14 +104,14 @@ def _row(task: PointTask) -> tuple[PointRow, bool]:
 
 
 def _anywhere(text: str, task: PointTask) -> str:
-    """A message without the folders that only this machine has."""
+    """Return a message without the folders of this machine."""
     for folder in (task.files.parents[1], task.folder):
         text = text.replace(f"{folder}{os.sep}", "")
     return text
 
 
 def _stored(value: Figures) -> object:
-    """A figure as JSON has it: numbers that are none as text."""
+    """Return a figure in JSON form: infinities and NaN as text."""
     if isinstance(value, float) and not math.isfinite(value):
         return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
     return value
