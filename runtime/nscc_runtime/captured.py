@@ -17,7 +17,7 @@ from nscc.files import write_together
 from nscc.words.container import Container
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
-from nscc_runtime.formats.frames import frame_content
+from nscc_runtime.formats.frame_content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
 from nscc_runtime.light import Light
 from nscc_runtime.merge import Readout, light_estimate, readouts

@@ -45,8 +45,8 @@ from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import Given, Tolerance
 from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
+from nscc_runtime.scenes.placement import FITS, Fit
 from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request

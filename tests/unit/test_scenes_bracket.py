@@ -11,7 +11,7 @@ import tifffile
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import Exposure, Scene, load_scene
+from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
 from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
 from nscc_runtime.scenes.colour import srgb_to_linear
 
@@ -37,7 +37,7 @@ def photos(folder: Path, exif: bool, iso: tuple[int, ...] = (100, 100, 100)) -> 
 
 def found(spec: Path | str, **options: Any) -> np.ndarray:
     made = load_scene(
-        str(spec), slot_us=(10.0,), rows=ROWS, cols=COLS, exposure=Exposure(1.0, 100.0),
+        str(spec), slot_us=(10.0,), rows=ROWS, cols=COLS, exposure=ExposureLevel(1.0, 100.0),
         bracket=True, **options,
     )  # fmt: skip
     assert made.kind == "still"

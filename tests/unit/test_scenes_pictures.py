@@ -14,7 +14,7 @@ from PIL import Image
 import nscc
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime import capture
-from nscc_runtime.scenes import Exposure, Scene, load_scene
+from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
 
 RNG = np.random.default_rng(0)
@@ -23,7 +23,10 @@ ROWS, COLS = 8, 10
 
 def clip_light(path: Path, slots: int, **options: Any) -> np.ndarray:
     """The light in slots of a clip, brightest 1."""
-    settings: dict[str, Any] = {"exposure": Exposure(1.0, 100.0), "transfer": "linear"} | options
+    settings: dict[str, Any] = {
+        "exposure": ExposureLevel(1.0, 100.0),
+        "transfer": "linear",
+    } | options
     light = load_scene(str(path), slot_us=(10.0,) * slots, rows=ROWS, cols=COLS, **settings)
     dense = np.asarray(light.dense())
     return dense / dense.max()

@@ -23,7 +23,7 @@ _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 def parse_times(text: str) -> tuple[float, ...]:
     """Exposure times in seconds, `1/250,1/60,0.066`; NS0777 for anything else."""
     try:
-        times = tuple(float(Fraction(part.strip())) for part in text.split(","))
+        times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
         times = ()
     if not times or not all(0 < time < np.inf for time in times):

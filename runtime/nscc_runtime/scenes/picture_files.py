@@ -108,7 +108,7 @@ def _readable(path: Path) -> Iterator[None]:
         raise damaged(path, error) from error
 
 
-def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
+def _single_picture_pages(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
     """A file of one picture. imread knows files by their content; decoding from memory also takes
     any path."""
 
@@ -119,7 +119,7 @@ def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pag
 
 
 def _opencv_pages(path: Path) -> Pages:
-    return _one(path, decoded)
+    return _single_picture_pages(path, decoded)
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
@@ -130,12 +130,12 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
         raise ValueError("the file is empty")
     # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
-        found = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
-        if found is not None:
+        image = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
+        if image is not None:
             break
     else:
         raise ValueError("")
-    picture = np.asarray(found)
+    picture = np.asarray(image)
     return picture if picture.ndim == 2 else picture[..., 2::-1]
 
 
@@ -173,7 +173,7 @@ def _png_pages(path: Path) -> Pages:
 
 
 def _radiance_pages(path: Path) -> Pages:
-    return _one(path, lambda data: read_radiance(path, data, decoded))
+    return _single_picture_pages(path, lambda data: read_radiance(path, data, decoded))
 
 
 _READERS: dict[str, Callable[[Path], Pages]] = {
@@ -235,10 +235,10 @@ def files_of(
 
 def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
     """Sort key in which runs of digits count as numbers; the name itself decides ties."""
-    parts = re.findall(r"\d+|\D+", name)
+    runs = re.findall(r"\d+|\D+", name)
     return [
         (0, int(p), "") if p.isdecimal() and p.isascii() and len(p) < 4000 else (1, 0, p.casefold())
-        for p in parts
+        for p in runs
     ], name
 
 
@@ -297,7 +297,7 @@ def quiet() -> Iterator[None]:
     with redirect_stdout(io.StringIO()):
         sys.stderr.flush()
         try:
-            kept = os.dup(2)
+            saved_stderr = os.dup(2)
         except OSError:  # standard error is closed: nothing to keep quiet
             yield
             return
@@ -306,5 +306,5 @@ def quiet() -> Iterator[None]:
         try:
             yield
         finally:
-            os.dup2(kept, 2)
-            os.close(kept)
+            os.dup2(saved_stderr, 2)
+            os.close(saved_stderr)

@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc_runtime.scenes import picture_size
-from nscc_runtime.scenes.arrays import check_type
 from nscc_runtime.scenes.colour import Transfer, grey
 from nscc_runtime.scenes.errors import clamped, refuse_no_light
 from nscc_runtime.scenes.large_pictures import reduced
+from nscc_runtime.scenes.light_arrays import check_type
 
 _STRIP = 256
 """Rows of a picture that become light at a time: a large one never exists in double precision and
@@ -66,11 +66,11 @@ def picture_light(
     with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
         floats = stored.dtype.kind == "f"
         peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
-        part = stored[rows, cols]
-        strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
+        region = stored[rows, cols]
+        strips = (region[top : top + _STRIP] for top in range(0, len(region), _STRIP))
         bands = (grey(strip, transfer, channel, white) for strip in strips)
-        if size and prod(part.shape[:2]) > picture_size.MOST_PIXELS:
-            values = reduced(bands, len(part), size)
+        if size and prod(region.shape[:2]) > picture_size.MOST_PIXELS:
+            values = reduced(bands, len(region), size)
         else:
             values = np.concatenate([*bands])
         low = float(values.min())

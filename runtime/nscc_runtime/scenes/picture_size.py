@@ -77,8 +77,8 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
 
     try:
         with OpenEXR.File(str(path), header_only=True) as file:
-            headers = [part.header for part in file.parts]
-            sizes = [_window(each[name]) for each in headers for name in _WINDOWS]
+            headers = [file_part.header for file_part in file.parts]
+            sizes = [_window(header[name]) for header in headers for name in _WINDOWS]
             samples = sum(prod(_window(h["dataWindow"])) * len(h["channels"]) for h in headers)
     except Exception:  # OpenEXR's exceptions differ from version to version
         return None
@@ -93,5 +93,5 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
 
 
 def _window(corners: Any) -> tuple[int, int]:
-    (left, top), (right, bottom) = corners
-    return int(bottom) - int(top) + 1, int(right) - int(left) + 1
+    (x0, y0), (x1, y1) = corners
+    return int(y1) - int(y0) + 1, int(x1) - int(x0) + 1

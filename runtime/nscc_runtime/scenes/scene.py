@@ -14,8 +14,8 @@ from nscc_runtime.scenes.bracket import parse_times
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import parse_exposure
-from nscc_runtime.scenes.fit import Fit, no_colours
-from nscc_runtime.scenes.load import FramesAre, Laid, laid_scene
+from nscc_runtime.scenes.load import FramesAre, PlacedLight, laid_scene
+from nscc_runtime.scenes.placement import Fit, no_colours
 
 
 @dataclass(frozen=True)
@@ -85,11 +85,11 @@ class Scene:
         target: Target,
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
-    ) -> tuple[Laid, ...]:
+    ) -> tuple[PlacedLight, ...]:
         """The light in slots of these lengths on the array of `target`: its luminance, or red,
         green and blue at the exposure of the luminance. Raises as `laid_scene`."""
 
-        def load(told: Callable[[Diagnostic], None], **which: Any) -> Laid:
+        def load(tell: Callable[[Diagnostic], None], **options: Any) -> PlacedLight:
             return laid_scene(
                 self.name,
                 slot_us=slot_us,
@@ -107,19 +107,19 @@ class Scene:
                 skip=self.skip,
                 bracket=self.bracket,
                 times=None if self.times is None else parse_times(self.times),
-                warn=told,
+                warn=tell,
                 progress=progress,
-                **which,
+                **options,
             )
 
-        said: list[Diagnostic] = []
-        grey = load(said.append)
+        diagnostics: list[Diagnostic] = []
+        grey = load(diagnostics.append)
         in_colours = self.color and grey.colour
         if self.color and not grey.colour:
-            said.append(no_colours(self.name))
-        for each in said:
-            if not (in_colours and each.data.get("grey")):
-                warn(each)
+            diagnostics.append(no_colours(self.name))
+        for diagnostic in diagnostics:
+            if not (in_colours and diagnostic.data.get("grey")):
+                warn(diagnostic)
         if not in_colours:
             return (grey,)
         factor = grey.light.exposure_scale_e
