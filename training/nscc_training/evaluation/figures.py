@@ -191,7 +191,7 @@ def _worth(light_e: Field) -> float:
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
-    """Rows of stills and of clips: codes at random, the 2 x 2 pattern, the run's own."""
+    """Rows of stills and of clips: codes at random, the 2 x 2 tile, the run's own."""
     rows = []
     for still, folder in runs.items():
         spec, row = folder.setup.encoder.spec, []
@@ -202,7 +202,7 @@ def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
             mean_time = (
                 np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
             )
-            title = {"quad": "2 x 2 pattern", "run": f"run {RUNS[still]}"}.get(name, name)
+            title = {"quad": "2 x 2 tile", "run": f"run {RUNS[still]}"}.get(name, name)
             # Stops span two decades: their root tells the short ones apart.
             shown = np.sqrt(share / share.max()) if still else mean_time
             note = "bright is long" if still else "dark is early, bright late"

@@ -157,7 +157,7 @@ def _lines(
     lines = [
         ("code", name),
         ("motion", f"{min(speeds):.3g} to {max(speeds):.3g} pixels over the frame"),
-        ("expected", f"{expected[name]:.1f} dB below the light's variance; the 2 x 2 pattern "
+        ("expected", f"{expected[name]:.1f} dB below the light's variance; the 2 x 2 tile "
                      f"{expected[_YARDSTICK]:.1f} dB"),
     ]  # fmt: skip
     if passed:
