@@ -32,7 +32,20 @@ def codes_bytes(codes: Codes) -> bytes:
 
 
 def save_codes(path: Path, codes: Codes) -> None:
-    """Write codes to a `.npz` or `.mat` file; ValueError for another ending."""
+    """Write codes to a file.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in `.npz` or `.mat`.
+    codes : mapping of str to array of int64
+        Values (rows, cols) by field.
+
+    Raises
+    ------
+    ValueError
+        For another ending.
+    """
     if path.suffix == ".npz":
         path.write_bytes(codes_bytes(codes))
     elif path.suffix == ".mat":
@@ -44,10 +57,22 @@ def save_codes(path: Path, codes: Codes) -> None:
 
 
 def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
-    """The integer arrays of a `.npz` or `.mat` file, by name.
+    """Read codes from a file.
 
-    Raises Rejected (NS0805) for a file that cannot be read or holds something else; floats that are
-    whole numbers count as integers, because MATLAB saves them so.
+    Parameters
+    ----------
+    path : Path or str
+        A `.npz` or `.mat` file of integer arrays. Floats that are whole numbers count as integers,
+        because MATLAB saves them so.
+
+    Returns
+    -------
+    dict of str to array of int64
+
+    Raises
+    ------
+    Rejected
+        NS0805 for a file that cannot be read or has other contents.
     """
     path = Path(path)
     if path.suffix.lower() not in (".npz", ".mat"):

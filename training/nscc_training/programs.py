@@ -39,9 +39,18 @@ _MOST_DIGITS = 1 << 15
 
 @dataclass(frozen=True)
 class Chip:
-    """Where shutters are to run: a target's name or file, slots of `slot_us`, and a `require`.
+    """The chip for which shutters are learned.
 
-    `table` is what was read from a file, and holds from then on, whatever becomes of the file.
+    Parameters
+    ----------
+    target : str
+        Name or file of the target.
+    slot_us : float
+        Length of a slot in microseconds.
+    require : str, optional
+        A condition on legal codes.
+    table : Target, optional
+        Contents of the target file; later changes of the file have no influence.
     """
 
     target: str = "scamp5"
@@ -67,7 +76,20 @@ class ProgramFiles:
 
 
 def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
-    """The program of the shutters that an encoder has now."""
+    """Return the program of an encoder's current shutters.
+
+    Parameters
+    ----------
+    encoder : Encoder
+    chip : Chip
+    remark : str
+        Comment at the start of the program.
+
+    Returns
+    -------
+    ProgramFiles
+        Text of the program, and the codes that it reads.
+    """
     codes: dict[str, NDArray[np.int64]] = encoder.codes()
     if encoder.spec.kind == "looks":
         target = chip.table or load_target(chip.target, Path())

@@ -29,12 +29,28 @@ _BLOCK = 32
 
 @dataclass(frozen=True)
 class SensorModel:
-    """The part of a sensor that training sees; units as in `nscc_runtime.sensor`.
+    """The part of a sensor that training simulates.
 
-    `shot_noise` is Gaussian with the variance of photons; `noise_factor` makes it and the noise
-    of the readout so many times larger; `slope` stands in for the gradient 0 of saturated pixels.
-    `comparator_noise` and `comparator_offset` are standard deviations in full wells, for pixels
-    that look.
+    Parameters
+    ----------
+    full_well_e : float
+        Electrons at which a pixel saturates.
+    electrons_per_lsb : float
+        Electrons for one code of the converter.
+    adc_offset_lsb : float
+        The code of no light.
+    adc_bits : int
+        Bits of the converter.
+    adc_noise_lsb : float
+        Standard deviation of the readout noise in codes.
+    shot_noise : bool
+        Add Gaussian noise with the variance of photons.
+    noise_factor : float
+        Multiplies shot noise and readout noise.
+    slope : float
+        Replaces the gradient 0 of saturated pixels.
+    comparator_noise, comparator_offset : float
+        Standard deviations in full wells, for pixels that look.
     """
 
     full_well_e: float
@@ -57,7 +73,17 @@ class SensorModel:
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
-        """The model of a sensor's values."""
+        """Return the model of a sensor.
+
+        Parameters
+        ----------
+        sensor : Sensor
+        target : Target
+
+        Returns
+        -------
+        SensorModel
+        """
         return cls(
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
@@ -69,7 +95,16 @@ class SensorModel:
 
     @classmethod
     def of_protocol(cls, protocol: Protocol) -> SensorModel:
-        """The sensor that a protocol fixes."""
+        """Return the sensor that a protocol defines.
+
+        Parameters
+        ----------
+        protocol : Protocol
+
+        Returns
+        -------
+        SensorModel
+        """
         well_e, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
         return cls(
             full_well_e=well_e,
@@ -80,13 +115,23 @@ class SensorModel:
         )
 
     def noiseless(self) -> SensorModel:
-        """The same sensor without noise."""
+        """Return the same sensor without noise.
+
+        Returns
+        -------
+        SensorModel
+        """
         return replace(
             self, adc_noise_lsb=0.0, shot_noise=False, comparator_noise=0.0, comparator_offset=0.0
         )
 
     def counted(self) -> SensorModel:
-        """The same sensor for charge whose photons have been counted."""
+        """Return the same sensor without shot noise, for charge whose photons have been counted.
+
+        Returns
+        -------
+        SensorModel
+        """
         return replace(self, shot_noise=False)
 
     @property
@@ -96,19 +141,31 @@ class SensorModel:
 
     @property
     def full_e(self) -> float:
-        """Electrons from which on a pixel is saturated: a full well, or where the ADC ends before.
-        Decoders call this 1."""
+        """Electrons at which a pixel saturates: a full well, or the end of the converter if that is
+        less. Decoders call this 1.
+        """
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
 
     @property
     def full_code(self) -> int:
-        """The code above the offset that saturated pixels read, but for noise."""
+        """The code above the offset of saturated pixels, without noise."""
         return round(self.full_e / self.electrons_per_lsb)
 
     def relative(self, codes: Tensor) -> Tensor:
-        """Codes above the offset as decoders see a frame: over `full_e`, 1 where saturated."""
+        """Convert codes to the unit of decoders.
+
+        Parameters
+        ----------
+        codes : Tensor
+            Codes above the offset.
+
+        Returns
+        -------
+        Tensor
+            Codes over those of `full_e`; at least 1 for saturated pixels.
+        """
         relative_codes = codes / (self.full_e / self.electrons_per_lsb)
         return torch.where(codes >= self.full_code, relative_codes.clamp(min=1), relative_codes)
 
@@ -158,14 +215,31 @@ def differentiable_capture(
     generator: torch.Generator | None = None,
     slot_share: Tensor | None = None,
 ) -> Captured:
-    """Expose a batch of scenes with the shutters of an encoder, or with (N, rows, cols) of them, or
-    with (buckets, N, rows, cols).
+    """Expose a batch of scenes so that gradients reach light and shutters.
 
-    `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
-    electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
-    A tile of shutters is repeated over the array from its top left corner. With a `generator` the
-    sensor's noise is drawn from it, and the encoder's; without, there is none. ValueError for
-    arrays of other shapes, and for light that is complex, negative or not finite.
+    Parameters
+    ----------
+    light : Tensor
+        (batch, N, rows, cols) electrons of each slot, or (batch, rows, cols) electrons of a still
+        over the whole frame.
+    codes : Encoder or Tensor
+        An encoder, or shutters (N, rows, cols) or (buckets, N, rows, cols). A tile is repeated
+        over the array from its top left corner.
+    sensor : SensorModel
+    generator : torch.Generator, optional
+        Source of the noise of sensor and encoder; no noise without it.
+    slot_share : Tensor, optional
+        (N,): the part of a still's light in each slot, by default 1 / N.
+
+    Returns
+    -------
+    Captured
+        Electrons before saturation and noise, and codes of the frame.
+
+    Raises
+    ------
+    ValueError
+        For arrays of other shapes, and for light that is complex, negative or not finite.
     """
     check_light(light)
     with torch.autocast(light.device.type, enabled=False):
@@ -303,11 +377,21 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
-    """S^T E: the frame copied to the slots in which each pixel was open, in light a slot.
+    """Apply the transposed shutters: copy a frame to the slots in which each pixel was open.
 
-    `exposure` (batch, rows, cols), `shutters` (N, r, c) a tile that repeats; returns (batch, N,
-    rows, cols) and `valid` (rows, cols), False for pixels that never open: they are 0 and have no
-    gradient.
+    Parameters
+    ----------
+    exposure : Tensor
+        (batch, rows, cols).
+    shutters : Tensor
+        (N, r, c), a tile that repeats.
+
+    Returns
+    -------
+    lifted : Tensor
+        (batch, N, rows, cols), in light per slot.
+    valid : Tensor
+        (rows, cols), False for pixels that never open; these are 0 and have no gradient.
     """
     shutters = laid(shutters, *exposure.shape[-2:])
     count = shutters.sum(dim=0)
