@@ -32,7 +32,20 @@ def codes_bytes(codes: Codes) -> bytes:
 
 
 def save_codes(path: Path, codes: Codes) -> None:
-    """Write codes to a `.npz` or `.mat` file; ValueError for another ending."""
+    """Write codes to a file.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in `.npz` or `.mat`.
+    codes : mapping of str to array of int64
+        Values (rows, cols) by field.
+
+    Raises
+    ------
+    ValueError
+        For another ending.
+    """
     if path.suffix == ".npz":
         path.write_bytes(codes_bytes(codes))
     elif path.suffix == ".mat":
@@ -44,10 +57,22 @@ def save_codes(path: Path, codes: Codes) -> None:
 
 
 def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
-    """The integer arrays of a `.npz` or `.mat` file, by name.
+    """Read codes from a file.
 
-    Raises Rejected (NS0805) for a file that cannot be read or holds something else; floats that are
-    whole numbers count as integers, because MATLAB saves them so.
+    Parameters
+    ----------
+    path : Path or str
+        A `.npz` or `.mat` file of integer arrays. Floats that are whole numbers count as integers,
+        because MATLAB saves them so.
+
+    Returns
+    -------
+    dict of str to array of int64
+
+    Raises
+    ------
+    Rejected
+        NS0805 for a file that cannot be read or has other contents.
     """
     path = Path(path)
     if path.suffix.lower() not in (".npz", ".mat"):
@@ -63,10 +88,10 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
         )
     try:
         if path.suffix == ".mat":
-            found = mat_arrays(path)
+            arrays = mat_arrays(path)
         else:
-            found, _ = npz_arrays(path)
-        return {name: _integers(path, name, values) for name, values in found.items()}
+            arrays, _ = npz_arrays(path)
+        return {name: _integers(path, name, values) for name, values in arrays.items()}
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
@@ -76,13 +101,13 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
-    whole = values.dtype.kind in "iub"
+    integral = values.dtype.kind in "iub"
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)
-        whole = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
+        integral = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
     if values.dtype.kind == "u" and values.size and int(values.max()) > np.iinfo(np.int64).max:
-        whole = False
-    if not whole or values.ndim != 2 or values.size == 0:
+        integral = False
+    if not integral or values.ndim != 2 or values.size == 0:
         raise rejected(
             "NS0805",
             f"'{name}' in '{path}' is no code: {values.dtype}, {values.shape}",

@@ -79,9 +79,9 @@ class Measured(Generic[Array]):
         frames: Array = (self.mask * clip[:, None]).sum(2)
         return frames
 
-    def missing(self, seen: Array, target: Array) -> Array:
+    def missing(self, predicted: Array, target: Array) -> Array:
         """How far a clip's frames are from a target; where saturated, more is never too much."""
-        gap = target - seen
+        gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
 
@@ -89,8 +89,8 @@ class Measured(Generic[Array]):
         """The part of a difference that is the clip's error, of standard deviation `sigma`
         (batch,), and not the frames' noise; as `value`."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
-        part: Array = spread / (spread + self.variance).clip(min=1e-20)
-        return part
+        error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
+        return error_share
 
     def correction(self, gap: Array, sigma: Array) -> Array:
         """What to add to a clip for frames that differ by `gap`: its most likely error if that has
@@ -102,8 +102,8 @@ class Measured(Generic[Array]):
         else:
             of, last = namespace(gap), namespace(gap).moveaxis(gap, 1, -1)[..., None]
             shares = of.moveaxis(of.linalg.solve(self._joint(sigma), last)[..., 0], -1, 1)
-        change: Array = (self.mask * shares[:, :, None]).sum(1)
-        return change
+        update: Array = (self.mask * shares[:, :, None]).sum(1)
+        return update
 
     @cached_property
     def disjoint(self) -> bool:

@@ -41,21 +41,76 @@ def psnr_of_mse(mse: float, data_range: float) -> float:
 
 
 def psnr(truth: Array, result: Array, data_range: float) -> float:
-    """PSNR of two arrays of one shape, in dB."""
+    """Compute the peak signal-to-noise ratio of two arrays.
+
+    Parameters
+    ----------
+    truth, result : array
+        Finite numbers of one shape.
+    data_range : float
+        The peak value.
+
+    Returns
+    -------
+    float
+        In dB; +inf for equal arrays.
+
+    Raises
+    ------
+    WrongArgument
+        For different shapes, empty arrays or values that are not finite.
+    """
     return psnr_of_mse(mean_square_error(truth, result), data_range)
 
 
 def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> float:
-    """PSNR after mu-law of both, clipped to 0..data_range; the curve's range is 1."""
+    """Compute the PSNR after a mu-law tone curve.
+
+    Parameters
+    ----------
+    truth, result : array
+        Finite numbers of one shape; clipped to 0..data_range.
+    data_range : float
+        The peak value.
+    mu : float
+        Parameter of the curve.
+
+    Returns
+    -------
+    float
+        In dB.
+
+    Raises
+    ------
+    WrongArgument
+        For different shapes, empty arrays or values that are not finite.
+    """
     _check_range(data_range)
-    there = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
-    return psnr(mu_law(there[0], mu), mu_law(there[1], mu), 1.0)
+    relative = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
+    return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), 1.0)
 
 
 def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> float:
-    """PSNR in perceptually uniform units, where `data_range` is a luminance of `nits` cd/m2.
+    """Compute the PSNR in perceptually uniform units (PU21, Mantiuk and Azimi 2021).
 
-    Both are clipped to 0..data_range first; the peak is the encoding of `nits`.
+    Parameters
+    ----------
+    truth, result : array
+        Finite numbers of one shape; clipped to 0..data_range.
+    data_range : float
+        The peak value.
+    nits : float
+        Luminance of `data_range` in cd/m2.
+
+    Returns
+    -------
+    float
+        In dB.
+
+    Raises
+    ------
+    WrongArgument
+        For different shapes, empty arrays or values that are not finite.
     """
     _check_range(data_range)
     if not PU21_LOW < nits <= PU21_HIGH:
@@ -109,10 +164,26 @@ def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
 
 
 def ssim(truth: Array, result: Array, data_range: float) -> float:
-    """Mean SSIM of two pictures (rows, cols) or of the frames of two clips (T, rows, cols).
+    """Compute the mean structural similarity (Wang et al. 2004).
 
-    Only windows that lie inside count, so both sides are at least `WINDOW`. Always within -1..1,
-    and 1 for equal pictures, flat ones too.
+    Only whole windows of 11 x 11 pixels count.
+
+    Parameters
+    ----------
+    truth, result : array
+        Pictures (rows, cols) or clips (T, rows, cols).
+    data_range : float
+        The peak value.
+
+    Returns
+    -------
+    float
+        -1..1; 1 for equal pictures, flat pictures included.
+
+    Raises
+    ------
+    WrongArgument
+        For different shapes, empty arrays or values that are not finite.
     """
     truth, result = _pair(truth, result)
     if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
@@ -155,9 +226,26 @@ def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def temporal_error(truth: Array, result: Array, data_range: float) -> float:
-    """Root mean square of the error in the changes from frame to frame, over the data range.
+    """Compute the RMS error of the changes from frame to frame, over the data range.
 
-    Clips (T, rows, cols) with T >= 2. An error that stands still does not count; flicker does.
+    A constant error does not count; flicker does.
+
+    Parameters
+    ----------
+    truth, result : array
+        Clips (T, rows, cols) with T >= 2.
+    data_range : float
+        The peak value.
+
+    Returns
+    -------
+    float
+        0 for clips with the same changes.
+
+    Raises
+    ------
+    WrongArgument
+        For different shapes, empty arrays or values that are not finite.
     """
     truth, result = _pair(truth, result)
     if truth.ndim != 3 or len(truth) < 2:
@@ -181,9 +269,11 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
     if first.size == 0:
         raise wrong_argument(f"a metric needs at least one value, and the arrays are {first.shape}")
     for name, values in (("truth", first), ("reconstruction", second)):
-        bad = int(np.count_nonzero(~np.isfinite(values)))
-        if bad:
-            raise wrong_argument(f"{bad} of {values.size} values of the {name} are not finite")
+        bad_count = int(np.count_nonzero(~np.isfinite(values)))
+        if bad_count:
+            raise wrong_argument(
+                f"{bad_count} of {values.size} values of the {name} are not finite"
+            )
     return first, second
 
 

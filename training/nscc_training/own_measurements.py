@@ -31,7 +31,7 @@ class NoiseModel:
     def parse(cls, text: str) -> NoiseModel:
         """`SD` or `SD,GAIN`; NS0846 for anything else."""
         try:
-            numbers = [float(part) for part in text.split(",")]
+            numbers = [float(item) for item in text.split(",")]
         except ValueError:
             numbers = []
         if len(numbers) not in (1, 2) or not all(0 <= number < np.inf for number in numbers):
@@ -122,7 +122,7 @@ def reconstruct_measurement(
     clips: list[NDArray[np.float32]] = []
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
-        value, spread = (np.asarray(part, np.float32)[None, None] for part in (values, variance))
+        value, spread = (np.asarray(array, np.float32)[None, None] for array in (values, variance))
         measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
         if method == "gap-tv":
             clips.append(gap_tv_clip(measured))

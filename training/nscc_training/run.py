@@ -24,9 +24,9 @@ from nscc_runtime.given import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
-from nscc_training.dark import Dark, mean_dark, read_dark
+from nscc_training.dark_frames import Dark, mean_dark, read_dark
 from nscc_training.encoders import Encoder
-from nscc_training.encoders.looks import LOOKS
+from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import FrameRead, by_colour, read_frame
 from nscc_training.loop.decoding import decoded_frame
 from nscc_training.reconstruct import reconstructed
@@ -38,43 +38,49 @@ _CURVES = "metrics.csv"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Run:
-    """A run that `nscc train` finished: `folder` holds its parts, loaded."""
+    """A finished training run.
+
+    Parameters
+    ----------
+    folder : RunFolder
+        The loaded parts of the run.
+    """
 
     folder: RunFolder
 
     @property
     def path(self) -> Path:
-        """Its folder."""
+        """The folder of the run."""
         return self.folder.path
 
     @property
     def still(self) -> bool:
-        """Whether it reconstructs pictures, and not clips."""
-        return self.folder.parts.still
+        """Whether the run reconstructs pictures instead of clips."""
+        return self.folder.setup.still
 
     @property
     def encoder(self) -> Encoder:
         """The learned shutters: `encoder.codes()` are int64 on the tile, by field."""
-        return self.folder.parts.encoder
+        return self.folder.setup.encoder
 
     @property
     def decoder(self) -> nn.Module:
         """The learned decoder, from frames (batch, rows, cols) and shutters (N, rows, cols)."""
-        return self.folder.parts.decoder
+        return self.folder.setup.decoder
 
     @property
     def result(self) -> dict[str, Any]:
-        """What it is worth: `result.json`."""
+        """The scores of the run: `result.json`."""
         return self.folder.result
 
     @cached_property
     def program(self) -> ShutterProgram:
         """The learned shutters as a program, `shutter.nsl`, compiled as `nscc run` does it."""
-        return compile(self.path / "shutter.nsl", target=self.folder.parts.chip.file)
+        return compile(self.path / "shutter.nsl", target=self.folder.setup.chip.file)
 
     @cached_property
     def curves(self) -> dict[str, NDArray[np.float64]]:
-        """The columns of `metrics.csv`, NaN where nothing is said; `split` is 1 where it is val."""
+        """The columns of `metrics.csv`, NaN for empty cells; `split` is 1 for validation rows."""
         with open(self.path / _CURVES, encoding="utf-8", newline="") as file:
             rows = [*csv.DictReader(file)]
 
@@ -87,10 +93,20 @@ class Run:
         return {name: np.array([number(name, row[name]) for row in rows]) for name in names}
 
     def capture(self, light: LightLike, **options: Any) -> Capture:
-        """A frame as the decoder knows them: of the run's program, on its sensor; a scene that does
-        not say how bright it is gets the run's exposure, as with `nscc run --like`.
+        """Capture a scene with the program and sensor of the run.
 
-        `light` and `options` as of `nscc_runtime.capture`.
+        A scene without exposure gets that of the run, as with `nscc run --like`.
+
+        Parameters
+        ----------
+        light : array, Light, Scene or str
+            As for `nscc_runtime.capture`.
+        **options
+            Further arguments of `nscc_runtime.capture`.
+
+        Returns
+        -------
+        Capture
         """
         like = run_capture(self.path)
         if isinstance(light, str | os.PathLike):
@@ -110,53 +126,69 @@ class Run:
         force: bool = False,
         dark: Capture | str | os.PathLike[str] | None = None,
     ) -> NDArray[np.float32]:
-        """What the decoder makes of a frame: electrons over the frame (rows, cols), or of a clip
-        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
-        green and blue are an axis at the end.
+        """Decode a frame.
 
-        `frame`: a capture, a frame file, or codes of the converter (rows, cols), of two buckets (2,
-        rows, cols), of which nothing is known and which are believed. `dark` is a capture or file
-        without light, of many repeats, whose mean is taken from a capture or file. Raises Rejected
-        (NS0819) for a frame of another program or sensor, or a dark one of another program or with
-        light, which with `force` is a warning; WrongArgument for what is no frame.
+        Parameters
+        ----------
+        frame : Capture, str, PathLike or array of int
+            A capture, a frame file, or codes of the converter, (rows, cols) or of two buckets (2,
+            rows, cols). Codes are not checked against program and sensor.
+        force : bool
+            Warn instead of refusing a frame of another program or sensor.
+        dark : Capture, str or PathLike, optional
+            A capture without light, with many repeats. Its mean is subtracted.
+
+        Returns
+        -------
+        array of float32
+            Electrons over the frame (rows, cols), or electrons per slot (T, rows, cols) of a clip,
+            the unit of `Capture.truth_e`. Colours are the last axis.
+
+        Raises
+        ------
+        Rejected
+            NS0819 for a frame of another program or sensor, or a dark frame of another program or
+            with light; NS0789 for other arguments.
         """
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
         elif isinstance(frame, Capture):
             about = frame.meta
             in_colours = "colours" in about
-            buckets = self.folder.parts.buckets
+            buckets = self.folder.setup.buckets
             if frame.frame.shape[-3] != buckets or (frame.frame.ndim != 3 and not in_colours):
-                wanted = "one bucket" if buckets == 1 else "two buckets"
+                expected = "one bucket" if buckets == 1 else "two buckets"
                 raise wrong_argument(
-                    f"reconstruct takes {wanted} of one exposure, not {shown(frame.frame)}"
+                    f"reconstruct takes {expected} of one exposure, not {shown(frame.frame)}"
                 )
-            codes, full = (by_colour(part, in_colours) for part in (frame.frame, frame.saturated))
+            codes, full = (
+                by_colour(values, in_colours) for values in (frame.frame, frame.saturated)
+            )
             read = FrameRead(codes, full, about, None)
             name = "the capture"
         else:
             codes = self._codes(frame)
-            full = last_codes(codes, self.folder.parts.target) != 0
-            return decoded_frame(self.folder.parts, codes, full)
-        found, target = None if dark is None else self._dark(dark), self.folder.parts.target
-        offset = None if found is None else found.offset
+            full = last_codes(codes, self.folder.setup.target) != 0
+            return decoded_frame(self.folder.setup, codes, full)
+        dark_frames, target = None if dark is None else self._dark(dark), self.folder.setup.target
+        offset = None if dark_frames is None else dark_frames.offset
         size = (target.rows, target.cols)
-        doubts = () if found is None else found.checked(read.meta, size, force=force)
-        made, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
+        doubts = () if dark_frames is None else dark_frames.checked(read.meta, size, force=force)
+        light, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
         warn((*messages, *doubts))
-        return made
+        return light
 
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()
         return (
             f"<nscc run {str(self.path)!r}: class {spec.kind}, {spec.slots} slots, tile "
-            f"{spec.tile[0]} x {spec.tile[1]}, {self.folder.parts.settings.decoder.name}{score}>"
+            f"{spec.tile[0]} x {spec.tile[1]}, {self.folder.setup.settings.decoder.name}{score}>"
         )
 
     def _repr_html_(self) -> str:
-        spec, parts = self.encoder.spec, self.folder.parts
+        spec, setup = self.encoder.spec, self.folder.setup
         about = (
-            f"class {spec.kind}, {spec.slots} slots, {parts.settings.decoder.name}{self._score()}"
+            f"class {spec.kind}, {spec.slots} slots, {setup.settings.decoder.name}{self._score()}"
         )
         return html.card(
             str(self.path), about,
@@ -165,8 +197,8 @@ class Run:
         )  # fmt: skip
 
     def _score(self) -> str:
-        found = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
-        return f", {found[-1]:.2f} dB" if found else ""
+        scores_db = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
+        return f", {scores_db[-1]:.2f} dB" if scores_db else ""
 
     def _shutters(self) -> html.Html:
         """The chart of the distinct shutters of the tile, with the first code of each."""
@@ -180,7 +212,7 @@ class Run:
             ", ".join(f"{name} {values[at]}" for name, values in flat.items()) or "all pixels"
             for at in first
         ]
-        slot_us = [self.folder.parts.chip.slot_us] * spec.slots
+        slot_us = [self.folder.setup.chip.slot_us] * spec.slots
         if spec.buckets == 1:
             return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
@@ -188,22 +220,22 @@ class Run:
     def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
         """A frame without light."""
         if not isinstance(dark, Capture):
-            return read_dark(Path(dark), self.folder.parts.buckets)
+            return read_dark(Path(dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
-        offset = mean_dark(codes, self.folder.parts.model.adc_offset_lsb)
+        offset = mean_dark(codes, self.folder.setup.model.adc_offset_lsb)
         full = float(dark.saturated.mean())
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
         """Codes that were given as an array."""
-        target = self.folder.parts.target
+        target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
-        if self.folder.parts.buckets > 1:
-            size = (self.folder.parts.buckets, *size)
+        if self.folder.setup.buckets > 1:
+            size = (self.folder.setup.buckets, *size)
         values = np.asarray(frame)
         if values.shape == (1, *size):
             values = values[0]
-        top = self.folder.parts.model.top_code
+        top = self.folder.setup.model.top_code
         if values.dtype.kind not in "ui" or values.shape != size:
             raise wrong_argument(
                 f"reconstruct takes a capture, a frame file or its codes {size}, not {shown(frame)}"
@@ -216,12 +248,23 @@ class Run:
 
 
 def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
-    """The run in a folder, or the one that comes with nscc under that name: hdr, clip.
+    """Load a finished run.
 
-    Raises Rejected (NS0818) where there is none, or it did not finish.
+    Parameters
+    ----------
+    path : str or PathLike
+        A folder, or the name of a shipped run: hdr, clip.
+    trust_code : bool
+        Allow a run that names Python code of its own, which loading executes.
 
-    A run that names Python code of its maker's is loaded only with `trust_code` (NS0823): loading
-    it runs that code.
+    Returns
+    -------
+    Run
+
+    Raises
+    ------
+    Rejected
+        NS0818 if the folder contains no finished run, NS0823 if the run needs `trust_code`.
     """
     if not isinstance(path, str | os.PathLike):
         raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")

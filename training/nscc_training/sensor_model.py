@@ -29,12 +29,28 @@ _BLOCK = 32
 
 @dataclass(frozen=True)
 class SensorModel:
-    """The part of a sensor that training sees; units as in `nscc_runtime.sensor`.
+    """The part of a sensor that training simulates.
 
-    `shot_noise` is Gaussian with the variance of photons; `noise_factor` makes it and the noise
-    of the readout so many times larger; `slope` stands in for the gradient 0 of saturated pixels.
-    `comparator_noise` and `comparator_offset` are standard deviations in full wells, for pixels
-    that look.
+    Parameters
+    ----------
+    full_well_e : float
+        Electrons at which a pixel saturates.
+    electrons_per_lsb : float
+        Electrons for one code of the converter.
+    adc_offset_lsb : float
+        The code of no light.
+    adc_bits : int
+        Bits of the converter.
+    adc_noise_lsb : float
+        Standard deviation of the readout noise in codes.
+    shot_noise : bool
+        Add Gaussian noise with the variance of photons.
+    noise_factor : float
+        Multiplies shot noise and readout noise.
+    slope : float
+        Replaces the gradient 0 of saturated pixels.
+    comparator_noise, comparator_offset : float
+        Standard deviations in full wells, for pixels that look.
     """
 
     full_well_e: float
@@ -57,7 +73,17 @@ class SensorModel:
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
-        """The model of a sensor's values."""
+        """Return the model of a sensor.
+
+        Parameters
+        ----------
+        sensor : Sensor
+        target : Target
+
+        Returns
+        -------
+        SensorModel
+        """
         return cls(
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
@@ -69,7 +95,16 @@ class SensorModel:
 
     @classmethod
     def of_protocol(cls, protocol: Protocol) -> SensorModel:
-        """The sensor that a protocol fixes."""
+        """Return the sensor that a protocol defines.
+
+        Parameters
+        ----------
+        protocol : Protocol
+
+        Returns
+        -------
+        SensorModel
+        """
         well_e, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
         return cls(
             full_well_e=well_e,
@@ -80,13 +115,23 @@ class SensorModel:
         )
 
     def noiseless(self) -> SensorModel:
-        """The same sensor without noise."""
+        """Return the same sensor without noise.
+
+        Returns
+        -------
+        SensorModel
+        """
         return replace(
             self, adc_noise_lsb=0.0, shot_noise=False, comparator_noise=0.0, comparator_offset=0.0
         )
 
     def counted(self) -> SensorModel:
-        """The same sensor for charge whose photons have been counted."""
+        """Return the same sensor without shot noise, for charge whose photons have been counted.
+
+        Returns
+        -------
+        SensorModel
+        """
         return replace(self, shot_noise=False)
 
     @property
@@ -96,21 +141,33 @@ class SensorModel:
 
     @property
     def full_e(self) -> float:
-        """Electrons from which on a pixel is saturated: a full well, or where the ADC ends before.
-        Decoders call this 1."""
+        """Electrons at which a pixel saturates: a full well, or the end of the converter if that is
+        less. Decoders call this 1.
+        """
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
 
     @property
     def full_code(self) -> int:
-        """The code above the offset that saturated pixels read, but for noise."""
+        """The code above the offset of saturated pixels, without noise."""
         return round(self.full_e / self.electrons_per_lsb)
 
     def relative(self, codes: Tensor) -> Tensor:
-        """Codes above the offset as decoders see a frame: over `full_e`, 1 where saturated."""
-        found = codes / (self.full_e / self.electrons_per_lsb)
-        return torch.where(codes >= self.full_code, found.clamp(min=1), found)
+        """Convert codes to the unit of decoders.
+
+        Parameters
+        ----------
+        codes : Tensor
+            Codes above the offset.
+
+        Returns
+        -------
+        Tensor
+            Codes over those of `full_e`; at least 1 for saturated pixels.
+        """
+        relative_codes = codes / (self.full_e / self.electrons_per_lsb)
+        return torch.where(codes >= self.full_code, relative_codes.clamp(min=1), relative_codes)
 
 
 class _Masked(Function):
@@ -121,8 +178,8 @@ class _Masked(Function):
         ctx.save_for_backward(light, shutters)
         total = torch.zeros_like(light[:, 0], dtype=torch.float64)
         for first in range(0, light.shape[1], _BLOCK):
-            part = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
-            total += part.sum(dim=1, dtype=torch.float64)
+            masked = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
+            total += masked.sum(dim=1, dtype=torch.float64)
         return total
 
     @staticmethod
@@ -134,8 +191,8 @@ class _Masked(Function):
             return to_light, None
         to_shutters = torch.empty_like(shutters, dtype=light.dtype)
         for first in range(0, light.shape[1], _BLOCK):
-            part = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
-            to_shutters[first : first + _BLOCK] = part.sum(dim=0)
+            products = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
+            to_shutters[first : first + _BLOCK] = products.sum(dim=0)
         return to_light, to_shutters.to(shutters.dtype)
 
 
@@ -158,14 +215,31 @@ def differentiable_capture(
     generator: torch.Generator | None = None,
     slot_share: Tensor | None = None,
 ) -> Captured:
-    """Expose a batch of scenes with the shutters of an encoder, or with (N, rows, cols) of them, or
-    with (buckets, N, rows, cols).
+    """Expose a batch of scenes so that gradients reach light and shutters.
 
-    `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
-    electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
-    A tile of shutters is repeated over the array from its top left corner. With a `generator` the
-    sensor's noise is drawn from it, and the encoder's; without, there is none. ValueError for
-    arrays of other shapes, and for light that is complex, negative or not finite.
+    Parameters
+    ----------
+    light : Tensor
+        (batch, N, rows, cols) electrons of each slot, or (batch, rows, cols) electrons of a still
+        over the whole frame.
+    codes : Encoder or Tensor
+        An encoder, or shutters (N, rows, cols) or (buckets, N, rows, cols). A tile is repeated
+        over the array from its top left corner.
+    sensor : SensorModel
+    generator : torch.Generator, optional
+        Source of the noise of sensor and encoder; no noise without it.
+    slot_share : Tensor, optional
+        (N,): the part of a still's light in each slot, by default 1 / N.
+
+    Returns
+    -------
+    Captured
+        Electrons before saturation and noise, and codes of the frame.
+
+    Raises
+    ------
+    ValueError
+        For arrays of other shapes, and for light that is complex, negative or not finite.
     """
     check_light(light)
     with torch.autocast(light.device.type, enabled=False):
@@ -202,10 +276,10 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
     `light` and `tile` as in `differentiable_capture`, without the batch.
     """
-    given = torch.as_tensor(light, dtype=torch.float32)[None]
+    light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
-        differentiable_capture(given, tile, sensor, generator=generator).frame[0]
+        differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
         - sensor.adc_offset_lsb
     )
 
@@ -215,8 +289,8 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
-        wanted = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
-        raise ValueError(f"light is {wanted}, and not {tuple(light.shape)}")
+        expected = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
+        raise ValueError(f"light is {expected}, and not {tuple(light.shape)}")
     if slot_share is None:
         return
     if light.ndim == 4:
@@ -247,7 +321,9 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
     (batch, buckets, rows, cols).
     """
     if shutters.ndim == 4:
-        return torch.stack([exposed(light, each, slot_share) for each in shutters], dim=1)
+        return torch.stack(
+            [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
+        )
     slots = shutters.shape[0]
     rows, cols = light.shape[-2:]
     if light.ndim == 3:
@@ -259,8 +335,8 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
         return light.double() * laid(opened, rows, cols)
     if light.shape[1] != slots:
         raise ValueError(f"light of {light.shape[1]} slots, shutters of {slots}")
-    found: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
-    return found
+    electrons: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
+    return electrons
 
 
 def read_out(
@@ -301,11 +377,21 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
-    """S^T E: the frame copied to the slots in which each pixel was open, in light a slot.
+    """Apply the transposed shutters: copy a frame to the slots in which each pixel was open.
 
-    `exposure` (batch, rows, cols), `shutters` (N, r, c) a tile that repeats; returns (batch, N,
-    rows, cols) and `valid` (rows, cols), False for pixels that never open: they are 0 and have no
-    gradient.
+    Parameters
+    ----------
+    exposure : Tensor
+        (batch, rows, cols).
+    shutters : Tensor
+        (N, r, c), a tile that repeats.
+
+    Returns
+    -------
+    lifted : Tensor
+        (batch, N, rows, cols), in light per slot.
+    valid : Tensor
+        (rows, cols), False for pixels that never open; these are 0 and have no gradient.
     """
     shutters = laid(shutters, *exposure.shape[-2:])
     count = shutters.sum(dim=0)

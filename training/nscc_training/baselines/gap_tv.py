@@ -8,12 +8,13 @@ from nscc_training.baselines.tv import tv_denoised_arrays
 from nscc_training.measured import Array, Measured, namespace
 
 START = 20
-"""Iterations that decoders begin with."""
+"""Iterations of GAP-TV at the start of decoders."""
 WEIGHT, INNER, TIME = 0.1, 5, 0.3
-"""The weight of total variation, iterations of the denoiser, and what differences from frame to
-frame weigh relative to those between pixels: things move."""
+"""The weight of total variation, iterations of the denoiser, and the weight of differences between
+frames relative to those between pixels, because objects move."""
 _FAR = 1.0
-"""The standard deviation of a clip's error while GAP-TV runs: frames are believed as they are."""
+"""Standard deviation of the clip's error that GAP-TV assumes, so large that frames are fitted
+exactly."""
 
 
 def gap_tv_of(
@@ -22,9 +23,8 @@ def gap_tv_of(
 ) -> tuple[Array, Array]:  # fmt: skip
     """Generalised alternating projection with total variation (Yuan 2016), accelerated.
 
-    The default start is a clip in which nothing moves, each pixel's light spread over the frame.
-    From a dark one light would come only to slots that are open, and by smoothing to those near
-    them: of 64 slots, of which some are open nowhere, these would stay a fifth too dark.
+    The default start is a static clip, with each pixel's light spread over the frame: from a dark
+    start, slots that no pixel recorded would stay about a fifth too dark (64 slots).
 
     Returns
     -------
@@ -47,10 +47,10 @@ def gap_tv_of(
 def gap_step(
     measured: Measured[Array], clip: Array, target: Array, sigma: Array
 ) -> tuple[Array, Array]:
-    """Return a clip led towards the frames, and the frames as they are asked for from now on."""
-    seen = measured.of(clip)
-    target = target + measured.missing(seen, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(seen, target), sigma), target
+    """Return the clip after a step towards the frames, and the updated target."""
+    predicted = measured.of(clip)
+    target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
+    return clip + measured.correction(measured.missing(predicted, target), sigma), target
 
 
 def _denoised(clip: Array, weight: float) -> Array:

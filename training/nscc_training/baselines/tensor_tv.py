@@ -32,7 +32,7 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return the same by torch's operators, on whatever device the clips are."""
+    """Return the result of `tv_denoised` by torch's operators, on any device."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     step = 1.0 / (4.0 + 2.0 * time * time)
@@ -40,9 +40,9 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
     out = image
     for turn in range(iterations + 1):
         out = image.clone()
-        for axis, (part, scale) in enumerate(zip(field, scales, strict=True), start=1):
-            out.sub_(part, alpha=scale)
-            _after(out, axis).add_(_before(part, axis), alpha=scale)
+        for axis, (component, scale) in enumerate(zip(field, scales, strict=True), start=1):
+            out.sub_(component, alpha=scale)
+            _after(out, axis).add_(_before(component, axis), alpha=scale)
         if turn == iterations:
             break
         slopes = [
@@ -52,8 +52,8 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
         for axis, slope in enumerate(slopes, start=1):
             _before(squared, axis).addcmul_(slope, slope)
         shrink = squared.sqrt_().mul_(step / weight).add_(1.0).reciprocal_()
-        for axis, (part, slope) in enumerate(zip(field, slopes, strict=True), start=1):
-            _before(part, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
+        for axis, (component, slope) in enumerate(zip(field, slopes, strict=True), start=1):
+            _before(component, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
     return out
 
 
