@@ -122,7 +122,8 @@ def split_digest(scenes: Scenes) -> str:
 
 
 def capture_toml(setup: TrainingSetup) -> str:
-    """Return the text of capture.toml: the conditions of capture that the decoder was trained for."""
+    """Return the text of capture.toml, the conditions of capture that the decoder was
+    trained for."""
     model, slots = setup.model, "" if setup.still else " / slots in a slot"
     values = {
         "sensor_sha256": sensor_sha256(setup.sensor),
@@ -156,7 +157,7 @@ def _exposure(setup: TrainingSetup) -> str:
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
-    """Return the PSNR with soft, hard, compiled and emulated shutters on the same scenes, without
+    """Return the PSNR with soft, hard, compiled and emulated shutters of the same scenes, without
     noise."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
@@ -191,7 +192,7 @@ def _stages(
 def _headline(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return the scores on the sensor of training; with effects, also the scores without them."""
+    """Return the scores on the sensor of training; with effects also the scores without them."""
     effects = setup.settings.sensor.effects
     headline = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
     if effects:

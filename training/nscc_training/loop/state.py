@@ -60,8 +60,8 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors of `tensors()`; KeyError, RuntimeError or ValueError if they belong to
-        another network."""
+        """Load the tensors of `tensors`; KeyError, RuntimeError or ValueError for another
+        network's."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -70,7 +70,7 @@ class TrainingState:
 
 
 def _other_settings_digest(settings: RunSettings) -> str:
-    """Return the digest of all settings except `train.steps`, which may be increased."""
+    """Return the digest of all settings except `train.steps`, which may increase."""
     return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
@@ -84,7 +84,7 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; KeyError or RuntimeError if they belong to another network."""
+    """Load the tensors of `tensors_of`; KeyError or RuntimeError for another network's."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 

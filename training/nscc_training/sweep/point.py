@@ -30,7 +30,10 @@ class PointFault:
 
 @dataclass(frozen=True)
 class Place:
-    """Paths and resources of a point: its files begin with the path `files`; it may use `threads`."""
+    """Paths and resources of a point.
+
+    Its files begin with the path `files`; it may use `threads` threads.
+    """
 
     files: Path
     threads: int

@@ -119,7 +119,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files that determine a program: its text, the files that it names, and its chip's."""
+    """Return the files that determine a program: its text, files that it names, its chip's."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -129,7 +129,7 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return a program's file and all files that it names; Rejected if it cannot be read."""
+    """Return a program's file and the files that it names; Rejected for unreadable files."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 
@@ -145,8 +145,10 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove a point's program, without the cache of searches; Rejected if it is wrong
-    or does not fit."""
+    """Compile and prove a point's program, without the cache of searches.
+
+    Raises Rejected for a program that is wrong or does not fit.
+    """
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],
