@@ -63,8 +63,8 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
     Parameters
     ----------
     path : Path or str
-        A `.npz` or `.mat` file. Floats that are whole numbers count as integers, because MATLAB saves
-        them so.
+        A `.npz` or `.mat` file. Floats that are whole numbers count as integers, because MATLAB
+        saves them so.
 
     Returns
     -------

@@ -46,8 +46,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
     ----------
     shutters : ShutterProgram, Container, Encoder or Tensor
         A program with data, compiled or loaded; an encoder, whose codes get gradients; or a tensor
-        (N, rows, cols) or (buckets, N, rows, cols) of 0..1. They are a tile, repeated over the array
-        from its top left corner and cut at its edges. A call of `A` may replace the buffer
+        (N, rows, cols) or (buckets, N, rows, cols) of 0..1. They are a tile, repeated over the
+        array from its top left corner and cut at its edges. A call of `A` may replace the buffer
         `shutters`, as for deepinv's parameters of physics.
     size : tuple of int, optional
         Rows and columns of the array.
@@ -98,8 +98,10 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         self.to(device)
 
     def A(self, x: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802 (deepinv's)
-        """Return electrons (batch, buckets, rows, cols) of the light x; `shutters` replace the
-        buffer if given."""
+        """Return electrons (batch, buckets, rows, cols) of the light x.
+
+        `shutters` replace the buffer if given.
+        """
         self.update_parameters(shutters=shutters, **parameters)
         if x.shape[1:] != self.img_size:
             raise wrong_argument(
@@ -117,8 +119,7 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return light if self.still else light.unsqueeze(1)
 
     def A_A_adjoint(self, y: Tensor, **parameters: Any) -> Tensor:  # noqa: N802
-        """Return `A(A_adjoint(y))`: each pixel's buckets times the common open time of
-        two buckets."""
+        """Return `A(A_adjoint(y))`: each pixel's buckets times the common open times."""
         self.update_parameters(**parameters)
         return _times(self._overlap(y), y)
 
@@ -154,8 +155,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
 class SensorNoise(NoiseModel):  # type: ignore[misc]
     """The sensor noise of training: photons, full well, readout noise, converter.
 
-    It maps exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame file
-    gives them: whole codes, of which the last means saturated. Gradients pass as in
+    It maps exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame
+    file gives them: whole codes, of which the last means saturated. Gradients pass as in
     `nscc_training.differentiable_capture`.
 
     Parameters
@@ -176,8 +177,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
         sensor: SensorLike = None,
         rng: torch.Generator | None = None,
     ) -> SensorNoise:
-        """Return the noise of a program's chip, or of another `sensor`, as `nscc_runtime.capture`
-        takes it."""
+        """Return the noise of a program's chip, or of a `sensor` as of `nscc_runtime.capture`."""
         chip = sensor_of("SensorNoise.of", sensor, converter_of(program.container))
         return cls(SensorModel.of(chip, program.container.target), rng)
 

@@ -1,4 +1,4 @@
-"""How far a reconstruction is from the truth. Data ranges are always given, never guessed."""
+"""Metrics of reconstructions; the data range is always an explicit argument."""
 
 from __future__ import annotations
 
@@ -41,21 +41,22 @@ def psnr_of_mse(mse: float, data_range: float) -> float:
 
 
 def psnr(truth: Array, result: Array, data_range: float) -> float:
-    """PSNR of two arrays of one shape, in dB."""
+    """Return the PSNR of two arrays of one shape in dB; +inf for equal arrays."""
     return psnr_of_mse(mean_square_error(truth, result), data_range)
 
 
 def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> float:
-    """PSNR after mu-law of both, clipped to 0..data_range; the curve's range is 1."""
+    """Return the PSNR in dB after the mu-law curve of both arrays, clipped to 0..data_range."""
     _check_range(data_range)
     relative = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
     return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), 1.0)
 
 
 def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> float:
-    """PSNR in perceptually uniform units, where `data_range` is a luminance of `nits` cd/m2.
+    """Return the PSNR in dB in perceptually uniform units (PU21).
 
-    Both are clipped to 0..data_range first; the peak is the encoding of `nits`.
+    `data_range` is a luminance of `nits` cd/m2. Both arrays are clipped to 0..data_range first; the
+    peak is the encoding of `nits`.
     """
     _check_range(data_range)
     if not PU21_LOW < nits <= PU21_HIGH:
@@ -83,10 +84,10 @@ def finite_mean(scores_db: Iterable[float]) -> float:
 
 @dataclass(frozen=True)
 class FrameScores:
-    """Per-frame dB as one score.
+    """Scores of frames in dB, summarised.
 
-    `mean` and `sd` leave out frames of infinite dB (identical ones), which `infinite` counts; with
-    no other frame the mean is +inf. `of_mean_mse` is the dB of the mean error of all frames.
+    `mean` and `sd` leave out frames of infinite dB (identical ones), which `infinite` counts;
+    without another frame the mean is +inf. `of_mean_mse` is the dB of the mean error of all frames.
     """
 
     mean: float
@@ -96,7 +97,7 @@ class FrameScores:
 
 
 def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
-    """The scores of frames with these mean square errors."""
+    """Return the scores of frames with these mean square errors."""
     errors = [float(mse) for mse in mses]
     scores = [psnr_of_mse(mse, data_range) for mse in errors]
     finite = [score for score in scores if math.isfinite(score)]
@@ -109,10 +110,11 @@ def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
 
 
 def ssim(truth: Array, result: Array, data_range: float) -> float:
-    """Mean SSIM of two pictures (rows, cols) or of the frames of two clips (T, rows, cols).
+    """Return the mean SSIM of two pictures (rows, cols), or of the frames of two clips (T, rows,
+    cols).
 
-    Only windows that lie inside count, so both sides are at least `WINDOW`. Always within -1..1,
-    and 1 for equal pictures, flat ones too.
+    Only complete windows count, so both sides are at least `WINDOW`. The result lies in -1..1, and
+    is 1 for equal pictures, constant ones too.
     """
     truth, result = _pair(truth, result)
     if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
@@ -127,9 +129,9 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
 
 
 def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
-    """The SSIM of every window, (rows - 10, cols - 10), in float64."""
+    """Return the SSIM of every window, (rows - 10, cols - 10), in float64."""
     x, y = truth.astype(np.float64), result.astype(np.float64)
-    # Variances do not depend on a common pedestal, but their rounding errors do: take it away.
+    # Subtract a common offset: variances do not depend on it, but their rounding errors do.
     base = 0.5 * (float(x.mean()) + float(y.mean()))
     x, y = x - base, y - base
     mean_x, mean_y = _blur(x), _blur(y)
@@ -145,7 +147,7 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
 
 
 def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Gaussian means of all whole windows."""
+    """Return Gaussian means of all complete windows."""
     offsets = np.arange(WINDOW) - WINDOW // 2
     weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
     weights /= weights.sum()
@@ -155,9 +157,9 @@ def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def temporal_error(truth: Array, result: Array, data_range: float) -> float:
-    """Root mean square of the error in the changes from frame to frame, over the data range.
+    """Return the RMS error of the changes from frame to frame, over the data range.
 
-    Clips (T, rows, cols) with T >= 2. An error that stands still does not count; flicker does.
+    For clips (T, rows, cols) with T >= 2. Constant errors do not count; flicker does.
     """
     truth, result = _pair(truth, result)
     if truth.ndim != 3 or len(truth) < 2:

@@ -1,4 +1,4 @@
-"""A shutter class on a grid, known without torch."""
+"""The specification of a shutter class on a tile, without torch."""
 
 from __future__ import annotations
 
@@ -7,12 +7,25 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ShutterSpec:
-    """A shutter class on a grid.
+    """A shutter class on a tile.
 
-    `kind` is a, b, c, d, e, codebook or looks; `slots` N; `tile` (rows, cols) repeats over the
-    array, and is the array itself for free codes. `length` is the bump of class c, `rows` the
-    number of a codebook's shapes. Of looks the tile is (1, looks), `levels` the largest step of IN.
-    With two `buckets` the second has the light that the shutters leave out.
+    Attributes
+    ----------
+    kind : str
+        a, b, c, d, e, codebook or looks.
+    slots : int
+        N, slots per frame.
+    tile : tuple of int
+        Rows and columns of the tile that repeats over the array; for free codes the array itself.
+        For looks (1, looks).
+    length : int, optional
+        Slots of a bump of class c.
+    rows : int, optional
+        Shapes of a codebook.
+    levels : int, optional
+        The largest step of IN, for looks.
+    buckets : int
+        With two, the second bucket gets the light that the shutters leave out.
     """
 
     kind: str
@@ -25,5 +38,5 @@ class ShutterSpec:
 
     @property
     def places(self) -> int:
-        """Codes in a tile."""
+        """Number of codes in the tile."""
         return self.tile[0] * self.tile[1]
