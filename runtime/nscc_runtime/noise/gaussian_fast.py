@@ -38,7 +38,7 @@ def _cells() -> NDArray[np.float32]:
 
 _CONSTANTS = table(lambda: np.ascontiguousarray(_cells()[:, 0]))
 _SLOPES_AND_BENDS = table(lambda: np.ascontiguousarray(_cells()[:, 1:]).view(np.uint64).reshape(-1))
-"""Both in one number: what takes time is to fetch a cell's numbers, each by itself."""
+"""Slope and bend packed into one number, because separate table look-ups dominate the time."""
 
 
 @inlined
