@@ -1,9 +1,9 @@
-"""Texts beside the marks and lines that they belong to: none on another, on a mark, or outside.
+"""Place texts beside their marks and lines, without overlaps.
 
-Every text tries places around its anchors, from near to far. Those where it or its halo would lie
-on a text or a mark, or on the panel's edge, are none, nor are small texts' on lines, and names' are
-where there is no other; of the rest it takes the cheapest: near, and nearer to its own mark than to
-others.
+Every text tries places around its anchors, from near to far. Places are excluded where the text or
+its halo would cover a text, a mark or the edge of the panel; small texts also avoid lines, and
+names avoid them if possible. The cheapest of the remaining places is near, and nearer to its own
+mark than to others.
 """
 
 from __future__ import annotations
@@ -28,23 +28,22 @@ Boxes = NDArray[np.float64]
 """(n, 4): left, bottom, right and top in dots."""
 
 _NAME, _SMALL = 7.8, 7.0
-"""Points of the type of names, and of the rest."""
+"""Type sizes in points of names, and of other texts."""
 _NEAR, _FAR = (3.0, 5.5, 8.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
-"""Points between a mark and its text, or one that may stand further off."""
+"""Distances in points between a mark and its text, and for texts that may stand further off."""
 _LEADER = 9.0
-"""A text further off than so many points is joined to its anchor."""
+"""Distance in points beyond which a text is joined to its anchor by a line."""
 _HALO = 2.0
-"""Points of the line around the letters, of which half is outside them."""
+"""Width in points of the halo around letters, half of which lies outside of them."""
 _CLEAR = _HALO / 2 + 0.8
-"""Points that stay free around a text: its halo cuts nothing, with half of a line's width."""
+"""Margin in points around a text: its halo, and half of a line's width."""
 _SPACE, _LEADING = 4.0, 1.0
-"""Points between one text and the next, in a line and from line to line: two names are not read as
-one."""
+"""Gaps in points between texts, within a line and between lines."""
 _STEP = 3.0
-"""Dots between the points by which lines are known."""
+"""Distance in dots of the points that represent lines."""
 _ON_LINES, _ON_LINE, _CROSSED, _NEXT, _ASTRAY = 1000.0, 6.0, 2.0, 5.0, 2.0
-"""Cost, in points of distance: of being on lines at all, of a line's point below a text or a
-leader, of a later anchor, of a point nearer to another mark than to one's own."""
+"""Costs, in points of distance: covering any line, each covered point of a line or leader, a later
+anchor, each point nearer to another mark."""
 
 
 @dataclass(frozen=True)
@@ -52,7 +51,7 @@ class ChartLabel:
     """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
 
     The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
-    and so may what a reader looks for (`sought`).
+    and so may a text that readers look for (`sought`).
     """
 
     text: str
@@ -63,12 +62,12 @@ class ChartLabel:
 
     @property
     def far(self) -> bool:
-        """Whether it may stand far off."""
+        """Whether the text may stand far off."""
         return self.name or self.sought
 
 
 class _Tally:
-    """Points of a panel, to be counted in boxes however many there are: by sums over its area."""
+    """Points of a panel, counted in boxes in constant time by sums over areas."""
 
     def __init__(self, axes: Axes, points: Points) -> None:
         room = axes.bbox
@@ -81,7 +80,7 @@ class _Tally:
         self._sums = counts.cumsum(0).cumsum(1)
 
     def count_in(self, boxes: Boxes) -> NDArray[np.int64]:
-        """How many of the points each of the boxes holds, to a dot."""
+        """Return the number of points in each box, to a dot."""
         most = np.array(self._sums.shape * 2) - 1
         corners = np.rint(boxes - np.tile(self._corner, 2)).astype(np.int64)
         x0, y0, x1, y1 = np.clip(corners, 0, most).T
@@ -92,8 +91,8 @@ class _Tally:
 
 @dataclass
 class _Drawn:
-    """What a panel holds: boxes of texts and of marks, points along its lines, and along leaders
-    to names."""
+    """The content of a panel: boxes of texts and marks, points along lines, and along leaders to
+    names."""
 
     texts: Boxes
     marks: Boxes
@@ -102,16 +101,16 @@ class _Drawn:
 
 
 def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
-    """Write the labels, in this order; those that had no room anywhere.
+    """Draw the labels in this order; return those that found no place.
 
-    The figure is laid out (`sheet.lay_out`): nothing in it moves any more.
+    The figure must be laid out (`sheet.lay_out`), so that nothing in it moves afterwards.
     """
     drawn = _drawn(axes)
     return [label for label in labels if label.text and not _written(axes, label, drawn)]
 
 
 def halo() -> list[Any]:
-    """The effect of a text (`path_effects`) that stays legible on lines."""
+    """Return the `path_effects` of a text that stays legible on lines."""
     from matplotlib.patheffects import withStroke
 
     return [withStroke(linewidth=_HALO, foreground=look().paper)]
@@ -142,7 +141,7 @@ def _written(axes: Axes, label: ChartLabel, drawn: _Drawn) -> bool:
 
 
 def _join(axes: Axes, text: Annotation, reach: Points, colour: str) -> None:
-    """A thin line from near a text's anchor to near the text, `reach` points away."""
+    """Draw a thin line from a text's anchor to the text, `reach` points away."""
     length = np.hypot(*reach)
     leader = axes.annotate(
         "", text.xy, tuple(reach * (1 - 1 / length)), textcoords="offset points",
@@ -154,7 +153,7 @@ def _join(axes: Axes, text: Annotation, reach: Points, colour: str) -> None:
 
 @dataclass
 class _Places:
-    """Where a text may go: its box, and the box's point that is nearest to the anchor."""
+    """The candidate places of a text: its box, and the point of the box nearest to the anchor."""
 
     boxes: Boxes
     anchors: Points
@@ -165,7 +164,7 @@ class _Places:
 
 
 def _places(axes: Axes, label: ChartLabel, size: tuple[float, float], dots: float) -> _Places:
-    """All places around all anchors; sizes and boxes in dots, gaps in points."""
+    """Return all places around all anchors; sizes and boxes in dots, gaps in points."""
     gaps = np.array(_FAR if label.far else _NEAR)
     angles = np.arange(16) * np.pi / 8
     number, gap, angle = (
@@ -179,7 +178,7 @@ def _places(axes: Axes, label: ChartLabel, size: tuple[float, float], dots: floa
     middle = anchors + ahead * (gap[:, None] + 2.5) * dots + leaning
     boxes = np.hstack([middle - np.array(size) / 2, middle + np.array(size) / 2])
     nearest = np.clip(anchors, boxes[:, :2], boxes[:, 2:])
-    # Names go on to the right, the rest stands above or below.
+    # Names stand to the right, other texts above or below.
     turn = 1 - np.cos(angle) if label.name else 1 - np.abs(np.sin(angle))
     return _Places(boxes, anchors, nearest, gap, number, turn)
 
@@ -187,7 +186,8 @@ def _places(axes: Axes, label: ChartLabel, size: tuple[float, float], dots: floa
 def _costs(
     axes: Axes, label: ChartLabel, places: _Places, drawn: _Drawn, dots: float
 ) -> NDArray[np.float64]:
-    """What each place costs, in points; infinite where it would cover something or stick out."""
+    """Return the cost of each place in points; infinite if the text would cover something or leave
+    the panel."""
     boxes = places.boxes
     room = axes.bbox
     grown = boxes + _CLEAR * dots * np.array([-1, -1, 1, 1])
@@ -212,7 +212,7 @@ def _costs(
 def _cheapest(
     label: ChartLabel, places: _Places, drawn: _Drawn, costs: NDArray[np.float64]
 ) -> int | None:
-    """The place that costs least with what its leader crosses; None if there is none."""
+    """Return the cheapest place, including the crossings of its leader; None without any."""
     best, least = None, np.inf
     for place in map(int, np.argsort(costs, kind="stable")):
         if costs[place] >= least:
@@ -244,7 +244,7 @@ def _drawn(axes: Axes) -> _Drawn:
 
 
 def _between(start: Points, end: Points) -> Points:
-    """Points on the way from one to the other."""
+    """Return points on the line between two points."""
     steps = max(1, int(np.abs(end - start).max() / _STEP))
     return start + np.linspace(0, 1, steps + 1)[:, None] * (end - start)
 
@@ -254,13 +254,13 @@ def _around(points: Points, reach: float) -> Boxes:
 
 
 def _overlaps(boxes: Boxes, other_boxes: Boxes) -> NDArray[np.bool_]:
-    """Which of (n, 4) overlap which of (m, 4): (n, m)."""
+    """Return which boxes (n, 4) overlap which boxes (m, 4): (n, m)."""
     a, b = boxes[:, None], other_boxes[None]
     return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
 
 def _count_inside(boxes: Boxes, points: Points) -> NDArray[np.int64]:
-    """How many of the points each box holds."""
+    """Return the number of points in each box."""
     inside: Any = (boxes[:, None, :2] < points).all(2) & (points < boxes[:, None, 2:]).all(2)
     counted: NDArray[np.int64] = inside.sum(1)
     return counted
