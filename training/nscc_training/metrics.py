@@ -41,22 +41,61 @@ def psnr_of_mse(mse: float, data_range: float) -> float:
 
 
 def psnr(truth: Array, result: Array, data_range: float) -> float:
-    """Return the PSNR of two arrays of one shape in dB; +inf for equal arrays."""
+    """Return the peak signal-to-noise ratio of two arrays.
+
+    Parameters
+    ----------
+    truth, result : array
+        Finite numbers of one shape.
+    data_range : float
+        The peak value.
+
+    Returns
+    -------
+    float
+        PSNR in dB; +inf for equal arrays.
+    """
     return psnr_of_mse(mean_square_error(truth, result), data_range)
 
 
 def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> float:
-    """Return the PSNR in dB after the mu-law curve of both arrays, clipped to 0..data_range."""
+    """Return the PSNR after the mu-law curve of both arrays.
+
+    Parameters
+    ----------
+    truth, result : array
+        Finite numbers of one shape, clipped to 0..data_range.
+    data_range : float
+        The light that the curve maps to 1.
+    mu : float
+        Parameter of the curve.
+
+    Returns
+    -------
+    float
+        PSNR in dB, with 1 as the peak.
+    """
     _check_range(data_range)
     relative = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
     return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), 1.0)
 
 
 def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> float:
-    """Return the PSNR in dB in perceptually uniform units (PU21).
+    """Return the PSNR in perceptually uniform units (PU21).
 
-    `data_range` is a luminance of `nits` cd/m2. Both arrays are clipped to 0..data_range first; the
-    peak is the encoding of `nits`.
+    Parameters
+    ----------
+    truth, result : array
+        Finite numbers of one shape, clipped to 0..data_range.
+    data_range : float
+        The light that stands for `nits`.
+    nits : float
+        Luminance in cd/m2.
+
+    Returns
+    -------
+    float
+        PSNR in dB, with the encoding of `nits` as the peak.
     """
     _check_range(data_range)
     if not PU21_LOW < nits <= PU21_HIGH:
@@ -110,11 +149,19 @@ def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
 
 
 def ssim(truth: Array, result: Array, data_range: float) -> float:
-    """Return the mean SSIM of two pictures (rows, cols), or of the frames of two clips (T, rows,
-    cols).
+    """Return the mean structural similarity of two pictures or clips.
 
-    Only complete windows count, so both sides are at least `WINDOW`. The result lies in -1..1, and
-    is 1 for equal pictures, constant ones too.
+    Parameters
+    ----------
+    truth, result : array
+        Pictures (rows, cols) or clips (T, rows, cols) of one shape, both sides at least `WINDOW`.
+        Only complete windows count.
+    data_range : float
+
+    Returns
+    -------
+    float
+        Within -1..1; 1 for equal pictures, constant ones too.
     """
     truth, result = _pair(truth, result)
     if truth.ndim not in (2, 3) or min(truth.shape[-2:]) < WINDOW:
@@ -157,9 +204,20 @@ def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def temporal_error(truth: Array, result: Array, data_range: float) -> float:
-    """Return the RMS error of the changes from frame to frame, over the data range.
+    """Return the RMS error of the changes from frame to frame.
 
-    For clips (T, rows, cols) with T >= 2. Constant errors do not count; flicker does.
+    Constant errors do not count; flicker does.
+
+    Parameters
+    ----------
+    truth, result : array
+        Clips (T, rows, cols) of one shape with T >= 2.
+    data_range : float
+
+    Returns
+    -------
+    float
+        Relative to the data range.
     """
     truth, result = _pair(truth, result)
     if truth.ndim != 3 or len(truth) < 2:
