@@ -175,10 +175,8 @@ def plan(
     tolerance_max: Given | None = None,
     device_seed: int = Request.device_seed,
 ) -> Plan:
-    """What of the sensor's effects a capture would simulate, and how wrong that makes it.
-
-    Arguments as of `capture`, which takes the plan for this scene and others. Nothing is exposed.
-    """
+    """What of the sensor's effects a capture would simulate, and how wrong that makes it. Arguments
+    as of `capture`, which takes the plan for this scene and others. Nothing is exposed."""
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import PlanRequest, make_plan
     from nscc_runtime.planning.scenes import planning_of

@@ -14,11 +14,9 @@ from nscc_training.settings import SCHEMA, RunSettings
 
 
 def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
-    """Read the settings of a file, with `changes`, each SECTION.KEY=VALUE.
-
-    Raises Rejected, status 2, with all mistakes at once: NS0813 for a file that cannot be read or
-    is not TOML, NS0814 for unknown keys, NS0815 for wrong values.
-    """
+    """Read the settings of a file, with `changes`, each SECTION.KEY=VALUE. Raises Rejected, status
+    2, with all mistakes at once: NS0813 for a file that cannot be read or is not TOML, NS0814 for
+    unknown keys, NS0815 for wrong values."""
     values, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
     return _settings(values, problems, changes)
 

@@ -61,9 +61,7 @@ def srgb_inverse(y: Array) -> Array:
 
 def pu21(luminance: Array) -> Array:
     """Perceptually uniform units of a luminance in cd/m2: about 256 at 100 cd/m2, 0 at 0.005.
-
-    Outside of `PU21_LOW`..`PU21_HIGH` it goes on as a straight line with the slope at that end.
-    """
+    Outside of `PU21_LOW`..`PU21_HIGH` it goes on as a straight line with the slope at that end."""
     xp, wide = _library(luminance), _wide(luminance)
     inside = xp.clip(wide, PU21_LOW, PU21_HIGH)
     low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))

@@ -21,12 +21,9 @@ _LIT = 0.01
 
 @dataclass(frozen=True, eq=False)
 class Dark:
-    """A frame file without light, of one exposure or repeats.
-
-    `offset` (rows, cols), of two buckets (2, rows, cols), is the mean code above the ADC's offset.
-    `meta` is the file's; `slot_us` (N,) the slot lengths, if known; `saturated` the fraction of
-    saturated pixels.
-    """
+    """A frame file without light, of one exposure or repeats. `offset` (rows, cols), of two buckets
+    (2, rows, cols), is the mean code above the ADC's offset. `meta` is the file's; `slot_us` (N,)
+    the slot lengths, if known; `saturated` the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]
@@ -112,10 +109,8 @@ def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """Read a frame file without light.
-
-    Rejected (NS0819) for another number of buckets, or without the ADC's offset.
-    """
+    """Read a frame file without light. Rejected (NS0819) for another number of buckets, or without
+    the ADC's offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:

@@ -98,10 +98,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         self.to(device)
 
     def A(self, x: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802 (deepinv's)
-        """Return electrons (batch, buckets, rows, cols) of the light x.
-
-        `shutters` replace the buffer if given.
-        """
+        """Return electrons (batch, buckets, rows, cols) of the light x. `shutters` replace the
+        buffer if given."""
         self.update_parameters(shutters=shutters, **parameters)
         if x.shape[1:] != self.img_size:
             raise wrong_argument(

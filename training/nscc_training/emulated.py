@@ -104,10 +104,8 @@ class EmulatedSensor:
 
 
 def captures_on(device: torch.device) -> str | None:
-    """Return the `torch_device` of captures next to networks on a device.
-
-    None on the processor, where the compiled loops make the frames.
-    """
+    """Return the `torch_device` of captures next to networks on a device. None on the processor,
+    where the compiled loops make the frames."""
     return None if device.type == "cpu" else str(device)
 
 
@@ -149,11 +147,8 @@ def _measured(
     effects: Selection, chips: int, torch_device: str | None,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
     """Return mean and standard deviation of codes, and the fraction of saturated pixels, each (K,
-    r, c).
-
-    Levels are exposed side by side on the array, each on columns of whole tiles, in as many scenes
-    as needed.
-    """
+    r, c). Levels are exposed side by side on the array, each on columns of whole tiles, in as many
+    scenes as needed."""
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))

@@ -70,10 +70,8 @@ def read_frame(path: Path) -> FrameRead:
 
 
 def by_colour(values: Array, in_colours: bool) -> Array:
-    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`.
-
-    That is (colours, rows, cols), of two buckets (colours, 2, rows, cols).
-    """
+    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`. That is
+    (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]

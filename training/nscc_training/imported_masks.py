@@ -28,11 +28,9 @@ _MOST_SHAPES = 4096
 
 @dataclass(frozen=True)
 class ImportedMask:
-    """A program that opens the shutters of a mask.
-
-    `text` names the file of the `codes` if it needs one; `kind` is its class, `tile` (rows, cols).
-    `reasons` explain why the other classes were not chosen.
-    """
+    """A program that opens the shutters of a mask. `text` names the file of the `codes` if it needs
+    one; `kind` is its class, `tile` (rows, cols). `reasons` explain why the other classes were not
+    chosen."""
 
     text: str
     codes: bytes
@@ -144,10 +142,8 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
 
 
 def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None) -> Bits:
-    """Return the mask as (slots, rows, cols).
-
-    Time is the axis that is not the array's; for a tile, the last axis, as in MATLAB.
-    """
+    """Return the mask as (slots, rows, cols). Time is the axis that is not the array's; for a tile,
+    the last axis, as in MATLAB."""
     if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
         last = mask.shape[2] == slots
     else:
@@ -157,10 +153,7 @@ def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None)
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
     """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest
-    repeating tile.
-
-    NS0847 for a tile that a program cannot hold.
-    """
+    repeating tile. NS0847 for a tile that a program cannot hold."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -193,10 +186,8 @@ def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """Yield the classes that represent all shutters, with their codes.
-
-    The reasons against the other classes are appended to `reasons`.
-    """
+    """Yield the classes that represent all shutters, with their codes. The reasons against the
+    other classes are appended to `reasons`."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)

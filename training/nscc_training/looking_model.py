@@ -1,8 +1,6 @@
-"""The sensor with pixels that look, for training: from light to codes and open times.
-
-It models steady light. A look compares the charge of the pixel, plus the comparator's offset and
-noise, with the level; the first look above its level closes the pixel.
-"""
+"""The sensor with pixels that look, for training: from light to codes and open times. It models
+steady light. A look compares the charge of the pixel, plus the comparator's offset and noise, with
+the level; the first look above its level closes the pixel."""
 
 from __future__ import annotations
 
@@ -53,10 +51,8 @@ def looked(
 def _charge_at_looks(
     light: Tensor, share: Tensor, sensor: SensorModel, generator: torch.Generator | None
 ) -> Tensor:
-    """Return the charge of PIX at each look and at the end, (batch, looks + 1, rows, cols).
-
-    Photons are counted between looks and accumulated.
-    """
+    """Return the charge of PIX at each look and at the end, (batch, looks + 1, rows, cols). Photons
+    are counted between looks and accumulated."""
     charge = light[:, None] * share
     if generator is not None and sensor.shot_noise:
         between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
@@ -68,10 +64,7 @@ def _charge_at_looks(
 
 def _first(above: Tensor) -> Tensor:
     """Return whether, or with which probability, a pixel takes each exposure, (batch, looks + 1,
-    ..).
-
-    It is the first look above its level, or the end.
-    """
+    ..). It is the first look above its level, or the end."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

@@ -27,11 +27,8 @@ def l1(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Minus a tenth of the PSNR in dB, so that every exposure counts by its own errors.
-
-    Patches of one exposure ([data] together) belong in one batch, because their errors are
-    averaged.
-    """
+    """Minus a tenth of the PSNR in dB, so that every exposure counts by its own errors. Patches of
+    one exposure ([data] together) belong in one batch, because their errors are averaged."""
     return torch.log10((prediction - truth).square().mean() + LEAST_ERROR)
 
 

@@ -23,10 +23,8 @@ _MOST = 1e15
 
 
 def array_names(path: Path) -> list[str]:
-    """Return the names of the arrays in a .mat or .npz file; empty for an .npy file.
-
-    Rejected (NS0845) for another file.
-    """
+    """Return the names of the arrays in a .mat or .npz file; empty for an .npy file. Rejected
+    (NS0845) for another file."""
     return _read(path, None)[0]
 
 

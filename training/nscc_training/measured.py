@@ -44,9 +44,7 @@ class Measured:
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
     ) -> Measured:
         """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
-
-        `masks` are (B, N, rows, cols).
-        """
+        `masks` are (B, N, rows, cols)."""
         codes = torch.from_numpy(np.ascontiguousarray(frames, np.float32))[None]
         value = codes * sensor.electrons_per_lsb
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -74,20 +72,15 @@ class Measured:
 
     def trust(self, sigma: Tensor) -> Tensor:
         """Return the fraction of a difference due to the clip's error rather than noise, in the
-        shape of `value`.
-
-        The error has the standard deviation `sigma` (batch,).
-        """
+        shape of `value`. The error has the standard deviation `sigma` (batch,)."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1).square()
         error_share: Tensor = spread / (spread + self.variance).clamp(min=1e-20)
         return error_share
 
     def correction(self, gap: Tensor, sigma: Tensor) -> Tensor:
-        """Return the most likely correction of a clip whose frames differ by `gap`.
-
-        The prior error has the standard deviation `sigma` everywhere. Without noise, and with
-        frames that share no light, this is the projection onto all clips that give the frames.
-        """
+        """Return the most likely correction of a clip whose frames differ by `gap`. The prior error
+        has the standard deviation `sigma` everywhere. Without noise, and with frames that share no
+        light, this is the projection onto all clips that give the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1).square()
             shares = gap / (self.energy + noise).clamp(min=1e-6)
@@ -122,11 +115,9 @@ class Measured:
         return torch.where(total > 0, self.value.sum(dim=1) / total.clamp(min=1e-6), 0.0)
 
     def planes(self) -> Tensor:
-        """Return the inputs of a denoiser, (batch, 3, N, rows, cols).
-
-        They are the mask of all frames, the value over the mask, and its standard deviation, at
-        most 1; only the mask differs between slots.
-        """
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols). They are the mask of all
+        frames, the value over the mask, and its standard deviation, at most 1; only the mask
+        differs between slots."""
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)
         total = mask.sum(dim=1)
         opened = total > 0

@@ -20,10 +20,7 @@ _KEYS = frozenset(("mask", "meas"))
 @dataclass(frozen=True)
 class NoiseModel:
     """Noise of a measurement: readout noise of standard deviation `read_sd`, and photon noise,
-    whose variance is `gain` times the measured value.
-
-    Both are in the unit of the measurement.
-    """
+    whose variance is `gain` times the measured value. Both are in the unit of the measurement."""
 
     read_sd: float = 0.0
     gain: float = 0.0
@@ -54,10 +51,8 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """K measurements (K, rows, cols) through one mask (slots, rows, cols).
-
-    `axes` describes how the arrays of the files were interpreted.
-    """
+    """K measurements (K, rows, cols) through one mask (slots, rows, cols). `axes` describes how the
+    arrays of the files were interpreted."""
 
     values: Floats
     mask: Floats

@@ -66,10 +66,8 @@ class Chip:
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """A program: its `text`, and the bytes of the codes beside it, if the text names them.
-
-    `codes` hold every field on the tile, and a codebook's digits as `book`.
-    """
+    """A program: its `text`, and the bytes of the codes beside it, if the text names them. `codes`
+    hold every field on the tile, and a codebook's digits as `book`."""
 
     text: str
     codes: bytes
@@ -104,11 +102,9 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
 
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
-    """Return the program of codes, with `remark` as a comment at the top.
-
-    Codes for every pixel go into the file, and so do those of a tile of more than 4096 places,
-    expanded to the array, as the compiler requires.
-    """
+    """Return the program of codes, with `remark` as a comment at the top. Codes for every pixel go
+    into the file, and so do those of a tile of more than 4096 places, expanded to the array, as the
+    compiler requires."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
     # A file's path is relative to the current folder, not to the program, so it is an option
@@ -132,10 +128,8 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """Compile and prove a program; Rejected with the compiler's errors.
-
-    `every_code` compiles for all codes that the class allows, instead of those in use.
-    """
+    """Compile and prove a program; Rejected with the compiler's errors. `every_code` compiles for
+    all codes that the class allows, instead of those in use."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -147,10 +141,8 @@ def compiled(
 @dataclass(frozen=True, eq=False)
 class Begun:
     """The start of a run: `codes` by field on the tile, with a codebook's digits as `book`.
-
     `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for them; None if
-    they depend on the light.
-    """
+    they depend on the light."""
 
     codes: dict[str, NDArray[np.int64]]
     opened: NDArray[np.bool_] | None
@@ -158,11 +150,8 @@ class Begun:
 
 def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     """Return the codes of a program on the places of the tile; of pixels that look, moments and
-    levels.
-
-    Raises ValueError for a program of other slots, fields, levels or buckets, or with other pixels
-    than a repetition of this tile, and Rejected as the compiler.
-    """
+    levels. Raises ValueError for a program of other slots, fields, levels or buckets, or with other
+    pixels than a repetition of this tile, and Rejected as the compiler."""
     target = chip.table or load_target(chip.target, Path())
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container

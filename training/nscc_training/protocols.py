@@ -43,11 +43,8 @@ class Protocol:
     @property
     def mid_grey_e(self) -> float | None:
         """Electrons over the frame for the median of a scene, if the protocol fixes the
-        illuminance.
-
-        None if scenes are scaled to a full well. A lens of f-number A passes 1 / (4 A^2) of the
-        light of a matt surface to the sensor.
-        """
+        illuminance. None if scenes are scaled to a full well. A lens of f-number A passes 1 / (4
+        A^2) of the light of a matt surface to the sensor."""
         if "illuminance_lux" not in self.values:
             return None
         lux = self["illuminance_lux"] * self["reflectance"] / (4 * self["f_number"] ** 2)

@@ -37,11 +37,8 @@ _OVEREXPOSED = 0.5
 @dataclass(frozen=True, eq=False)
 class Reconstruction:
     """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons
-    per slot, float32.
-
-    With `colour` the last axis is red, green, blue. `messages` are warnings about the frame;
-    `decode_s` is the decoding time in seconds.
-    """
+    per slot, float32. With `colour` the last axis is red, green, blue. `messages` are warnings
+    about the frame; `decode_s` is the decoding time in seconds."""
 
     light: NDArray[np.float32]
     still: bool
@@ -91,11 +88,9 @@ def reconstructed(
     folder: RunFolder, read: FrameRead, name: str, *, force: bool,
     offset: NDArray[np.float64] | None = None,
 ) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:  # fmt: skip
-    """Return the picture or clip of a frame, colours last, and warnings.
-
-    Messages call the frame `name`; `offset` (rows, cols) is the array's offset without light.
-    Raises Rejected (NS0819) as `reconstruct`.
-    """
+    """Return the picture or clip of a frame, colours last, and warnings. Messages call the frame
+    `name`; `offset` (rows, cols) is the array's offset without light. Raises Rejected (NS0819) as
+    `reconstruct`."""
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:

@@ -1,7 +1,5 @@
-"""Files of run folders: where they are, and the conditions of capture of their decoder.
-
-Nothing here needs torch.
-"""
+"""Files of run folders: where they are, and the conditions of capture of their decoder. Nothing
+here needs torch."""
 
 from __future__ import annotations
 
@@ -36,11 +34,9 @@ _ELECTRONS = (".npz", ".npy")
 
 @dataclass(frozen=True)
 class RunCapture:
-    """The conditions of capture of a run's decoder.
-
-    `exposure` is in the form of `--exposure`; `still`: scenes are stills; `sensor` and `target` are
-    files of the run, None for the default sensor and the program's target.
-    """
+    """The conditions of capture of a run's decoder. `exposure` is in the form of `--exposure`;
+    `still`: scenes are stills; `sensor` and `target` are files of the run, None for the default
+    sensor and the program's target."""
 
     program: Path
     still: bool

@@ -30,9 +30,7 @@ _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 @dataclass(frozen=True, eq=False)
 class RunFolder:
     """A loaded run: `setup` with learned codes and weights, `program` the text of `shutter.nsl`.
-
-    `seen_digests` are those of the files of training and validation, `result` is `result.json`.
-    """
+    `seen_digests` are those of the files of training and validation, `result` is `result.json`."""
 
     path: Path
     setup: TrainingSetup
@@ -133,11 +131,9 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """Raise ValueError for a file whose digest differs from that in the result.
-
-    Such folders come from an unfinished later run in the same folder, or from a partial copy: their
-    files would belong to different runs.
-    """
+    """Raise ValueError for a file whose digest differs from that in the result. Such folders come
+    from an unfinished later run in the same folder, or from a partial copy: their files would
+    belong to different runs."""
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]

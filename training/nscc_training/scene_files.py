@@ -24,11 +24,9 @@ CLIPS = (*clips.CLIPS, ".mat")
 
 
 def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
-    """Return the files with one of `endings`, sorted by name; none for a missing folder.
-
-    `folder` may join several by +, contain * for any name, and end in #K,L/N, which selects places
-    K and L (from 0) of every N files.
-    """
+    """Return the files with one of `endings`, sorted by name; none for a missing folder. `folder`
+    may join several by +, contain * for any name, and end in #K,L/N, which selects places K and L
+    (from 0) of every N files."""
     if folder.is_dir():
         return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
     matching = []

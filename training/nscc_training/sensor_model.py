@@ -1,8 +1,5 @@
-"""A differentiable capture: from light and shutters to a frame.
-
-Light is float32; sums and everything up to the ADC are float64, whatever the precision of the
-network.
-"""
+"""A differentiable capture: from light and shutters to a frame. Light is float32; sums and
+everything up to the ADC are float64, whatever the precision of the network."""
 
 from __future__ import annotations
 
@@ -151,10 +148,8 @@ class _Masked(Function):
 
 class Captured(NamedTuple):
     """The result of a capture: electrons before saturation and noise, and the codes of the frame.
-
     Both are (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64,
-    `frame` float32 with whole numbers 0..top code.
-    """
+    `frame` float32 with whole numbers 0..top code."""
 
     exposure_e: Tensor
     frame: Tensor
@@ -225,11 +220,8 @@ def check_light(light: Tensor) -> None:
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
     """Return the frame (rows, cols) of one scene, codes above the ADC's offset; of several buckets
-    (buckets, rows, cols).
-
-    `seed` determines the noise. `light` and `tile` are those of `differentiable_capture`, without
-    the batch.
-    """
+    (buckets, rows, cols). `seed` determines the noise. `light` and `tile` are those of
+    `differentiable_capture`, without the batch."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
@@ -263,19 +255,15 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """Return the shutters (N, rows, cols) of one bucket, or (2, N, rows, cols) of two buckets.
-
-    The second bucket is the complement of the first.
-    """
+    """Return the shutters (N, rows, cols) of one bucket, or (2, N, rows, cols) of two buckets. The
+    second bucket is the complement of the first."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
     """Return the light of the open slots of each pixel: electrons (batch, rows, cols), float64.
-
     `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
-    buckets, rows, cols).
-    """
+    buckets, rows, cols)."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
@@ -299,10 +287,7 @@ def read_out(
     exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
 ) -> Tensor:
     """Return the codes of a frame: photon noise, full well, readout noise, rounding half to even,
-    clipping.
-
-    `exposure` float64, of any shape; the result is float32.
-    """
+    clipping. `exposure` float64, of any shape; the result is float32."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)

@@ -12,10 +12,8 @@ RESAMPLES = 2000
 
 
 class Moments:
-    """Count, mean and variance of values that arrive in blocks of any size.
-
-    Blocks are merged as by Chan, Golub and LeVeque; within a block the variance takes two passes.
-    """
+    """Count, mean and variance of values that arrive in blocks of any size. Blocks are merged as by
+    Chan, Golub and LeVeque; within a block the variance takes two passes."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -78,11 +76,8 @@ def bootstrap(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> 
 def paired(
     first: Mapping[str, float], second: Mapping[str, float], scene_of: Mapping[str, str]
 ) -> dict[str, Any]:
-    """Return the gain of second scores over first ones on common items.
-
-    Items are matched by name; infinite scores are excluded and counted. `ci95` is a bootstrap over
-    scenes.
-    """
+    """Return the gain of second scores over first ones on common items. Items are matched by name;
+    infinite scores are excluded and counted. `ci95` is a bootstrap over scenes."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

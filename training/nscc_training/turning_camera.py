@@ -1,7 +1,5 @@
-"""A camera that turns inside a panorama: high-speed video with true radiance.
-
-Rotation has no parallax and no occlusion, so objects cross the picture in addition.
-"""
+"""A camera that turns inside a panorama: high-speed video with true radiance. Rotation has no
+parallax and no occlusion, so objects cross the picture in addition."""
 
 from __future__ import annotations
 
@@ -21,11 +19,8 @@ def turned(
     panorama: Picture, generator: np.random.Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
     """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
-    cols).
-
-    The camera starts near the horizon and turns evenly; one to three objects, other parts of the
-    panorama, cross the picture.
-    """
+    cols). The camera starts near the horizon and turns evenly; one to three objects, other parts of
+    the panorama, cross the picture."""
     import cv2
 
     def somewhere() -> tuple[float, float]:

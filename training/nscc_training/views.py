@@ -1,7 +1,5 @@
-"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors.
-
-Programs are drawn by `nscc_runtime.pictures.shutter_sheet`.
-"""
+"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors. Programs are drawn
+by `nscc_runtime.pictures.shutter_sheet`."""
 
 from __future__ import annotations
 
@@ -44,11 +42,8 @@ _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 def view_of(path: Path, tone: str | None = None) -> bytes:
     """Return the PNG of a frame file or reconstruction (.npz), a picture or clip, a run folder, a
-    result (.json) or a sensor (.toml).
-
-    `tone` names a tone curve for light. Raises Rejected: NS0801 for another file, and the errors of
-    the readers for damaged files.
-    """
+    result (.json) or a sensor (.toml). `tone` names a tone curve for light. Raises Rejected: NS0801
+    for another file, and the errors of the readers for damaged files."""
     folder = run_path(path)
     if folder.is_dir():
         if not (folder / "metrics.csv").is_file():

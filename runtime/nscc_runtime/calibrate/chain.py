@@ -23,11 +23,8 @@ class Chain:
 
     @classmethod
     def of(cls, container: Container) -> Chain:
-        """Return the chain of a program that opens all pixels alike, from its words.
-
-        It is the mean over the codes in use. Raises Rejected as
-        `nscc_runtime.reference.trace.analog_words`.
-        """
+        """Return the chain of a program that opens all pixels alike, from its words. It is the mean
+        over the codes in use. Raises Rejected as `nscc_runtime.reference.trace.analog_words`."""
         import numpy as np
 
         from nscc_runtime.reference.trace import analog_words

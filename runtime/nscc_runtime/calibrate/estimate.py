@@ -32,11 +32,9 @@ Known = Literal["measured", "at least", "at most", "given", "unknown"]
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity: value and standard error, or the reason why it is unknown.
-
-    `known`: "measured"; a bound, or "given" by the user, without an error; or "unknown", with
-    neither. `remark` explains the value or its absence.
-    """
+    """A quantity: value and standard error, or the reason why it is unknown. `known`: "measured"; a
+    bound, or "given" by the user, without an error; or "unknown", with neither. `remark` explains
+    the value or its absence."""
 
     title: str
     unit: str
@@ -101,10 +99,8 @@ def calibrate_files(
     crosstalk: float | None = None,
     progress: Progress = unseen,
 ) -> Calibration:
-    """Calibrate from files, folders or PATH@TIME, one level each.
-
-    `crosstalk` None: it is measured. Raises Rejected for frames that are unreadable or unsuitable.
-    """
+    """Calibrate from files, folders or PATH@TIME, one level each. `crosstalk` None: it is measured.
+    Raises Rejected for frames that are unreadable or unsuitable."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]

@@ -42,11 +42,9 @@ _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed
 
 @dataclass(frozen=True, eq=False)
 class Stack:
-    """Frames of one light and one exposure time.
-
-    `codes` uint16 (K, rows, cols) of the ADC; `valid` bool (rows, cols); `exposure_s` None if
-    unknown. `origin` identifies the run of a frame file, None for other frames.
-    """
+    """Frames of one light and one exposure time. `codes` uint16 (K, rows, cols) of the ADC; `valid`
+    bool (rows, cols); `exposure_s` None if unknown. `origin` identifies the run of a frame file,
+    None for other frames."""
 
     name: str
     codes: Codes
@@ -56,11 +54,8 @@ class Stack:
 
 
 def load_stack(source: str, top_code: int) -> Stack:
-    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`.
-
-    Raises Rejected, status 2: NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable
-    pictures.
-    """
+    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`. Raises Rejected, status 2:
+    NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable pictures."""
     path, time_s = _timed(source)
     name = str(path)
     if not path.exists():
@@ -185,10 +180,8 @@ def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
 def _check_size(
     path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
 ) -> None:
-    """Raise NS0757 for frames larger than any chip, and for too many frames.
-
-    `frame` are the axes of `shape` that belong to a frame.
-    """
+    """Raise NS0757 for frames larger than any chip, and for too many frames. `frame` are the axes
+    of `shape` that belong to a frame."""
     if prod(frame) > _MOST_PIXELS:
         raise _no_frames(
             f"'{key}' in '{path}' is {size(shape)}: a frame has at most {_MOST_PIXELS:,} pixels",

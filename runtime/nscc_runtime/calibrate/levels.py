@@ -55,12 +55,9 @@ class Level:
 
 @dataclass(frozen=True)
 class LevelMoments:
-    """Moments of a level over the good pixels.
-
-    `mean_se` is the standard error of `mean` from noise and rounding. `mean_rounding` and
-    `rounding` are the standard deviations that rounding adds to `mean`, and to `variance` beyond
-    1/12.
-    """
+    """Moments of a level over the good pixels. `mean_se` is the standard error of `mean` from noise
+    and rounding. `mean_rounding` and `rounding` are the standard deviations that rounding adds to
+    `mean`, and to `variance` beyond 1/12."""
 
     name: str
     exposure_s: float | None

@@ -19,11 +19,9 @@ IMPROBABLE = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """y = start + slope x, with the covariance (2, 2) of (start, slope).
-
-    `misfit` is chi squared, `freedom` the degrees of freedom, `apart` the root mean square distance
-    of the points relative to the fitted y.
-    """
+    """y = start + slope x, with the covariance (2, 2) of (start, slope). `misfit` is chi squared,
+    `freedom` the degrees of freedom, `apart` the root mean square distance of the points relative
+    to the fitted y."""
 
     start: float
     slope: float
@@ -50,10 +48,8 @@ class Line:
 
 def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
     """Fit a weighted least-squares line; `errors` gives the points' standard errors from fitted y.
-
     Weights come from the fit instead of the points, because points that are low by chance would get
-    more weight and bias the line.
-    """
+    more weight and bias the line."""
     fitted = y
     for _ in range(5):
         weight = 1.0 / errors(fitted) ** 2
@@ -87,11 +83,8 @@ def propagated(
 
 def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:
     """Return the variance over the good pixels of the common pattern of two maps, and its standard
-    error.
-
-    `maps` is (2, rows, cols); their independent noise cancels in the mean. `parameter_count` is the
-    number of parameters fitted and subtracted before, including the mean.
-    """
+    error. `maps` is (2, rows, cols); their independent noise cancels in the mean. `parameter_count`
+    is the number of parameters fitted and subtracted before, including the mean."""
     even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
     product = even * odd
     count = len(product)
@@ -99,10 +92,8 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
 
 
 def root(variance: float, error: float) -> tuple[float, float]:
-    """Return the square root of a variance, which may be negative, and its standard error.
-
-    Near 0 the error is the increase of the root when the variance grows by its error.
-    """
+    """Return the square root of a variance, which may be negative, and its standard error. Near 0
+    the error is the increase of the root when the variance grows by its error."""
     value = sqrt(max(variance, 0.0))
     if value > 0 and variance > error:
         return value, error / (2 * value)

@@ -12,10 +12,8 @@ from nscc_runtime.calibrate.line_fit import robust_scale, surface
 from nscc_runtime.scenes.errors import size
 
 OUTLIER = 12.0
-"""Distance in robust standard deviations beyond which a pixel is a defect.
-
-A lognormal dark current of 50 % spread exceeds it in one pixel of a hundred thousand.
-"""
+"""Distance in robust standard deviations beyond which a pixel is a defect. A lognormal dark current
+of 50 % spread exceeds it in one pixel of a hundred thousand."""
 _LEAST_SCALE = 0.3
 """Minimum scale in codes, about the rounding of the ADC, if all pixels are alike."""
 LEAST_PIXELS = 64
@@ -26,11 +24,8 @@ MOST_UNEVEN = 0.2
 
 
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
-    """Return the pixels that are valid in all levels and not outliers.
-
-    NS0757 for levels of different sizes or too few pixels; NS0759 where more than 1 % of the
-    pixels are outliers.
-    """
+    """Return the pixels that are valid in all levels and not outliers. NS0757 for levels of
+    different sizes or too few pixels; NS0759 where more than 1 % of the pixels are outliers."""
     first = darks[0]
     for level in (*flats, *darks):
         if level.variance.shape != first.variance.shape:

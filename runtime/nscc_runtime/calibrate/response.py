@@ -71,10 +71,7 @@ def linearity(
     level_moments: Sequence[LevelMoments], dark: DarkFit | None, full: float
 ) -> Linearity | str:
     """Return EMVA 1288's linearity error of flats of one light and several times, or why it is
-    unknown.
-
-    `full` is the code at which flats saturate.
-    """
+    unknown. `full` is the code at which flats saturate."""
     if dark is None:
         return "no dark tells the code without charge"
     if any(level.exposure_s is None for level in level_moments):

@@ -38,10 +38,7 @@ _SOURCES = _TAKEN | {
 @dataclass(frozen=True)
 class ParameterChoice:
     """The value of a parameter: `measured` with its standard error, from a `bound`, `given` by the
-    user, `contained` in another parameter, or the `default`.
-
-    `remark` says why.
-    """
+    user, `contained` in another parameter, or the `default`. `remark` says why."""
 
     value: float
     se: float | None
@@ -118,11 +115,9 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
 def _pattern(
     chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
 ) -> None:
-    """Set the code without charge and the pattern of the pixels.
-
-    Whole codes become the ADC's offset, which is added after rounding; the remainder and the
-    pattern become errors of the words.
-    """
+    """Set the code without charge and the pattern of the pixels. Whole codes become the ADC's
+    offset, which is added after rounding; the remainder and the pattern become errors of the
+    words."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return

@@ -71,12 +71,9 @@ def transfer(
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """Fit the photon transfer curve of levels.
-
-    `offset` is the code without charge with its error, or None; `crosstalk`, if given, replaces its
-    measurement. NS0758 for fewer than two usable levels of light, NS0759 if the variance does not
-    rise with the mean.
-    """
+    """Fit the photon transfer curve of levels. `offset` is the code without charge with its error,
+    or None; `crosstalk`, if given, replaces its measurement. NS0758 for fewer than two usable
+    levels of light, NS0759 if the variance does not rise with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)

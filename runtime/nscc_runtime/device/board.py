@@ -31,9 +31,7 @@ Scene = Callable[[Sequence[float]], "Light"]
 @dataclass(frozen=True, eq=False)
 class ExecutedFrame:
     """A frame as a loader sends it, and the code registers after it in the form of PLANE objects.
-
-    Kept states are stored in code registers.
-    """
+    Kept states are stored in code registers."""
 
     frame: bytes
     planes: Mapping[str, bytes]
@@ -41,10 +39,8 @@ class ExecutedFrame:
 
 @dataclass
 class EmulatedChip:
-    """Exposes frames of `scene` with the emulator; slots of equal lengths see equal light.
-
-    `report` gets the errors, because the host only learns that one occurred.
-    """
+    """Exposes frames of `scene` with the emulator; slots of equal lengths see equal light. `report`
+    gets the errors, because the host only learns that one occurred."""
 
     scene: Scene
     target: Target
@@ -54,11 +50,8 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def execute(self, container: Container, channels: int) -> ExecutedFrame:
-        """Expose one frame of a container.
-
-        Returns all codes, then all exposures, readout by readout, column by column; then all planes
-        of states.
-        """
+        """Expose one frame of a container. Returns all codes, then all exposures, readout by
+        readout, column by column; then all planes of states."""
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:

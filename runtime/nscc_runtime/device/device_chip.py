@@ -53,11 +53,9 @@ class Shot:
 
 
 class DeviceChip:
-    """The chip behind an open link.
-
-    `sensor` converts codes to electrons (None: the values of the target) if the loader sends codes
-    only. All methods raise Rejected, status 3, if the device fails.
-    """
+    """The chip behind an open link. `sensor` converts codes to electrons (None: the values of the
+    target) if the loader sends codes only. All methods raise Rejected, status 3, if the device
+    fails."""
 
     def __init__(
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
@@ -95,10 +93,8 @@ class DeviceChip:
         return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
-        """Upload a program, unless the device has it already.
-
-        A program that keeps states is always sent, which resets them.
-        """
+        """Upload a program, unless the device has it already. A program that keeps states is always
+        sent, which resets them."""
         program = self._program(container)
         info = self.info()
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
@@ -132,10 +128,8 @@ class DeviceChip:
 
     def capture(self, container: Container) -> Shot:
         """Capture one frame of the uploaded program, which is sent again if the device lost it.
-
         Raises NS0774 if a lost program keeps states from frame to frame, because these cannot be
-        restored.
-        """
+        restored."""
         program = self._program(container)
         return self._shot(container.target, container, program)
 

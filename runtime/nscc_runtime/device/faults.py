@@ -21,12 +21,9 @@ EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after
 
 @dataclass(frozen=True)
 class LineFaults:
-    """Simulated faults of a line.
-
-    `corrupt` and `drop` are rates per byte, `delay_s` applies in both directions. After a number of
-    bytes (both directions) the line is interrupted for `outage_s`, or the loader reboots, once
-    each. None: never.
-    """
+    """Simulated faults of a line. `corrupt` and `drop` are rates per byte, `delay_s` applies in
+    both directions. After a number of bytes (both directions) the line is interrupted for
+    `outage_s`, or the loader reboots, once each. None: never."""
 
     corrupt: float = 0.0
     drop: float = 0.0

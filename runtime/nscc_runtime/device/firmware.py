@@ -1,8 +1,6 @@
-"""The firmware compiled for this machine, and communication with its process.
-
-The process runs the real core (`runtime/firmware`). The commands to its board arrive here as a job,
-word by word, and run on the emulator.
-"""
+"""The firmware compiled for this machine, and communication with its process. The process runs the
+real core (`runtime/firmware`). The commands to its board arrive here as a job, word by word, and
+run on the emulator."""
 
 from __future__ import annotations
 
@@ -66,10 +64,8 @@ def compiler() -> str | None:
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """Return the loader for a target, compiled now or cached; raises NotBuilt.
-
-    It is stored in nscc's cache folder, or in `folder`; without a cache, for this process only.
-    """
+    """Return the loader for a target, compiled now or cached; raises NotBuilt. It is stored in
+    nscc's cache folder, or in `folder`; without a cache, for this process only."""
     compiler_path = compiler()
     if compiler_path is None:
         raise NotBuilt("there is no C++ compiler")
@@ -82,10 +78,8 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """Return the executable of folders of the firmware for a target, compiled now or cached.
-
-    Raises NotBuilt.
-    """
+    """Return the executable of folders of the firmware for a target, compiled now or cached. Raises
+    NotBuilt."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]

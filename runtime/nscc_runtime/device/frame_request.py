@@ -16,10 +16,8 @@ _BESIDE_S = 10.0
 
 @dataclass(eq=False)
 class FrameRequest:
-    """A frame to be exposed, with a unique number; `received` holds its bytes so far.
-
-    `program` is None if only the device knows it: then the frame has `pixels`.
-    """
+    """A frame to be exposed, with a unique number; `received` holds its bytes so far. `program` is
+    None if only the device knows it: then the frame has `pixels`."""
 
     number: int
     channels: int
@@ -42,11 +40,8 @@ class FrameRequest:
 
     @property
     def longest_s(self) -> float:
-        """Longest time that a loader may take.
-
-        It is twice the host's estimate, plus overhead; for an unknown program the limit of all
-        loaders.
-        """
+        """Longest time that a loader may take. It is twice the host's estimate, plus overhead; for
+        an unknown program the limit of all loaders."""
         program = self.program
         if program is None:
             return 2e-6 * LONGEST_US
@@ -54,11 +49,8 @@ class FrameRequest:
 
 
 class FrameBytes:
-    """The received bytes of a frame.
-
-    They survive a lost line, because a loader discards bytes that the host has confirmed. `origin`
-    identifies the exposure.
-    """
+    """The received bytes of a frame. They survive a lost line, because a loader discards bytes that
+    the host has confirmed. `origin` identifies the exposure."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
         self.origin = origin

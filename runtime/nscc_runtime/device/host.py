@@ -82,11 +82,8 @@ class SessionTaken(SessionLost):
 
 
 class Host:
-    """The host's end of a line.
-
-    `new_session` returns a different number in 1 .. 2^32 - 1 each time. `patience_s` is the longest
-    silence, `line_s` the transfer time of a window of bytes.
-    """
+    """The host's end of a line. `new_session` returns a different number in 1 .. 2^32 - 1 each
+    time. `patience_s` is the longest silence, `line_s` the transfer time of a window of bytes."""
 
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
@@ -238,11 +235,9 @@ class Host:
         yield from self.ask(PacketKind.CANCEL)
 
     def lasting(self, work: Callable[[], Task[Result]]) -> Task[Result]:
-        """Say hello and do `work`, restarting after lost sessions from the loader's state.
-
-        Raises Stalled if the loader keeps restarting, Contested if it does not restart and yet has
-        the sessions of another host.
-        """
+        """Say hello and do `work`, restarting after lost sessions from the loader's state. Raises
+        Stalled if the loader keeps restarting, Contested if it does not restart and yet has the
+        sessions of another host."""
         lost_sessions, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:

@@ -1,8 +1,6 @@
-"""Measure the times of launches, words, waits and readouts of a device, as keys of its target.
-
-Each time is the difference of two frames that differ in nothing else, so common times cancel. The
-loader's clock measures the duration.
-"""
+"""Measure the times of launches, words, waits and readouts of a device, as keys of its target. Each
+time is the difference of two frames that differ in nothing else, so common times cancel. The
+loader's clock measures the duration."""
 
 from __future__ import annotations
 
@@ -66,10 +64,8 @@ class MeasuredTimes:
 
 
 def measured(link: SerialLink, target: Target) -> MeasuredTimes:
-    """Measure the times of the device behind a link; its program is replaced.
-
-    Raises Rejected (NS0723, status 3) for a device on which words take no time.
-    """
+    """Measure the times of the device behind a link; its program is replaced. Raises Rejected
+    (NS0723, status 3) for a device on which words take no time."""
     register = target.digital_registers[-1]
     analog, digital = op("nop"), op("CLR", [register])
 
@@ -110,10 +106,8 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
 
 
 def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -> Upload:
-    """Return a program with `launches` of a kernel, at once or each after a slot of no length.
-
-    Late launches are allowed.
-    """
+    """Return a program with `launches` of a kernel, at once or each after a slot of no length. Late
+    launches are allowed."""
     slots = launches if waits else 1
     words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
     objects = (

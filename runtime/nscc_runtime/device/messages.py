@@ -1,8 +1,6 @@
-"""The bodies of requests and replies, as values. Integers are little endian.
-
-Each `unpack` raises ValueError for an invalid body. The checksum has been verified before, so an
-invalid body comes from another version of the protocol, or an attacker.
-"""
+"""The bodies of requests and replies, as values. Integers are little endian. Each `unpack` raises
+ValueError for an invalid body. The checksum has been verified before, so an invalid body comes from
+another version of the protocol, or an attacker."""
 
 from __future__ import annotations
 
@@ -275,10 +273,8 @@ class CaptureReply(_Body):
 
 @dataclass(frozen=True)
 class ReadRequest(_Body):
-    """Send `length` bytes of a frame from `offset`, at most `chunk` of them a packet.
-
-    The host has all bytes before `confirmed`.
-    """
+    """Send `length` bytes of a frame from `offset`, at most `chunk` of them a packet. The host has
+    all bytes before `confirmed`."""
 
     number: int
     offset: int

@@ -132,10 +132,8 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """Return the objects of a container with pixels (NS0741 without); `label` is 32 bytes.
-
-    Raises Rejected: NS0510 for a program with planes instead of words.
-    """
+    """Return the objects of a container with pixels (NS0741 without); `label` is 32 bytes. Raises
+    Rejected: NS0510 for a program with planes instead of words."""
     refuse_planes(
         container.target,
         "the loader takes words, and cannot be sent this program",
@@ -199,10 +197,8 @@ def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
 
 
 def grace_ns(target: Target) -> int:
-    """Return the tolerance of launches in nanoseconds.
-
-    It covers the time of the loop, whose clock may have a resolution of one microsecond.
-    """
+    """Return the tolerance of launches in nanoseconds. It covers the time of the loop, whose clock
+    may have a resolution of one microsecond."""
     return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 

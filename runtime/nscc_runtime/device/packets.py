@@ -1,8 +1,6 @@
-"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end.
-
-A byte stream may lose, change or cut anything: `Unpacker` returns packets with a valid checksum,
-drops the rest, and buffers at most one packet.
-"""
+"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end. A byte
+stream may lose, change or cut anything: `Unpacker` returns packets with a valid checksum, drops the
+rest, and buffers at most one packet."""
 
 from __future__ import annotations
 
@@ -44,11 +42,8 @@ REPLY = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """A packet.
-
-    `session` is the host's number of the session, `sequence` counts its requests; a reply repeats
-    both.
-    """
+    """A packet. `session` is the host's number of the session, `sequence` counts its requests; a
+    reply repeats both."""
 
     kind: int
     sequence: int
@@ -56,10 +51,8 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """Return the bytes of the packet on the line, with zero bytes at both ends.
-
-        The first zero byte ends any noise before.
-        """
+        """Return the bytes of the packet on the line, with zero bytes at both ends. The first zero
+        byte ends any noise before."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 

@@ -36,10 +36,8 @@ class Port:
         return int(self.serial.fileno())
 
     def read(self) -> bytes:
-        """Return the received bytes, if select reports any; raises PortGone.
-
-        A port that is readable without bytes is lost.
-        """
+        """Return the received bytes, if select reports any; raises PortGone. A port that is
+        readable without bytes is lost."""
         try:
             data = os.read(self.fileno(), _MOST_READ)
         except BlockingIOError:

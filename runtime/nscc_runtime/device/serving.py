@@ -104,10 +104,8 @@ class Terminal:
 
 
 class StandInServer:
-    """Transfers bytes between a terminal and a loader, with `faults` of the line.
-
-    `moved` gets the name of the port if it changes.
-    """
+    """Transfers bytes between a terminal and a loader, with `faults` of the line. `moved` gets the
+    name of the port if it changes."""
 
     def __init__(
         self, loader: Loaded, faults: LineFaults, moved: Callable[[str], None] = lambda _: None

@@ -1,7 +1,5 @@
-"""Write the firmware's target table from nscc's own: `target.hpp` of `runtime/firmware`.
-
-python -m nscc_runtime.device.target_header scamp5 > runtime/firmware/targets/scamp5/target.hpp
-"""
+"""Write the firmware's target table from nscc's own: `target.hpp` of `runtime/firmware`. python -m
+nscc_runtime.device.target_header scamp5 > runtime/firmware/targets/scamp5/target.hpp"""
 
 from __future__ import annotations
 
@@ -26,11 +24,9 @@ _LONGEST_REFRESH = 5
 
 
 def target_header(target: Target) -> str:
-    """Return `target.hpp` for a target: the words that the loader accepts.
-
-    Raises ValueError for a target with words of its own, which the loader does not know, and for a
-    target whose pixels have no logic.
-    """
+    """Return `target.hpp` for a target: the words that the loader accepts. Raises ValueError for a
+    target with words of its own, which the loader does not know, and for a target whose pixels have
+    no logic."""
     if target.streamed:
         raise ValueError(f"the loader's firmware runs words, and the pixels of {target.name} none")
     if target.words:

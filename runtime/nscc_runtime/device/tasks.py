@@ -56,10 +56,8 @@ class FetchedFrame:
 
 
 def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
-    """Upload a program, resuming after a lost link; then it is ready.
-
-    Returns whether the loader already had it.
-    """
+    """Upload a program, resuming after a lost link; then it is ready. Returns whether the loader
+    already had it."""
     progress = yield from _begun(host, program.begin)
     already_held = progress.state != LoaderState.RECEIVING
     while progress.declared < len(program.objects) and progress.state == LoaderState.RECEIVING:
@@ -121,10 +119,8 @@ class _Chunk:
 
 
 class _Sender:
-    """Sends a stream, many packets ahead of their acknowledgements, and goes back after a loss.
-
-    The loader accepts bytes only in order.
-    """
+    """Sends a stream, many packets ahead of their acknowledgements, and goes back after a loss. The
+    loader accepts bytes only in order."""
 
     def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
         assert host.info is not None
@@ -273,10 +269,8 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
 
 @dataclass(frozen=True)
 class _Range:
-    """A pending request: bytes `start` to `stop` of the frame, sent at `since`.
-
-    `alone`: without another request before it, so that its first packet measures the reply time.
-    """
+    """A pending request: bytes `start` to `stop` of the frame, sent at `since`. `alone`: without
+    another request before it, so that its first packet measures the reply time."""
 
     start: int
     stop: int
@@ -285,11 +279,9 @@ class _Range:
 
 
 class _Fetcher:
-    """Requests ranges of a frame, some ahead, and again after losses.
-
-    A loader serves them in order: a packet of one means that earlier requests are complete. It
-    keeps only a limited number of bytes behind those confirmed by the host.
-    """
+    """Requests ranges of a frame, some ahead, and again after losses. A loader serves them in
+    order: a packet of one means that earlier requests are complete. It keeps only a limited number
+    of bytes behind those confirmed by the host."""
 
     def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
         assert host.info is not None

@@ -50,10 +50,8 @@ STAGES = {
     "effects' errors are one draw",
     "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
 }
-"""The stages of a frame in order, and the function of an effect at each stage.
-
-`slots`, `pixels`, `where` and `word` are of `nscc_runtime.effects.views`.
-"""
+"""The stages of a frame in order, and the function of an effect at each stage. `slots`, `pixels`,
+`where` and `word` are of `nscc_runtime.effects.views`."""
 
 
 @dataclass(frozen=True)

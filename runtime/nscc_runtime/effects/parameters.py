@@ -1,8 +1,6 @@
-"""Parameters of the sensor: name, default, unit, range and source of the default.
-
-Each effect declares its own. Reading and writing sensor files, overriding values, the attributes of
-a `Sensor` and `nscc effects` follow from the declarations.
-"""
+"""Parameters of the sensor: name, default, unit, range and source of the default. Each effect
+declares its own. Reading and writing sensor files, overriding values, the attributes of a `Sensor`
+and `nscc effects` follow from the declarations."""
 
 from __future__ import annotations
 
@@ -24,10 +22,8 @@ of the same name."""
 
 @dataclass(frozen=True, slots=True)
 class Parameter(Key):
-    """A row of the sensor's schema: a number with unit, range and `Default`.
-
-    Under a heading, parameters are sorted by `place`. Called, it returns a sensor's value.
-    """
+    """A row of the sensor's schema: a number with unit, range and `Default`. Under a heading,
+    parameters are sorted by `place`. Called, it returns a sensor's value."""
 
     kind: Number
     place: int = 0

@@ -67,10 +67,8 @@ class CountedDark(Counted, stage="charge"):
 
 @dataclass(frozen=True)
 class Exchange(Part, stage="neighbours"):
-    """A fraction of a pixel's charge goes to each of its four neighbours.
-
-    `smeared(charge (.., rows, cols), fraction)` returns the charge afterwards.
-    """
+    """A fraction of a pixel's charge goes to each of its four neighbours. `smeared(charge (..,
+    rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]

@@ -1,7 +1,5 @@
-"""The registered effects: those of this package, then those of other distributions.
-
-Incomplete declarations are refused here, so that other code can rely on them.
-"""
+"""The registered effects: those of this package, then those of other distributions. Incomplete
+declarations are refused here, so that other code can rely on them."""
 
 from __future__ import annotations
 

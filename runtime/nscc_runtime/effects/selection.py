@@ -23,10 +23,8 @@ P = TypeVar("P", bound=Part)
 
 @dataclass(frozen=True)
 class Selection:
-    """The effects that are on, including `always` ones, and those named explicitly.
-
-    With `auto` a planner decides on the effects that are not named; `on` contains them all.
-    """
+    """The effects that are on, including `always` ones, and those named explicitly. With `auto` a
+    planner decides on the effects that are not named; `on` contains them all."""
 
     on: frozenset[str]
     forced: frozenset[str]
@@ -90,10 +88,8 @@ class Selection:
         return hypot(*(part.sigma_lsb(sensor) for _, part in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
-        """Return the selection without some effects.
-
-        The same object is returned to all callers, because selections cache their parts.
-        """
+        """Return the selection without some effects. The same object is returned to all callers,
+        because selections cache their parts."""
         return _without(self, frozenset(names))
 
 
@@ -120,10 +116,8 @@ def _parts(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P]
 
 def selected(text: str) -> Selection:
     """Parse a selection: `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
-
     Changes alone start from `none` if the first one adds, from `all` if it removes. Raises Rejected
-    (NS0756, status 2) for other texts.
-    """
+    (NS0756, status 2) for other texts."""
     return _selected(text, registered())
 
 

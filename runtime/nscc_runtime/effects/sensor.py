@@ -14,11 +14,9 @@ from nscc import html
 
 @dataclass(frozen=True, repr=False)
 class Sensor:
-    """The parameters of a sensor by name, all finite and within their ranges.
-
-    Each is also an attribute: `sensor.read_noise_e`. Units are in the names: electrons, seconds,
-    codes of the ADC (lsb); fractions have no unit.
-    """
+    """The parameters of a sensor by name, all finite and within their ranges. Each is also an
+    attribute: `sensor.read_noise_e`. Units are in the names: electrons, seconds, codes of the ADC
+    (lsb); fractions have no unit."""
 
     values: Mapping[str, float]
 

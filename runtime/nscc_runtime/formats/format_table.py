@@ -14,10 +14,8 @@ from nscc_runtime.formats.content import Content
 
 @dataclass(frozen=True)
 class Format:
-    """A file format: its ending, what it `holds` (picture, clip, arrays), and its writer.
-
-    `shown`: it holds display pictures after a tone curve, instead of light.
-    """
+    """A file format: its ending, what it `holds` (picture, clip, arrays), and its writer. `shown`:
+    it holds display pictures after a tone curve, instead of light."""
 
     ending: str
     holds: str
@@ -56,9 +54,7 @@ def endings(*kinds: str) -> tuple[str, ...]:
 
 def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
     """Return the ending of a product's name in lower case, or the first of `allowed` without one.
-
-    Raises Rejected (NS0786) for another ending.
-    """
+    Raises Rejected (NS0786) for another ending."""
     ending = path.suffix.lower()
     if ending in allowed:
         return ending

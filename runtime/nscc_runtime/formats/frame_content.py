@@ -26,12 +26,9 @@ def frame_content(
     file: FrameFile, container: Container, light: Light | None,
     shutters: Callable[[], NDArray[np.bool_]], tone: str | None = None,
 ) -> Content:  # fmt: skip
-    """Return the content of a frame file.
-
-    Pictures of linear light hold electrons, others the codes. Buckets are side by side; frames of
-    --repeat make a clip, three colours a colour picture. `shutters` returns the distinct shutters
-    bool (shutters, buckets, N) of the container.
-    """
+    """Return the content of a frame file. Pictures of linear light hold electrons, others the
+    codes. Buckets are side by side; frames of --repeat make a clip, three colours a colour picture.
+    `shutters` returns the distinct shutters bool (shutters, buckets, N) of the container."""
     frame, colour = file.frame, "colours" in file.meta
     return Content(
         {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
@@ -43,10 +40,7 @@ def frame_content(
 
 def _picture(values: NDArray[Any]) -> NDArray[Any]:
     """Reshape (buckets, rows, cols) to (rows, buckets * cols), with 0 for values that are not
-    finite.
-
-    A leading axis of colours becomes the last.
-    """
+    finite. A leading axis of colours becomes the last."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
     np.copyto(side, 0, where=~np.isfinite(side))
     return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
@@ -82,10 +76,8 @@ def benchmark_arrays(
 
 
 def shutter_content(arrays: Arrays) -> Content:
-    """Return the content of `nscc shutters`.
-
-    A .mat holds `mask` (rows, cols, T), an .npy (buckets, rows, cols, T), both of 0 and 1.
-    """
+    """Return the content of `nscc shutters`. A .mat holds `mask` (rows, cols, T), an .npy (buckets,
+    rows, cols, T), both of 0 and 1."""
     count = int(arrays["shutter_shape"][3])
 
     def opened() -> NDArray[np.uint8]:

@@ -1,9 +1,6 @@
-"""Random numbers of arrays of pixels, by the compiled loops.
-
-`pixels` are flat indices row * cols + col in the whole array, in any order and of any shape; the
-result has their shape. A call uses one thread and releases the GIL; splitting `pixels` over threads
-changes no bit.
-"""
+"""Random numbers of arrays of pixels, by the compiled loops. `pixels` are flat indices row * cols +
+col in the whole array, in any order and of any shape; the result has their shape. A call uses one
+thread and releases the GIL; splitting `pixels` over threads changes no bit."""
 
 from __future__ import annotations
 
@@ -29,10 +26,8 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
 
 
 def normals(key: np.uint64, pixels: Pixels) -> Floats:
-    """Return standard normal numbers, monotonic in `uniforms` of the same key and pixel.
-
-    They are its quantiles, to a relative error of 1e-12, within +-8.21.
-    """
+    """Return standard normal numbers, monotonic in `uniforms` of the same key and pixel. They are
+    its quantiles, to a relative error of 1e-12, within +-8.21."""
     from nscc_runtime.noise.noise_loops import Draws, fill_normals
 
     places, out = _places(pixels), np.empty(np.shape(pixels))

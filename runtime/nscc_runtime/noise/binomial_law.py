@@ -1,8 +1,6 @@
-"""Binomial counts from one uniform number, for distributing a count over slots.
-
-The count never decreases in u, in the chance p of each trial or in the number n of trials while
-the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`).
-"""
+"""Binomial counts from one uniform number, for distributing a count over slots. The count never
+decreases in u, in the chance p of each trial or in the number n of trials while the other two stay,
+up to rounding (see `nscc_runtime.noise.poisson_law`)."""
 
 from __future__ import annotations
 
@@ -121,11 +119,8 @@ def _walk(u: float, n: float, p: float, start: float) -> float:
 @compiled
 def quantile(z: float, n: float, p: float) -> float:
     """Return a real number that, rounded down, is the count at the normal quantile z, for n p from
-    SEARCH_BELOW on.
-
-    It is the Cornish-Fisher expansion of the smooth distribution that agrees at all k + 1/2
-    (Sheppard's correction of the cumulants), to order 1 / sigma.
-    """
+    SEARCH_BELOW on. It is the Cornish-Fisher expansion of the smooth distribution that agrees at
+    all k + 1/2 (Sheppard's correction of the cumulants), to order 1 / sigma."""
     q = 1.0 - p
     spread = n * p * q
     variance = spread - 1 / 12
@@ -158,10 +153,7 @@ def _rarer(u: float, n: float, p: float) -> float:
 @compiled
 def binomial(u: float, n: float, p: float) -> float:
     """Return the number of successes in n trials: the smallest count whose distribution function
-    reaches u.
-
-    n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53].
-    """
+    reaches u. n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
     if n <= 0.0 or p <= 0.0:
         return 0.0
     if p >= 1.0:

@@ -1,8 +1,6 @@
-"""Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans.
-
-Parabolas about the middle of each of 32 cells an octave, so small a table that it stays in the
-fastest cache. Within 2e-6 of the exact number where |z| < 6.
-"""
+"""Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans. Parabolas
+about the middle of each of 32 cells an octave, so small a table that it stays in the fastest cache.
+Within 2e-6 of the exact number where |z| < 6."""
 
 from __future__ import annotations
 

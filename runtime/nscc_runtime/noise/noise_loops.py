@@ -1,8 +1,6 @@
-"""The loops over pixels that draw random numbers, called by `nscc_runtime.noise.arrays`.
-
-Every number depends on its key and pixel alone, and vectors round like scalars, so that splitting
-pixels over calls changes no bit.
-"""
+"""The loops over pixels that draw random numbers, called by `nscc_runtime.noise.arrays`. Every
+number depends on its key and pixel alone, and vectors round like scalars, so that splitting pixels
+over calls changes no bit."""
 
 from __future__ import annotations
 
@@ -53,10 +51,7 @@ def _drawable(rate: float, cap: float) -> float:
 @compiled
 def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
     """out[i] := the formula's count at the uniform number out[i], without branches, so that LLVM
-    vectorises.
-
-    Rates below SEARCH_BELOW count as SEARCH_BELOW.
-    """
+    vectorises. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
     for i in range(first, stop):
         out[i] = normal(out[i])
     for i in range(first, stop):
@@ -70,10 +65,8 @@ def _searched(
     rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
     drawn: Floats,
 ) -> None:  # fmt: skip
-    """out[i] := `search` at the uniform number out[i], step by step for the whole block.
-
-    Rates are below SEARCH_BELOW, and LLVM vectorises each step.
-    """
+    """out[i] := `search` at the uniform number out[i], step by step for the whole block. Rates are
+    below SEARCH_BELOW, and LLVM vectorises each step."""
     count = stop - first
     for i in range(count):
         rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
@@ -136,9 +129,7 @@ def fill_poisson(
     mass: Written[Floats], drawn: Written[Floats],
 ) -> None:  # fmt: skip
     """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether rate[i] is a number.
-
-    Arguments from `rates` on are scratch for `BLOCK` pixels each.
-    """
+    Arguments from `rates` on are scratch for `BLOCK` pixels each."""
     count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, BLOCK):
         stop = min(first + BLOCK, count)
@@ -197,10 +188,8 @@ def fill_thin(
     spread: Spread, pixels: _Places, counts: Annotated[Floats, "count"],
     shares: Annotated[Floats, "sharers slots"], out: Written[Annotated[Floats, "count slots"]],
 ) -> None:  # fmt: skip
-    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
-
-    Halves are numbered as in a heap: 1 is the root.
-    """
+    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..]. Halves
+    are numbered as in a heap: 1 is the root."""
     slots, stride, stream = spread.slots, spread.stride, spread.key
     leaf_count = 1
     while leaf_count < slots:

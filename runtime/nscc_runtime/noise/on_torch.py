@@ -1,8 +1,6 @@
-"""The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device.
-
-Uniform numbers agree to the last bit, normal numbers to 1e-12, and counts with
-`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides.
-"""
+"""The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device. Uniform
+numbers agree to the last bit, normal numbers to 1e-12, and counts with
+`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides."""
 
 from __future__ import annotations
 
@@ -26,10 +24,8 @@ def key_tensor(keys: Sequence[np.uint64], device: torch.device | str) -> torch.T
 
 def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
     """Return the uniform number of each key (..) at each place: float64 (.., places).
-
     Philox4x32-10, as `nscc_runtime.noise.counter`; products of 32 bits wrap round in int64 as they
-    do in uint64.
-    """
+    do in uint64."""
     keys = keys[..., None]
     k, m = keys & _MASK, (keys >> 32) & _MASK
     a, b = places & _MASK, (places >> 32) & _MASK
@@ -51,10 +47,8 @@ def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 def poisson(
     keys: torch.Tensor, places: torch.Tensor, rate: torch.Tensor, cap: float
 ) -> torch.Tensor:
-    """Return counts (.., places) of rates that broadcast to this shape.
-
-    Rates above `cap` count as `cap`, NaN as 0.
-    """
+    """Return counts (.., places) of rates that broadcast to this shape. Rates above `cap` count as
+    `cap`, NaN as 0."""
     u = uniforms(keys, places)
     rate = torch.where(rate > 0.0, rate, 0.0).clamp(max=cap).expand(u.shape)
     counts = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)

@@ -117,10 +117,8 @@ def search(u: float, rate: float) -> float:
 
 @compiled
 def _walk(u: float, rate: float, start: float) -> float:
-    """Return the smallest count whose distribution function reaches u, searching from `start`.
-
-    It sums the smaller tail, so that the far ends are as accurate as the middle.
-    """
+    """Return the smallest count whose distribution function reaches u, searching from `start`. It
+    sums the smaller tail, so that the far ends are as accurate as the middle."""
     k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:
@@ -187,10 +185,8 @@ def poisson_exact(u: float, rate: float) -> float:
 
 @compiled
 def poisson_fast(u: float, rate: float) -> float:
-    """Return the count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above.
-
-    Total variation from the Poisson distribution: below 2e-4 from rate 10 on, 0 below.
-    """
+    """Return the count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above. Total
+    variation from the Poisson distribution: below 2e-4 from rate 10 on, 0 below."""
     if rate < SEARCH_BELOW:
         return search(u, rate)
     k = max(math.floor(quantile(normal(u), rate)), 0.0)

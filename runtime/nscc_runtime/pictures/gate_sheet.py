@@ -37,11 +37,8 @@ _SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
 
 @dataclass(frozen=True)
 class _Score:
-    """The layout of gates.
-
-    `column` of every gate and demand, _COLUMNS of them per line; `row` of every register, FLAG
-    last; `until`, the column to which each value lives.
-    """
+    """The layout of gates. `column` of every gate and demand, _COLUMNS of them per line; `row` of
+    every register, FLAG last; `until`, the column to which each value lives."""
 
     network: DiGraph
     column: dict[str, int]

@@ -31,10 +31,8 @@ class Image:
 
 
 def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None = None) -> Figure:
-    """Draw rows of images, with equal magnification for images of equal size in a row.
-
-    An image has `side` inches per side, by default a share of the width of a page.
-    """
+    """Draw rows of images, with equal magnification for images of equal size in a row. An image has
+    `side` inches per side, by default a share of the width of a page."""
     columns = max(map(len, rows))
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 

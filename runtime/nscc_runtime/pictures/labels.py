@@ -48,11 +48,9 @@ anchor, each point nearer to another mark."""
 
 @dataclass(frozen=True)
 class ChartLabel:
-    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
-
-    The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
-    and so may a text that readers look for (`sought`).
-    """
+    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first. The
+    `name` of a line is larger. It may stand further off, joined to its anchor by a thin line, and
+    so may a text that readers look for (`sought`)."""
 
     text: str
     anchors: Sequence[tuple[float, float]]
@@ -101,10 +99,8 @@ class _Drawn:
 
 
 def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
-    """Draw the labels in this order; return those that found no place.
-
-    The figure must be laid out (`sheet.lay_out`), so that nothing in it moves afterwards.
-    """
+    """Draw the labels in this order; return those that found no place. The figure must be laid out
+    (`sheet.lay_out`), so that nothing in it moves afterwards."""
     drawn = _drawn(axes)
     return [label for label in labels if label.text and not _written(axes, label, drawn)]
 

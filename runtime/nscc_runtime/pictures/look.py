@@ -16,12 +16,9 @@ _LEGIBLE = 4.5
 
 @dataclass(frozen=True)
 class Look:
-    """The colours of a picture, all as `#rrggbb`.
-
-    `paper` is the background, `ink` and `faint` are its type, `grid` its thinnest lines, `closed`
-    its empty areas, `bar` its bars behind marks. `series` are seven colours that the colour-blind
-    can distinguish.
-    """
+    """The colours of a picture, all as `#rrggbb`. `paper` is the background, `ink` and `faint` are
+    its type, `grid` its thinnest lines, `closed` its empty areas, `bar` its bars behind marks.
+    `series` are seven colours that the colour-blind can distinguish."""
 
     paper: str
     ink: str

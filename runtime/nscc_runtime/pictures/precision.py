@@ -53,12 +53,9 @@ class Panel:
 
 @dataclass(frozen=True)
 class PointReading:
-    """The mapping of points to a diagram.
-
-    `time` is the label of the time axis, and `per_ms` its units per millisecond; `line` returns the
-    line of a point (empty: it only counts for dominance), `text` its label. `linear`: the error
-    axis, in decibels, is linear instead of logarithmic.
-    """
+    """The mapping of points to a diagram. `time` is the label of the time axis, and `per_ms` its
+    units per millisecond; `line` returns the line of a point (empty: it only counts for dominance),
+    `text` its label. `linear`: the error axis, in decibels, is linear instead of logarithmic."""
 
     time: str
     per_ms: float = 1.0
@@ -83,10 +80,8 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """Draw all panels, with one scale of time, and one scale of errors per label.
-
-    Raises ValueError without points.
-    """
+    """Draw all panels, with one scale of time, and one scale of errors per label. Raises ValueError
+    without points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]

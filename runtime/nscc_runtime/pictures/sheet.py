@@ -1,8 +1,6 @@
-"""Common parts of all pictures: type, heading, placement in inches, and saving.
-
-A kind of picture is a function that returns a matplotlib figure of the size of its panels;
-headings, legends and row names grow outwards, and saving includes them.
-"""
+"""Common parts of all pictures: type, heading, placement in inches, and saving. A kind of picture
+is a function that returns a matplotlib figure of the size of its panels; headings, legends and row
+names grow outwards, and saving includes them."""
 
 from __future__ import annotations
 
@@ -110,9 +108,7 @@ def _round_to_dots(inches: float) -> float:
 
 def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
     """Return width and height in inches of an image (rows, cols) that has `room` inches per side.
-
-    It is magnified by a whole number if possible, to avoid moire.
-    """
+    It is magnified by a whole number if possible, to avoid moire."""
     dots = room * DPI / max(shape[:2])
     zoom = max(1, int(dots)) / DPI
     return shape[1] * zoom, shape[0] * zoom
@@ -132,10 +128,8 @@ def lay_out(figure: Figure) -> None:
 
 
 def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
-    """Add title, subtitle and legend, stacked above the figure.
-
-    Call it last: it fixes the layout of the panels.
-    """
+    """Add title, subtitle and legend, stacked above the figure. Call it last: it fixes the layout
+    of the panels."""
     lay_out(figure)
     width, height = figure.get_size_inches()
     left_edge, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height

@@ -75,10 +75,8 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
 
 
 def promise_diagram(studies: Sequence[Study]) -> Figure:
-    """Draw predicted and measured errors of all plans against the tolerance.
-
-    ValueError without plans.
-    """
+    """Draw predicted and measured errors of all plans against the tolerance. ValueError without
+    plans."""
     from matplotlib.lines import Line2D
 
     plans = [
@@ -138,9 +136,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
 
 def budget_diagram(studies: Sequence[Study]) -> Figure:
     """Draw, for each scene, the size of its effects, and the time that leaving each out saves.
-
-    Effects of the readout are excluded. ValueError without scenes.
-    """
+    Effects of the readout are excluded. ValueError without scenes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 

@@ -1,8 +1,5 @@
-"""Diagrams of sweeps: figures against an axis, a line for each value of other axes.
-
-Panels of equal quantities have equal scales: numbers, logarithmic if they span a decade, or names
-side by side.
-"""
+"""Diagrams of sweeps: figures against an axis, a line for each value of other axes. Panels of equal
+quantities have equal scales: numbers, logarithmic if they span a decade, or names side by side."""
 
 from __future__ import annotations
 

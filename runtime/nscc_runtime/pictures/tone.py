@@ -49,11 +49,9 @@ def check_tone(tone: str) -> None:
 
 
 def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
-    """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours.
-
-    `white` is the light shown as white, by default the percentile `WHITE_PERCENTILE`. Raises
-    Rejected as `check_tone`.
-    """
+    """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours. `white` is the
+    light shown as white, by default the percentile `WHITE_PERCENTILE`. Raises Rejected as
+    `check_tone`."""
     check_tone(tone)
     values = np.asarray(light, np.float64).ravel()
     values = np.maximum(values[np.isfinite(values)], 0.0)

@@ -22,11 +22,9 @@ CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
 
 
 def open_clip(path: Path) -> Pages:
-    """Open the frames of a clip, (R, C, 3) red, green, blue; NS0732 if no frame can be decoded.
-
-    A truncated file yields the frames before its end, with a note. The number of frames of a .gif
-    is unknown.
-    """
+    """Open the frames of a clip, (R, C, 3) red, green, blue; NS0732 if no frame can be decoded. A
+    truncated file yields the frames before its end, with a note. The number of frames of a .gif is
+    unknown."""
     if path.suffix.lower() == ".gif":
         return Pages(0, lambda: _read_gif(path))
     try:

@@ -19,10 +19,8 @@ class Window:
 
     def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
         """Return row and column of the top left corner in a picture of a size; NS0734 if the window
-        does not fit.
-
-        If margins of a centred window cannot be equal, the smaller one is above and to the left.
-        """
+        does not fit. If margins of a centred window cannot be equal, the smaller one is above and
+        to the left."""
         need = (self.rows, self.cols)
         if have[0] < need[0] or have[1] < need[1]:
             raise rejected(

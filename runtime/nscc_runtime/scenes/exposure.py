@@ -74,10 +74,8 @@ def needed(name: Path_or_name) -> ExposureLevel:
 
 def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_name) -> float:
     """Return the factor from `open_sum` (rows, cols), in the scene's unit, to electrons.
-
     Percentiles between two pixels are interpolated linearly. NS0738 if the scene is dark there, or
-    if its electrons exceed float32.
-    """
+    if its electrons exceed float32."""
     level = float(np.percentile(open_sum, exposure.percentile))
     if level <= 0.0:
         lit = int(np.count_nonzero(open_sum > 0))

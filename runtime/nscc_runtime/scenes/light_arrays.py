@@ -1,8 +1,6 @@
-"""Scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
-
-An .npz or .npy array is checked by its header before its data is read, and read block by block into
-float32, so that a clip needs little more memory than its float32 size.
-"""
+"""Scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat. An .npz or
+.npy array is checked by its header before its data is read, and read block by block into float32,
+so that a clip needs little more memory than its float32 size."""
 
 from __future__ import annotations
 
@@ -108,11 +106,8 @@ def _refuse_other_axes(
 
 def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
     """Read the array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows,
-    cols).
-
-    NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers, the errors of
-    `check` for the shape, NS0736 for values that are not light.
-    """
+    cols). NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers, the
+    errors of `check` for the shape, NS0736 for values that are not light."""
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
@@ -199,10 +194,7 @@ def clip_white(clip: NDArray[Any]) -> float | None:
 
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
     """Read the scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as
-    stored).
-
-    `light` has precedence.
-    """
+    stored). `light` has precedence."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
         names = mat_names(path)

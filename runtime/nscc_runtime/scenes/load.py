@@ -108,11 +108,8 @@ def load_scene(spec: str, **settings: Any) -> Light:
 
 @dataclass(frozen=True, eq=False)
 class PlacedLight:
-    """Light on the arrays of `placement`.
-
-    `colour`: the source is in colour. `notes` describe how the file was read, where the user may
-    expect something else.
-    """
+    """Light on the arrays of `placement`. `colour`: the source is in colour. `notes` describe how
+    the file was read, where the user may expect something else."""
 
     light: Light
     placement: Placement
@@ -212,10 +209,8 @@ def light_of_array(
     values: NDArray[Any], *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
 ) -> Light:
     """Return the light of an array: electrons per slot (N, rows, cols), or per second (rows, cols).
-
     float32 arrays are not copied, and must not be written to while the light is in use. Raises
-    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit, or are not light.
-    """
+    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit, or are not light."""
     request = _Request(name, tuple(slot_us), Window(rows, cols))
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)

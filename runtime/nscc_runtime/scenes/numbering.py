@@ -86,10 +86,8 @@ def _is_picture(name: str) -> bool:
 
 
 def _gaps(numbers: Sequence[int]) -> str:
-    """Return the numbers missing from a sequence of constant step, as text.
-
-    "" without gaps, or if the numbers are not such a sequence (for example times).
-    """
+    """Return the numbers missing from a sequence of constant step, as text. "" without gaps, or if
+    the numbers are not such a sequence (for example times)."""
     steps = [b - a for a, b in pairwise(numbers)]
     step = min(steps, default=0)
     usual = step > 0 and 2 * steps.count(step) >= len(steps)

@@ -17,11 +17,8 @@ Note = tuple[str, str]
 @dataclass(frozen=True)
 class Pages:
     """The `count` pictures of a file, decoded one after the other by `read`, each (R, C) grey or
-    (R, C, 3) red, green, blue as stored.
-
-    `transfer` is the transfer curve that the file names, or None; `notes` describe unexpected
-    choices of the reader.
-    """
+    (R, C, 3) red, green, blue as stored. `transfer` is the transfer curve that the file names, or
+    None; `notes` describe unexpected choices of the reader."""
 
     count: int
     read: Callable[[], Iterator[NDArray[Any]]]

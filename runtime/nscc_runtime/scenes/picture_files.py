@@ -1,9 +1,6 @@
-"""Scenes as pictures: single files and folders of them.
-
-OpenEXR reads .exr; Pillow .jpg and .webp, because it detects truncated files, and .avif; rawpy the
-raw files of cameras; OpenCV the rest, because it keeps 16 bits per sample and reads Radiance and
-PFM.
-"""
+"""Scenes as pictures: single files and folders of them. OpenEXR reads .exr; Pillow .jpg and .webp,
+because it detects truncated files, and .avif; rawpy the raw files of cameras; OpenCV the rest,
+because it keeps 16 bits per sample and reads Radiance and PFM."""
 
 from __future__ import annotations
 
@@ -108,10 +105,8 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _single_picture_pages(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
-    """Open a file of one picture.
-
-    Decoding from memory recognises files by content, as imread does, and supports any path.
-    """
+    """Open a file of one picture. Decoding from memory recognises files by content, as imread does,
+    and supports any path."""
 
     def read() -> Iterator[NDArray[Any]]:
         yield decode(np.fromfile(path, np.uint8))
@@ -247,10 +242,8 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Iterator[NDArray[Any]]:
-    """Yield the frames of a folder as stored; NS0734 if one differs in size from the first.
-
-    With `skip`, damaged files are reported to `warn` (NS0776) and left out.
-    """
+    """Yield the frames of a folder as stored; NS0734 if one differs in size from the first. With
+    `skip`, damaged files are reported to `warn` (NS0776) and left out."""
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
         for path in pictures:
@@ -283,11 +276,9 @@ def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Suppress the output of decoding libraries about damaged files.
-
-    They write to the process's standard error below Python, so the file descriptor is replaced.
-    OpenCV and its FFmpeg read their own switches at first use.
-    """
+    """Suppress the output of decoding libraries about damaged files. They write to the process's
+    standard error below Python, so the file descriptor is replaced. OpenCV and its FFmpeg read
+    their own switches at first use."""
     import io
     import os
     import sys

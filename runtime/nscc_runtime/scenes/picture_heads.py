@@ -18,10 +18,8 @@ from nscc_runtime.scenes.picture_size import refuse_size
 TRANSFERS: dict[int, Transfer] = {
     **dict.fromkeys((1, 6, 13, 14, 15), "srgb"), 8: "linear", 16: "pq", 18: "hlg",
 }  # fmt: skip
-"""Transfer curves by their number in ITU-T H.273.
-
-Displays show the camera curves of BT.709 and BT.2020 nearly as sRGB.
-"""
+"""Transfer curves by their number in ITU-T H.273. Displays show the camera curves of BT.709 and
+BT.2020 nearly as sRGB."""
 _LINEAR_GAMMA, _SRGB_GAMMA = 100_000, 45_455
 _GAMMA_SLACK = 500
 
@@ -77,11 +75,9 @@ _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILI
 def read_radiance(
     path: Path, data: NDArray[np.uint8], decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
 ) -> NDArray[Any]:
-    """Read the picture of a Radiance file in any of its eight orientations.
-
-    `decode` takes the bytes of a file whose rows run from top to bottom and left to right.
-    UnsupportedPicture for colours other than red, green, blue.
-    """
+    """Read the picture of a Radiance file in any of its eight orientations. `decode` takes the
+    bytes of a file whose rows run from top to bottom and left to right. UnsupportedPicture for
+    colours other than red, green, blue."""
     head, blank, body = data.tobytes().partition(b"\n\n")
     line, newline, samples = body.partition(b"\n")
     if b"FORMAT=32-bit_rle_xyze" in head:

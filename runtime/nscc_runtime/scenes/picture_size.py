@@ -72,10 +72,8 @@ def _stated_size(path: Path) -> tuple[int, int] | None:
 
 
 def _exr_size(path: Path) -> tuple[int, int] | None:
-    """Return the size of the largest window of an OpenEXR file's parts.
-
-    NS0734 for too many samples in all parts, which are decoded together.
-    """
+    """Return the size of the largest window of an OpenEXR file's parts. NS0734 for too many samples
+    in all parts, which are decoded together."""
     import OpenEXR
 
     try:

@@ -1,9 +1,6 @@
-"""Place pictures of any size on arrays: cropped, scaled, or in pieces.
-
-With `scale` and `tiles` the frame has the size of the picture, which lies in the top left corner of
-as many arrays as needed, side by side. The remaining pixels see its mirror image, and are cut off
-afterwards.
-"""
+"""Place pictures of any size on arrays: cropped, scaled, or in pieces. With `scale` and `tiles` the
+frame has the size of the picture, which lies in the top left corner of as many arrays as needed,
+side by side. The remaining pixels see its mirror image, and are cut off afterwards."""
 
 from __future__ import annotations
 

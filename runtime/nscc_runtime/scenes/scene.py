@@ -87,11 +87,8 @@ class Scene:
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
     ) -> tuple[PlacedLight, ...]:
-        """Return the light in slots of these lengths on the array of `target`.
-
-        It is the luminance, or red, green and blue at the exposure of the luminance. Raises as
-        `laid_scene`.
-        """
+        """Return the light in slots of these lengths on the array of `target`. It is the luminance,
+        or red, green and blue at the exposure of the luminance. Raises as `laid_scene`."""
 
         def load(tell: Callable[[Diagnostic], None], **options: Any) -> PlacedLight:
             return laid_scene(

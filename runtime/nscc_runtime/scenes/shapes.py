@@ -1,8 +1,6 @@
-"""Components of procedural pictures.
-
-They use only sums, products, quotients and square roots, which every machine rounds alike, unlike
-sines and powers of libraries, so that builtin scenes are bit-identical everywhere.
-"""
+"""Components of procedural pictures. They use only sums, products, quotients and square roots,
+which every machine rounds alike, unlike sines and powers of libraries, so that builtin scenes are
+bit-identical everywhere."""
 
 from __future__ import annotations
 
@@ -29,10 +27,8 @@ def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
 
 
 def noise(x: Field, y: Field, seed: int) -> Field:
-    """Return a smooth random field in [0, 1) with grain size 1.
-
-    x and y are the coordinates of columns (cols,) and of rows (rows,): the field is (rows, cols).
-    """
+    """Return a smooth random field in [0, 1) with grain size 1. x and y are the coordinates of
+    columns (cols,) and of rows (rows,): the field is (rows, cols)."""
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     first_col, first_row = int(column.min()), int(row.min())
     across = np.arange(first_col, int(column.max()) + 2, dtype=np.int64)

@@ -1,8 +1,6 @@
-"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV.
-
-OpenCV multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white;
-Pillow has no colours of 16 bits.
-"""
+"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV. OpenCV
+multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white; Pillow
+has no colours of 16 bits."""
 
 from __future__ import annotations
 

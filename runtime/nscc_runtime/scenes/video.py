@@ -51,11 +51,9 @@ class _Timing:
 
 
 def video_pages(path: Path) -> Pages:
-    """Open the frames of a video, uint8 or uint16 (R, C, 3), at equal times.
-
-    Frames of unequal duration are repeated or skipped. A truncated file yields the frames before
-    its end. ValueError without frames; NS0734 for large ones.
-    """
+    """Open the frames of a video, uint8 or uint16 (R, C, 3), at equal times. Frames of unequal
+    duration are repeated or skipped. A truncated file yields the frames before its end. ValueError
+    without frames; NS0734 for large ones."""
     timing = _timing_of(path)
     with _opened(path) as container:
         context = container.streams.video[0].codec_context
@@ -171,11 +169,8 @@ def _upright(picture: NDArray[Any], degrees: int) -> NDArray[Any]:
 
 
 def picture_of(frame: Any) -> NDArray[Any]:
-    """Return red, green and blue (R, C, 3) of a decoded frame.
-
-    They are 0..255, or 0..65535 for more than 8 bits, by the matrix and the range that the frame
-    names.
-    """
+    """Return red, green and blue (R, C, 3) of a decoded frame. They are 0..255, or 0..65535 for
+    more than 8 bits, by the matrix and the range that the frame names."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))

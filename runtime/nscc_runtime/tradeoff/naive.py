@@ -40,9 +40,7 @@ class Naive:
 
     def drawn(self, seed: int) -> Frame:
         """Sum numpy's Poisson counts of every slot over the open slots, without other effects.
-
-        Raises ValueError for light beyond the range of numpy, some 9e18 electrons per slot.
-        """
+        Raises ValueError for light beyond the range of numpy, some 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
         total = self._dark(np.float64)
         for light, opened in self._slots():

@@ -290,10 +290,7 @@ def unknown(light: Light) -> Light:
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
     """Return the RMS difference over pixels valid in both and all frames, in electrons and in
-    codes.
-
-    Each is that of the worst bucket.
-    """
+    codes. Each is that of the worst bucket."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
     for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid

@@ -108,11 +108,8 @@ class Encoder(nn.Module, ABC):
 
     def dead_share(self) -> float:
         """Return the fraction of parameters whose gradient is exactly 0 after a backward pass,
-        0..1.
-
-        Such a code cannot learn from this batch: all its pixels are saturated, dark or unused. 1 if
-        no gradient arrived at all, 0 for a class without parameters.
-        """
+        0..1. Such a code cannot learn from this batch: all its pixels are saturated, dark or
+        unused. 1 if no gradient arrived at all, 0 for a class without parameters."""
         learned = list(self.parameters())
         dead = sum(p.numel() if p.grad is None else int((p.grad == 0).sum()) for p in learned)
         return dead / sum(p.numel() for p in learned) if learned else 0.0
@@ -126,10 +123,8 @@ class Encoder(nn.Module, ABC):
     def checked(
         self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]
     ) -> list[Tensor]:
-        """Return the fields in the order of `limits` as float64 tensors.
-
-        Raises ValueError for a missing field, another shape or values outside the limits.
-        """
+        """Return the fields in the order of `limits` as float64 tensors. Raises ValueError for a
+        missing field, another shape or values outside the limits."""
         tensors = []
         for name, (low, high) in limits.items():
             values = codes.get(name)

@@ -142,11 +142,9 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 def evaluate_baseline(
     protocol: Protocol, name: str, folder: Path, seed: int = 0, codes: str = ""
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a baseline on a folder of scenes, and its arrays by name.
-
-    `codes` names other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends
-    on the scene alone.
-    """
+    """Return the result of a baseline on a folder of scenes, and its arrays by name. `codes` names
+    other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends on the scene
+    alone."""
     from nscc_training.sensor_model import SensorModel
 
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
@@ -222,11 +220,9 @@ def _choices(
 
 
 def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, Any]:
-    """Return the spec and the start of `CLASS[:START]`, or those of a run's encoder.
-
-    A class alone starts at random. Rejected (NS0840) if `name` takes no other codes, or for codes
-    that the protocol does not have.
-    """
+    """Return the spec and the start of `CLASS[:START]`, or those of a run's encoder. A class alone
+    starts at random. Rejected (NS0840) if `name` takes no other codes, or for codes that the
+    protocol does not have."""
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.run_files import CONFIG, run_path
     from nscc_training.run_folder import run_codes
@@ -264,10 +260,8 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 def evaluate_sci8(
     paths: Sequence[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on the clips of the benchmark, and its clips by name.
-
-    Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method.
-    """
+    """Return the result of a method on the clips of the benchmark, and its clips by name. Rejected:
+    NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(

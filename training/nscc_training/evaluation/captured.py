@@ -24,11 +24,9 @@ Frames = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class CapturedScene:
-    """Frames of one scene: `codes` (frames, rows, cols) above the converter's offset.
-
-    `tile` (frames, slots, r, c) are the shutters, which repeat over the array; `saturated` (frames,
-    rows, cols) says which codes are. `model` is the sensor, None for exact measurements.
-    """
+    """Frames of one scene: `codes` (frames, rows, cols) above the converter's offset. `tile`
+    (frames, slots, r, c) are the shutters, which repeat over the array; `saturated` (frames, rows,
+    cols) says which codes are. `model` is the sensor, None for exact measurements."""
 
     scene: ProtocolScene
     codes: Frames

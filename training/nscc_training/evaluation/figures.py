@@ -1,8 +1,6 @@
-"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made from the runs that come with nscc.
-
-The emulated chip exposes a still and a clip through a run's shutters and with always open pixels,
-and the run decodes them. Light is in electrons, over the frame or per slot.
-"""
+"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made from the runs that come with nscc. The
+emulated chip exposes a still and a clip through a run's shutters and with always open pixels, and
+the run decodes them. Light is in electrons, over the frame or per slot."""
 
 from __future__ import annotations
 

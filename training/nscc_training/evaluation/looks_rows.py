@@ -51,10 +51,7 @@ ROWS: dict[str, tuple[tuple[int, ...], float]] = {
     "looks-9": ((1, 2, 4, 8, 16, 32, 64, 128), 45.0),
 }
 """The boundaries at which the pixels of each row look, and the percentage of a full well above
-which they close.
-
-The last exposure ends with the frame.
-"""
+which they close. The last exposure ends with the frame."""
 DESIGNED = {"designed-2": 2, "designed-5": 5}
 """Numbers of exposures of the designed rows."""
 LOOKING = (*ROWS, *DESIGNED)
@@ -72,10 +69,8 @@ def evaluate_looks(
     name: str, folder: Path, seed: int = 0, effects: str = "", changes: Sequence[str] = ()
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
     """Return the result of a row of LOOKING on a folder of panoramas, and its arrays by name.
-
     `effects` replace the protocol's noise and a comparator's; `changes` are sensor values, as `nscc
-    run` takes them. Programs are designed for the sensor without these changes.
-    """
+    run` takes them. Programs are designed for the sensor without these changes."""
     protocol = load_protocol("hdr-v1")
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
@@ -103,9 +98,7 @@ def looked_light(
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:  # fmt: skip
     """Return the light over the frame, in electrons, measured by pixels that look at `light_e`.
-
-    `seeds` are those of noise and of the chip.
-    """
+    `seeds` are those of noise and of the chip."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)

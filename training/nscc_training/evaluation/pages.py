@@ -34,11 +34,9 @@ _SETTINGS = {
 
 
 class Page:
-    """The words of a template, computed from the results in a folder.
-
-    Rows of runs whose folder, in `runs` beside the results, has no weights are marked with a
-    dagger. `rows` are the filled rows of the paper's tables, as JSON values.
-    """
+    """The words of a template, computed from the results in a folder. Rows of runs whose folder, in
+    `runs` beside the results, has no weights are marked with a dagger. `rows` are the filled rows
+    of the paper's tables, as JSON values."""
 
     def __init__(self, results: Path) -> None:
         self.results = results
@@ -73,10 +71,8 @@ class Page:
 
     def gain(self, first: str, second: str, metric: str) -> str:
         """Return the gain of the second result in pairs of items, with its interval over scenes.
-
         A result of one seed is compared with all seeds of the other. By source: the difference
-        alone.
-        """
+        alone."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
             return _MISSING
@@ -116,11 +112,8 @@ class Page:
         return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
 
     def row(self, label: str, name: str, *cells: str) -> str:
-        """Return a row of a table.
-
-        Cells are metrics, keys of `value`, NAME:METRIC for the gain over that result, and = for an
-        empty cell.
-        """
+        """Return a row of a table. Cells are metrics, keys of `value`, NAME:METRIC for the gain
+        over that result, and = for an empty cell."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")
@@ -211,11 +204,9 @@ class Page:
 def page_of(
     results: Path | None = None, template: Path | None = None
 ) -> tuple[list[dict[str, Any]], str]:
-    """Return the rows of the paper's tables on a page, and its text.
-
-    By default the results that come with nscc, and the paper's Tables 2 to 4. Rejected (NS0807) for
-    a folder that does not exist.
-    """
+    """Return the rows of the paper's tables on a page, and its text. By default the results that
+    come with nscc, and the paper's Tables 2 to 4. Rejected (NS0807) for a folder that does not
+    exist."""
     folder = shipped_evaluations() if results is None else results
     if not folder.is_dir():
         hint = "`nscc sweep GRID.toml --out DIR` makes one"

@@ -42,11 +42,9 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the usable scenes, and the entries of a result for the others.
-
-    The noise of a scene follows from its number. Under hdr-v1 only usable scenes are counted; under
-    the other protocols None stands in for the unusable ones.
-    """
+    """Return the usable scenes, and the entries of a result for the others. The noise of a scene
+    follows from its number. Under hdr-v1 only usable scenes are counted; under the other protocols
+    None stands in for the unusable ones."""
     scenes: list[ProtocolScene | None] = []
     left_out = []
     for scene in candidates:
@@ -63,11 +61,9 @@ def scored(
     scenes: Iterable[ProtocolScene | Unusable | None],
     decode: Callable[[ProtocolScene, int], tuple[Array, float]],
 ) -> Iterator[Scored]:
-    """Decode and score every scene; `decode` returns electrons and seconds.
-
-    It gets the number of the scene, which seeds its noise. Rejected (NS0804) for a reconstruction
-    with values that are not finite.
-    """
+    """Decode and score every scene; `decode` returns electrons and seconds. It gets the number of
+    the scene, which seeds its noise. Rejected (NS0804) for a reconstruction with values that are
+    not finite."""
     for index, scene in enumerate(scenes):
         if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
@@ -135,11 +131,9 @@ def result(
     left_out: Sequence[Mapping[str, Any]] = (),
     **extra_keys: Any,
 ) -> dict[str, Any]:
-    """Return the result of items as JSON values; `extra_keys` are further keys.
-
-    `left_out` are items that the protocol cannot use, each with `file` and `reason`. Rejected
-    (NS0811) without items.
-    """
+    """Return the result of items as JSON values; `extra_keys` are further keys. `left_out` are
+    items that the protocol cannot use, each with `file` and `reason`. Rejected (NS0811) without
+    items."""
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
@@ -179,10 +173,8 @@ def with_arrays(
     left_out: Sequence[Mapping[str, Any]],
     **extra_keys: Any,
 ) -> tuple[dict[str, Any], dict[str, Array]]:
-    """Return the result of scored scenes, and the arrays of `--save` by name.
-
-    These are the reconstruction of each item, an `image` or a `video`, and the truth.
-    """
+    """Return the result of scored scenes, and the arrays of `--save` by name. These are the
+    reconstruction of each item, an `image` or a `video`, and the truth."""
     items = [item for entry in scored_scenes for item in entry.items]
     report = result(protocol, subject, files, items, left_out, **extra_keys)
     called, arrays = labels(files), {}
@@ -226,11 +218,8 @@ def mean_of(
     results: Sequence[Mapping[str, Any]], metric: str, *, by_source: bool = False
 ) -> float | None:
     """Return the mean of a metric over the items of each result, then over the results, which are
-    seeds.
-
-    Infinite items are left out. `by_source`: average the means of files, so that each file counts
-    once. None without a finite item.
-    """
+    seeds. Infinite items are left out. `by_source`: average the means of files, so that each file
+    counts once. None without a finite item."""
     means = []
     for result_values in results:
         values: dict[str, list[float]] = {}
@@ -246,11 +235,9 @@ def mean_of(
 def compare(
     pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
 ) -> dict[str, Any]:
-    """Return the gain of second results over first ones in a metric of dB, item by item.
-
-    Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Rejected
-    (NS0808) for different protocols, without common items, or without the metric.
-    """
+    """Return the gain of second results over first ones in a metric of dB, item by item. Each pair
+    is a seed; the bootstrap draws scenes, with their items of all seeds. Rejected (NS0808) for
+    different protocols, without common items, or without the metric."""
     scores: tuple[dict[str, float], dict[str, float]] = ({}, {})
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):

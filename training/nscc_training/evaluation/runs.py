@@ -98,11 +98,9 @@ def evaluate_run(
 
 
 def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run on its validation scenes, with the run's effects.
-
-    Its mean is the PSNR in `metrics.csv` of the step that the run kept. Rejected (NS0811) if the
-    scenes of its configuration are missing or have changed.
-    """
+    """Return the result of a run on its validation scenes, with the run's effects. Its mean is the
+    PSNR in `metrics.csv` of the step that the run kept. Rejected (NS0811) if the scenes of its
+    configuration are missing or have changed."""
     settings = folder.setup.settings
     scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
@@ -135,11 +133,8 @@ def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) 
 
 def _by_mask(folder: RunFolder) -> DecodeScene:
     """Return a function that decodes a benchmark clip behind its own mask, without noise or
-    quantisation.
-
-    As in training a full well is the 99th percentile of the light of an always open pixel: of a
-    measurement, the light of open slots scaled to all slots.
-    """
+    quantisation. As in training a full well is the 99th percentile of the light of an always open
+    pixel: of a measurement, the light of open slots scaled to all slots."""
     setup = folder.setup
 
     @torch.no_grad()

@@ -46,10 +46,8 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """Return the files of a run by name; the setup is in its best state, reached at `step`.
-
-    All scores are the protocol's, of the validation scenes `shown`.
-    """
+    """Return the files of a run by name; the setup is in its best state, reached at `step`. All
+    scores are the protocol's, of the validation scenes `shown`."""
     from safetensors.torch import save
 
     build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
@@ -218,10 +216,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
     """Report on the codes: number, rank and condition of the shutters, moved places, and the score
-    of the start.
-
-    Moved places are those whose shutter differs from the start of the run.
-    """
+    of the start. Moved places are those whose shutter differs from the start of the run."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

@@ -28,10 +28,8 @@ _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
 
 @dataclass
 class TrainingProgress:
-    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss.
-
-    `best` holds the tensors of encoder and decoder at that validation.
-    """
+    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss. `best`
+    holds the tensors of encoder and decoder at that validation."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -110,11 +108,9 @@ def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> 
 
 
 def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress:
-    """Load a checkpoint into `state`, and return its progress.
-
-    The run may have more steps than the checkpoint. Rejected (NS0816) for a checkpoint that is
-    damaged, or of another configuration or other scenes.
-    """
+    """Load a checkpoint into `state`, and return its progress. The run may have more steps than the
+    checkpoint. Rejected (NS0816) for a checkpoint that is damaged, or of another configuration or
+    other scenes."""
     from safetensors import safe_open
 
     try:
