@@ -1,4 +1,4 @@
-"""What frames say of the light that made them: the data term, for any sensor and any code."""
+"""The data term of reconstruction, for any sensor and any code."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from nscc_training.sensor_model import SensorModel
 
 @dataclass(frozen=True, eq=False)
 class Measured:
-    """Frames of one exposure, B of them (buckets), and how they came about.
+    """Frames of one exposure, B of them (buckets), and their measurement model.
 
-    `value` (batch, B, rows, cols) is sum over N of `mask` (batch or 1, B, N, rows, cols) times the
-    light, whose unit is such that its whites are about 1, and noise of `variance` (as `value`).
-    Where `saturated`, the light gave that much or more. `mask` may be weighted, by the length of
-    slots for one.
+    `value` (batch, B, rows, cols) is the sum over N of `mask` (batch or 1, B, N, rows, cols) times
+    the light, plus noise of `variance` (shape of `value`). The unit of light is such that white is
+    about 1. Where `saturated`, the value is a lower bound. `mask` may be weighted, for example by
+    slot lengths.
     """
 
     value: Tensor
@@ -31,7 +31,8 @@ class Measured:
 
     @classmethod
     def exact(cls, value: Tensor, mask: Tensor) -> Measured:
-        """One frame (batch, rows, cols) without noise; the mask (batch or 1, N, rows, cols)."""
+        """Return one frame (batch, rows, cols) without noise; the mask is (batch or 1, N, rows,
+        cols)."""
         value = value.unsqueeze(1)
         return cls(
             value, mask.unsqueeze(1), torch.zeros_like(value),
@@ -43,9 +44,7 @@ class Measured:
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
     ) -> Measured:
         """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
-
-        `masks` are (B, N, rows, cols).
-        """
+        `masks` are (B, N, rows, cols)."""
         codes = torch.from_numpy(np.ascontiguousarray(frames, np.float32))[None]
         value = codes * sensor.electrons_per_lsb
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
@@ -57,29 +56,30 @@ class Measured:
         return cls(value, opened[None], variance, full)
 
     def over(self, unit: Tensor) -> Measured:
-        """The same in other units (batch,) of light."""
+        """Return the measurement in other units (batch,) of light."""
         unit = unit.reshape(-1, 1, 1, 1)
         return replace(self, value=self.value / unit, variance=self.variance / unit.square())
 
     def of(self, clip: Tensor) -> Tensor:
-        """The frames that a clip (batch, N, rows, cols) would give."""
+        """Return the frames of a clip (batch, N, rows, cols)."""
         return (self.mask * clip.unsqueeze(1)).sum(dim=2)
 
     def missing(self, predicted: Tensor, target: Tensor) -> Tensor:
-        """How far a clip's frames are from a target; where saturated, more is never too much."""
+        """Return the difference of a target and a clip's frames; where saturated, an excess counts
+        as 0."""
         gap = target - predicted
         return torch.where(self.saturated, gap.clamp(min=0), gap)
 
     def trust(self, sigma: Tensor) -> Tensor:
-        """The part of a difference that is the clip's error, of standard deviation `sigma`
-        (batch,), and not the frames' noise; as `value`."""
+        """Return the fraction of a difference due to the clip's error rather than noise, in the
+        shape of `value`. The error has the standard deviation `sigma` (batch,)."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1).square()
         error_share: Tensor = spread / (spread + self.variance).clamp(min=1e-20)
         return error_share
 
     def correction(self, gap: Tensor, sigma: Tensor) -> Tensor:
-        """What to add to a clip for frames that differ by `gap`: its most likely error if that has
-        the standard deviation `sigma` everywhere. Without noise, and with frames that share no
+        """Return the most likely correction of a clip whose frames differ by `gap`. The prior error
+        has the standard deviation `sigma` everywhere. Without noise, and with frames that share no
         light, this is the projection onto all clips that give the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1).square()
@@ -91,32 +91,33 @@ class Measured:
 
     @cached_property
     def disjoint(self) -> bool:
-        """Whether no light of a pixel is in two frames, as in those of a film: then what one frame
-        lacks says nothing of the others."""
+        """Whether no light of a pixel is in two frames, as in the frames of a film."""
         shared = (self.mask != 0).sum(dim=1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
     def _joint(self, sigma: Tensor) -> Tensor:
-        """(batch, rows, cols, B, B): how frames of a pixel vary together, over sigma squared."""
+        """Return the covariance (batch, rows, cols, B, B) of the frames of a pixel, over sigma
+        squared."""
         masks = self.mask.permute(0, 3, 4, 1, 2)
         noise = self.variance.permute(0, 2, 3, 1) / sigma.reshape(-1, 1, 1, 1).square()
-        # A frame that a pixel is never open in says nothing, and is not to divide by 0.
+        # A frame in which a pixel never opens must not divide by 0.
         return masks @ masks.mT + torch.diag_embed(noise + 1e-4)
 
     @property
     def energy(self) -> Tensor:
-        """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
+        """Sum of squares of the mask, (batch or 1, B, rows, cols)."""
         return self.mask.square().sum(dim=2)
 
     def mean(self) -> Tensor:
-        """The light (batch, rows, cols) that each pixel's open slots had on average, 0 where none
-        was open."""
+        """Return the mean light (batch, rows, cols) of each pixel's open slots, 0 without open
+        slots."""
         total = self.mask.sum(dim=(1, 2))
         return torch.where(total > 0, self.value.sum(dim=1) / total.clamp(min=1e-6), 0.0)
 
     def planes(self) -> Tensor:
-        """What a denoiser sees of it, (batch, 3, N, rows, cols): all frames' mask, their value over
-        it, and the standard deviation of that, at most 1: the same for all N but the mask."""
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols). They are the mask of all
+        frames, the value over the mask, and its standard deviation, at most 1; only the mask
+        differs between slots."""
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)
         total = mask.sum(dim=1)
         opened = total > 0

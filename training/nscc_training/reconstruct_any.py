@@ -1,4 +1,4 @@
-"""Frame files of any program to pictures and clips."""
+"""Reconstruct frame files of any program to pictures and clips."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ def reconstruct_any(
     frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None,
     dark: Path | None = None,
 ) -> Reconstruction:  # fmt: skip
-    """What the decoder for any code makes of a frame of any program.
+    """Reconstruct a frame of any program with the decoder for any code.
 
-    `program` is what exposed it, where the file does not hold its pixels' shutters; `dark` a frame
-    file of it without light, of many repeats. As an image or a clip; without `kind` an image where
-    all shutters open with the frame (class b), else a clip. Colours are decoded one by one. Raises
-    Rejected as `read_coded_frames`.
+    `program` exposed the frame; it is needed if the file does not hold its shutters. `dark` is a
+    frame file of the program without light, of many repeats. Without `kind` the result is an image
+    if all shutters open with the frame (class b), else a clip. Colours are decoded one by one.
+    Raises Rejected as `read_coded_frames`.
     """
     doubts: list[Diagnostic] = []
     coded_frames = read_coded_frames(frame, program, dark, doubts.append)
@@ -38,7 +38,7 @@ def reconstruct_any(
 
 
 def _light(coded: CodedFrame, still: bool) -> NDArray[np.float32]:
-    """Electrons over the frame (rows, cols), or a slot (N, rows, cols)."""
+    """Return electrons over the frame (rows, cols), or per slot (N, rows, cols)."""
     if still:
         return np.asarray(decoded_still(coded.still())[0].numpy())
     slots = (coded.slot_us / coded.slot_us.mean()).astype(np.float32)
