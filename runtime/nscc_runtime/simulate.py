@@ -1,7 +1,5 @@
-"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
-
-`nscc run` is this with files around it, `nscc_runtime.capture` is it for Python.
-"""
+"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot. `nscc
+run` is this with files around it, `nscc_runtime.capture` is it for Python."""
 
 from __future__ import annotations
 
@@ -118,10 +116,7 @@ class Request:
 @dataclass(frozen=True)
 class Listener:
     """Who is told how a run goes: a line of text, where somebody reads it, a warning (which may
-    raise), and progress.
-
-    `timings` gathers the seconds that were spent.
-    """
+    raise), and progress. `timings` gathers the seconds that were spent."""
 
     say: Callable[[str], None] | None = None
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None

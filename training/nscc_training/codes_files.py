@@ -1,4 +1,5 @@
-"""Codes to and from `.npz` and `.mat`: one integer array a field, and a codebook's `book`."""
+"""Read and write codes as `.npz` and `.mat`: an integer array per field, and a codebook's
+`book`."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ Codes = Mapping[str, NDArray[np.int64]]
 
 
 def codes_bytes(codes: Codes) -> bytes:
-    """An .npz file of these codes: the same codes, the same bytes."""
+    """Return an .npz file of codes, always with the same bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(codes):
@@ -121,7 +122,7 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
 
 
 def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
-    """The smallest integer type that holds the values."""
+    """Return the values in the smallest integer type that holds them."""
     low, high = int(values.min()), int(values.max())
     for kind in (np.uint8, np.uint16, np.int32):
         if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:

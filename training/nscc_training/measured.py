@@ -1,4 +1,4 @@
-"""What frames say of the light that made them: the data term, for any sensor and any code."""
+"""The data term of reconstruction, for any sensor and any code."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def namespace(array: object) -> Any:
 
 @dataclass(frozen=True, eq=False)
 class Measured(Generic[Array]):
-    """Frames of one exposure, B of them (buckets), and how they came about.
+    """Frames of one exposure, B of them (buckets), and their measurement model.
 
-    `value` (batch, B, rows, cols) is sum over N of `mask` (batch or 1, B, N, rows, cols) times the
-    light, whose unit is such that its whites are about 1, and noise of `variance` (as `value`).
-    Where `saturated`, the light gave that much or more. `mask` may be weighted, by the length of
-    slots for one.
+    `value` (batch, B, rows, cols) is the sum over N of `mask` (batch or 1, B, N, rows, cols) times
+    the light, plus noise of `variance` (shape of `value`). The unit of light is such that white is
+    about 1. Where `saturated`, the value is a lower bound. `mask` may be weighted, for example by
+    slot lengths.
     """
 
     value: Array
@@ -41,7 +41,8 @@ class Measured(Generic[Array]):
 
     @classmethod
     def exact(cls, value: Array, mask: Array) -> Measured[Array]:
-        """One frame (batch, rows, cols) without noise; the mask (batch or 1, N, rows, cols)."""
+        """Return one frame (batch, rows, cols) without noise; the mask is (batch or 1, N, rows,
+        cols)."""
         value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
         return cls(value, mask[:, None], nothing, nothing != 0)
 
@@ -63,38 +64,39 @@ class Measured(Generic[Array]):
         return Measured(value, np.asarray(masks, np.float32)[None], variance, full)
 
     def tensors(self: Measured[NDArray[Any]]) -> Measured[Tensor]:
-        """The same for torch; arrays share their memory with it."""
+        """Return the measurement for torch, which shares the memory of the arrays."""
         import torch
 
         parts = (self.value, self.mask, self.variance, self.saturated)
         return Measured(*(torch.from_numpy(np.ascontiguousarray(part)) for part in parts))
 
     def over(self, unit: Array) -> Measured[Array]:
-        """The same in other units (batch,) of light."""
+        """Return the measurement in other units (batch,) of light."""
         unit = unit.reshape(-1, 1, 1, 1)
         return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
     def of(self, clip: Array) -> Array:
-        """The frames that a clip (batch, N, rows, cols) would give."""
+        """Return the frames of a clip (batch, N, rows, cols)."""
         frames: Array = (self.mask * clip[:, None]).sum(2)
         return frames
 
     def missing(self, predicted: Array, target: Array) -> Array:
-        """How far a clip's frames are from a target; where saturated, more is never too much."""
+        """Return the difference of a target and a clip's frames; where saturated, an excess counts
+        as 0."""
         gap = target - predicted
         least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
         return least
 
     def trust(self, sigma: Array) -> Array:
-        """The part of a difference that is the clip's error, of standard deviation `sigma`
-        (batch,), and not the frames' noise; as `value`."""
+        """Return the fraction of a difference due to the clip's error rather than noise, in the
+        shape of `value`. The error has the standard deviation `sigma` (batch,)."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
         error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share
 
     def correction(self, gap: Array, sigma: Array) -> Array:
-        """What to add to a clip for frames that differ by `gap`: its most likely error if that has
-        the standard deviation `sigma` everywhere. Without noise, and with frames that share no
+        """Return the most likely correction of a clip whose frames differ by `gap`. The prior error
+        has the standard deviation `sigma` everywhere. Without noise, and with frames that share no
         light, this is the projection onto all clips that give the frames."""
         if self.disjoint:
             noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
@@ -107,38 +109,39 @@ class Measured(Generic[Array]):
 
     @cached_property
     def disjoint(self) -> bool:
-        """Whether no light of a pixel is in two frames, as in those of a film: then what one frame
-        lacks says nothing of the others."""
+        """Whether no light of a pixel is in two frames, as in the frames of a film."""
         shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
     def _joint(self, sigma: Array) -> Array:
-        """(batch, rows, cols, B, B): how frames of a pixel vary together, over sigma squared."""
+        """Return the covariance (batch, rows, cols, B, B) of the frames of a pixel, over sigma
+        squared."""
         of = namespace(self.mask)
         masks = of.moveaxis(self.mask, (1, 2), (3, 4))
         noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
-        # A frame that a pixel is never open in says nothing, and is not to divide by 0.
+        # A frame in which a pixel never opens must not divide by 0.
         one = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
         joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * one
         return joint
 
     @property
     def energy(self) -> Array:
-        """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
+        """Sum of squares of the mask, (batch or 1, B, rows, cols)."""
         squares: Array = (self.mask**2).sum(2)
         return squares
 
     def mean(self) -> Array:
-        """The light (batch, rows, cols) that each pixel's open slots had on average, 0 where none
-        was open."""
+        """Return the mean light (batch, rows, cols) of each pixel's open slots, 0 without open
+        slots."""
         total = self.mask.sum((1, 2))
         light = self.value.sum(1) / total.clip(min=1e-6)
         known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
         return known
 
     def planes(self: Measured[Tensor]) -> Tensor:
-        """What a denoiser sees of it, (batch, 3, N, rows, cols): all frames' mask, their value over
-        it, and the standard deviation of that, at most 1: the same for all N but the mask."""
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols). They are the mask of all
+        frames, the value over the mask, and its standard deviation, at most 1; only the mask
+        differs between slots."""
         import torch
 
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)

@@ -1,4 +1,4 @@
-"""How far a reconstruction is from the truth. Data ranges are always given, never guessed."""
+"""Metrics of reconstructions; the data range is always an explicit argument."""
 
 from __future__ import annotations
 
@@ -22,11 +22,9 @@ Array = NDArray[Any]
 
 
 def mean_square_error(truth: Array, result: Array) -> float:
-    """Return the mean of the squared differences, computed in float64.
-
-    Like every metric here, it raises WrongArgument for arrays of different shapes, for arrays
-    without values, and for values that are not finite: a bad number never becomes a score.
-    """
+    """Return the mean of the squared differences, computed in float64. Like every metric here, it
+    raises WrongArgument for arrays of different shapes, for arrays without values, and for values
+    that are not finite: a bad number never becomes a score."""
     truth, result = _pair(truth, result)
     difference = truth.astype(np.float64) - result.astype(np.float64)
     return float(np.mean(np.square(difference)))
@@ -126,9 +124,7 @@ def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> fl
 
 def finite_mean(scores_db: Iterable[float]) -> float:
     """Return the mean of the finite scores; +inf, the score of identical pictures, does not count.
-
-    The mean is +inf if all scores are. Raises WrongArgument for no scores, NaN or -inf.
-    """
+    The mean is +inf if all scores are. Raises WrongArgument for no scores, NaN or -inf."""
     scores = list(scores_db)
     if not scores or any(math.isnan(score) or score == -math.inf for score in scores):
         raise wrong_argument(f"a mean is taken of numbers of dB, not of {scores[:5]}")
@@ -138,11 +134,9 @@ def finite_mean(scores_db: Iterable[float]) -> float:
 
 @dataclass(frozen=True)
 class FrameScores:
-    """Per-frame dB as one score.
-
-    `mean` and `sd` leave out frames of infinite dB (identical ones), which `infinite` counts; with
-    no other frame the mean is +inf. `of_mean_mse` is the dB of the mean error of all frames.
-    """
+    """Scores of frames in dB, summarised. `mean` and `sd` leave out frames of infinite dB
+    (identical ones), which `infinite` counts; without another frame the mean is +inf. `of_mean_mse`
+    is the dB of the mean error of all frames."""
 
     mean: float
     sd: float
@@ -151,7 +145,7 @@ class FrameScores:
 
 
 def frame_scores(mses: Iterable[float], data_range: float) -> FrameScores:
-    """The scores of frames with these mean square errors."""
+    """Return the scores of frames with these mean square errors."""
     errors = [float(mse) for mse in mses]
     scores = [psnr_of_mse(mse, data_range) for mse in errors]
     finite = [score for score in scores if math.isfinite(score)]
@@ -198,9 +192,9 @@ def ssim(truth: Array, result: Array, data_range: float) -> float:
 
 
 def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.float64]:
-    """The SSIM of every window, (rows - 10, cols - 10), in float64."""
+    """Return the SSIM of every window, (rows - 10, cols - 10), in float64."""
     x, y = truth.astype(np.float64), result.astype(np.float64)
-    # Variances do not depend on a common pedestal, but their rounding errors do: take it away.
+    # Subtract a common offset: variances do not depend on it, but their rounding errors do.
     base = 0.5 * (float(x.mean()) + float(y.mean()))
     x, y = x - base, y - base
     mean_x, mean_y = _blur(x), _blur(y)
@@ -216,7 +210,7 @@ def similarity(truth: Array, result: Array, data_range: float) -> NDArray[np.flo
 
 
 def _blur(picture: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Gaussian means of all whole windows."""
+    """Return Gaussian means of all complete windows."""
     offsets = np.arange(WINDOW) - WINDOW // 2
     weights = np.exp(-0.5 * (offsets / SIGMA) ** 2)
     weights /= weights.sum()

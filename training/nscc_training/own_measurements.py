@@ -1,4 +1,4 @@
-"""Measurements of other cameras: clips from an own mask and what was measured through it."""
+"""Reconstruct measurements of other cameras from their mask."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ _KEYS = frozenset(("mask", "meas"))
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of a measurement: a standard deviation of `read_sd`, and photons, whose variance is
-    `gain` times the measured value; both in the measurement's unit."""
+    """Noise of a measurement: readout noise of standard deviation `read_sd`, and photon noise,
+    whose variance is `gain` times the measured value. Both are in the unit of the measurement."""
 
     read_sd: float = 0.0
     gain: float = 0.0
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """`SD` or `SD,GAIN`; NS0846 for anything else."""
+        """Parse `SD` or `SD,GAIN`; NS0846 for another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
@@ -53,8 +53,8 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """K measurements (K, rows, cols) through one mask (slots, rows, cols); `axes` says how the
-    arrays of the files were taken."""
+    """K measurements (K, rows, cols) through one mask (slots, rows, cols). `axes` describes how the
+    arrays of the files were interpreted."""
 
     values: Floats
     mask: Floats
@@ -62,8 +62,8 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Whether a file is a measurement: its mask is named, it is a .mat or .npy, or it is an .npz
-    that holds `meas` and is no frame file."""
+    """Return whether a file is a measurement: its mask is named, it is .mat or .npy, or an .npz
+    with `meas`."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True

@@ -1,4 +1,4 @@
-"""Frame files of any program to pictures and clips."""
+"""Reconstruct frame files of any program to pictures and clips."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ def reconstruct_any(
     frame: Path, program: Path | None = None, kind: Literal["image", "video"] | None = None,
     dark: Path | None = None, method: Method | None = None,
 ) -> Reconstruction:  # fmt: skip
-    """What the decoder for any code makes of a frame of any program.
+    """Reconstruct a frame of any program with the decoder for any code.
 
-    `program` is what exposed it, where the file does not hold its pixels' shutters; `dark` a frame
-    file of it without light, of many repeats. As an image or a clip; without `kind` an image where
-    all shutters open with the frame (class b), else a clip. `method` "merge" is for images,
+    `program` exposed the frame; it is needed if the file does not hold its shutters. `dark` is a
+    frame file of the program without light, of many repeats. Without `kind` the result is an image
+    if all shutters open with the frame (class b), else a clip. `method` "merge" is for images,
     "gap-tv" for clips; the default is the network where torch is installed. Colours are decoded one
     by one. Raises Rejected as `read_coded_frames`.
     """
@@ -44,7 +44,7 @@ def reconstruct_any(
 
 
 def _light(coded: CodedFrame, still: bool, method: Method) -> NDArray[np.float32]:
-    """Electrons over the frame (rows, cols), or a slot (N, rows, cols)."""
+    """Return electrons over the frame (rows, cols), or per slot (N, rows, cols)."""
     measured = coded.still() if still else coded.clip()
     if method != "network":
         light = merged_still(measured) if still else gap_tv_clip(measured)

@@ -12,17 +12,15 @@ from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc_runtime.formats import Content
 
 _OVEREXPOSED = 0.5
-"""Above this part of saturated pixels most of a picture is guessed."""
+"""Fraction of saturated pixels above which a warning is given."""
 
 
 @dataclass(frozen=True, eq=False)
 class Reconstruction:
-    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons a
-    slot, float32; with an axis of red, green and blue at the end if `colour`.
-
-    `messages` are doubts about the frame; `decode_s` seconds that the decoder took; `method` how
-    the decoder for any code found it.
-    """
+    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons
+    per slot, float32. With `colour` the last axis is red, green, blue. `messages` are warnings
+    about the frame; `decode_s` is the decoding time in seconds; `method` names the method of the
+    decoder for any code."""
 
     light: NDArray[np.float32]
     still: bool

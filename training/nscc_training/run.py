@@ -1,4 +1,4 @@
-"""Finished runs in Python: what was learned, how, and what it makes of frames."""
+"""Finished runs in Python: learned shutters, training curves, captures and reconstructions."""
 
 from __future__ import annotations
 
@@ -75,7 +75,7 @@ class Run:
 
     @cached_property
     def program(self) -> ShutterProgram:
-        """The learned shutters as a program, `shutter.nsl`, compiled as `nscc run` does it."""
+        """The learned shutters as a program, `shutter.nsl`, compiled as by `nscc run`."""
         return compile(self.path / "shutter.nsl", target=self.folder.setup.chip.file)
 
     @cached_property
@@ -201,7 +201,7 @@ class Run:
         return f", {scores_db[-1]:.2f} dB" if scores_db else ""
 
     def _shutters(self) -> html.Html:
-        """The chart of the distinct shutters of the tile, with the first code of each."""
+        """Return the chart of the distinct shutters of the tile, with the first code of each."""
         spec, codes = self.encoder.spec, self.encoder.codes()
         if spec.kind == LOOKS:
             return html.Html()  # when a pixel is open hangs on the light
@@ -218,7 +218,7 @@ class Run:
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
     def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
-        """A frame without light."""
+        """Return a frame without light."""
         if not isinstance(dark, Capture):
             return read_dark(Path(dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
@@ -227,7 +227,7 @@ class Run:
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
-        """Codes that were given as an array."""
+        """Return codes from an array."""
         target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
         if self.folder.setup.buckets > 1:

@@ -1,8 +1,5 @@
-"""From light and shutters to a frame, so that gradients find their way back.
-
-Light is float32, its sums and everything up to the ADC float64, whatever precision the network
-around has.
-"""
+"""A differentiable capture: from light and shutters to a frame. Light is float32; sums and
+everything up to the ADC are float64, whatever the precision of the network."""
 
 from __future__ import annotations
 
@@ -24,7 +21,7 @@ from nscc_training.gradients import rounded, saturated
 from nscc_training.protocols import Protocol
 
 _BLOCK = 32
-"""Slots whose light is masked at a time: what is kept besides the light itself."""
+"""Slots that are masked at a time, which bounds the memory."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +62,7 @@ class SensorModel:
     comparator_offset: float = 0.0
 
     def __post_init__(self) -> None:
-        """ValueError for numbers that no sensor has."""
+        """Raise ValueError for invalid values."""
         for name in ("full_well_e", "electrons_per_lsb"):
             value = getattr(self, name)
             if not 0 < value < inf:
@@ -171,7 +168,8 @@ class SensorModel:
 
 
 class _Masked(Function):
-    """The sum over slots of light times shutters: float64, gradients in the light's precision."""
+    """Sum of light times shutters over slots, in float64; gradients have the precision of the
+    light."""
 
     @staticmethod
     def forward(ctx: Any, light: Tensor, shutters: Tensor) -> Tensor:
@@ -197,11 +195,9 @@ class _Masked(Function):
 
 
 class Captured(NamedTuple):
-    """What a capture gives: electrons before saturation and noise, and the frame's codes.
-
-    Both (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64, `frame`
-    float32, whole numbers 0..top code.
-    """
+    """The result of a capture: electrons before saturation and noise, and the codes of the frame.
+    Both are (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64,
+    `frame` float32 with whole numbers 0..top code."""
 
     exposure_e: Tensor
     frame: Tensor
@@ -253,7 +249,7 @@ def differentiable_capture(
 
 
 def check_light(light: Tensor) -> None:
-    """ValueError for values that cannot be light: complex, negative or not finite."""
+    """Raise ValueError for values that are complex, negative or not finite."""
     if light.is_complex():
         raise ValueError("light is complex; give its real values, electrons of each slot")
     values = light.detach()
@@ -271,11 +267,9 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed; of
-    several buckets (buckets, rows, cols).
-
-    `light` and `tile` as in `differentiable_capture`, without the batch.
-    """
+    """Return the frame (rows, cols) of one scene, codes above the ADC's offset; of several buckets
+    (buckets, rows, cols). `seed` determines the noise. `light` and `tile` are those of
+    `differentiable_capture`, without the batch."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
@@ -285,7 +279,7 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
-    """ValueError for what would be broadcast into some other capture than the one meant."""
+    """Raise ValueError for shapes that would be broadcast to an unintended capture."""
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
@@ -301,7 +295,7 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
-    """A tile (.., r, c) repeated from the top left corner to (.., rows, cols)."""
+    """Return a tile (.., r, c), repeated from the top left corner to (.., rows, cols)."""
     if tile.shape[-2:] == (rows, cols):
         return tile
     down, across = -(-rows // tile.shape[-2]), -(-cols // tile.shape[-1])
@@ -309,17 +303,15 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """The shutters (N, rows, cols) of a pixel's one bucket; with two (2, N, rows, cols): the second
-    has what the first leaves out."""
+    """Return the shutters (N, rows, cols) of one bucket, or (2, N, rows, cols) of two buckets. The
+    second bucket is the complement of the first."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Electrons (batch, rows, cols), float64: the light of the slots that each pixel is open in.
-
-    `shutters` (N, r, c) is a tile that repeats over the array; of (buckets, N, r, c) come
-    (batch, buckets, rows, cols).
-    """
+    """Return the light of the open slots of each pixel: electrons (batch, rows, cols), float64.
+    `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
+    buckets, rows, cols)."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
@@ -342,14 +334,12 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
 def read_out(
     exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
 ) -> Tensor:
-    """The frame's codes: photon noise, full well, readout noise, rounding half to even, ends.
-
-    `exposure` float64, of any shape; the result is float32.
-    """
+    """Return the codes of a frame: photon noise, full well, readout noise, rounding half to even,
+    clipping. `exposure` float64, of any shape; the result is float32."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)
-        # Without the detour of the gradient through the noise, which is infinite in the dark.
+        # The noise is detached: its gradient is infinite in the dark.
         photons = torch.sqrt(charge.detach().clamp(min=0))
         charge = charge + sensor.noise_factor * photons * drawn
     charge = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
@@ -362,12 +352,12 @@ def read_out(
 
 
 def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
-    """A frame as decoders see it, whose saturated pixels are at least what full ones would be.
+    """Return a frame whose saturated pixels are at least at the level of full ones.
 
-    `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters`
-    ([buckets,] N, r, c) a tile that repeats. PIX also fills while a shutter is yet to open: of
-    steady light that fills it until the shutter closes for the last time, the frame has the part in
-    which it was open.
+    `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` bool, `shutters`
+    ([buckets,] N, r, c) a repeating tile. PIX also fills while a shutter is not yet open: of steady
+    light that fills it until the shutter closes for the last time, the frame holds the open
+    fraction.
     """
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5

@@ -1,4 +1,4 @@
-"""A shutter class on a grid, known without torch."""
+"""The specification of a shutter class on a tile, without torch."""
 
 from __future__ import annotations
 
@@ -36,5 +36,5 @@ class ShutterSpec:
 
     @property
     def places(self) -> int:
-        """Codes in a tile."""
+        """Number of codes in the tile."""
         return self.tile[0] * self.tile[1]

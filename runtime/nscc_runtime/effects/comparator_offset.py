@@ -1,4 +1,4 @@
-"""The offset that each pixel's comparator has."""
+"""The fixed offset of each pixel's comparator."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ NO_LOOK = "no word of this program compares the light"
 
 
 def offset_e(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """The offset of each pixel."""
+    """Return the offset of each pixel."""
     z = normals(key(device_seed, COMPARATOR_OFFSET.stream), pixels)
     return np.asarray(SPREAD(sensor) * FULL(sensor) * z)
 

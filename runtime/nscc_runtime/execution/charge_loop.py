@@ -69,10 +69,8 @@ def _counted(
     heap: Floats, stamps: Ints, top: int, first: int, stop: int, slots: int, whole: int,
     sums: Floats, row: int, stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
-    """The count of a group in the slots `first` .. `stop` - 1.
-
-    `heap` from `top` on keeps the counts of the nodes that were found for this pixel.
-    """
+    """The count of a group in the slots `first` .. `stop` - 1. `heap` from `top` on keeps the
+    counts of the nodes that were found for this pixel."""
     total = 0.0
     low, high = first + whole, stop + whole
     while low < high:

@@ -1,7 +1,5 @@
-"""Small errors of words: those of single words, so that they add up to what sums draw at once.
-
-Part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`).
-"""
+"""Small errors of words: those of single words, so that they add up to what sums draw at once. Part
+of the loop over single pixels (`nscc_runtime.execution.pixel_loop`)."""
 
 from __future__ import annotations
 
@@ -42,9 +40,7 @@ def missing_of(
     found: Words, draws: Ints, draw_keys: Words, normals: Floats,
 ) -> None:  # fmt: skip
     """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x.
-
-    Scratch for as many draws: their places in `drawn`, their keys, themselves.
-    """
+    Scratch for as many draws: their places in `drawn`, their keys, themselves."""
     # Of each kind the streams of the buckets come first, then those of the words.
     row = kind * (sizes.buckets + sizes.words * sizes.numbered)
     buckets, count = sizes.buckets, 0

@@ -1,8 +1,6 @@
-"""Video snapshot compressive imaging without learning: T frames from one coded exposure.
-
-`mask` is (T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and the result a
-clip (T, rows, cols), on 0..1 in the unit of the measurement.
-"""
+"""Video snapshot compressive imaging without learning: T frames from one coded exposure. `mask` is
+(T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and the result a clip (T,
+rows, cols), on 0..1 in the unit of the measurement."""
 
 from __future__ import annotations
 
@@ -58,10 +56,8 @@ def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
 
 
 def bilinear(clip: Clip, mask: Clip) -> Clip:
-    """Interpolate the coded volume, before integration, frame by frame with tent weights.
-
-    A yardstick that sees the truth. A tent grows until it contains a sample.
-    """
+    """Interpolate the coded volume, before integration, frame by frame with tent weights. A
+    yardstick that sees the truth. A tent grows until it contains a sample."""
     return np.stack(
         [
             _inpainted(frame * open_mask, open_mask)

@@ -12,10 +12,8 @@ from nscc_training.baselines.tv import tv_denoised_arrays
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     """Return clips (batch, T, rows, cols) denoised as `nscc_training.baselines.tv.tv_denoise` does.
-
     On the CPU a compiled loop goes over the pixels, because torch's operators go over the memory
-    fifteen times as often; on other devices they are used. No gradient passes.
-    """
+    fifteen times as often; on other devices they are used. No gradient passes."""
     # The same memory as an array: nothing is copied.
     image = np.from_dlpack(clips.detach().float().contiguous())
     return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))

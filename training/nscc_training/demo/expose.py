@@ -43,12 +43,9 @@ _BRIGHTER = ("@99", "@100")
 
 @dataclass(frozen=True)
 class Settings:
-    """How a scene is shown.
-
-    `exposure` is text as `--exposure` takes it (None: the run's), `tone` a curve (None: sRGB for
-    what was made for screens, a logarithm for light), `learned` decodes by the run's decoder,
-    which needs torch; else frames are merged.
-    """
+    """How a scene is shown. `exposure` is text as `--exposure` takes it (None: the run's), `tone` a
+    curve (None: sRGB for what was made for screens, a logarithm for light), `learned` decodes by
+    the run's decoder, which needs torch; else frames are merged."""
 
     fit: Fit = "scale"
     color: bool = False

@@ -30,9 +30,7 @@ _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:
     """Return the files of a folder that a protocol uses, by name; Rejected (NS0811) without any.
-
-    For sci8 `folder` may be one file.
-    """
+    For sci8 `folder` may be one file."""
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
     return protocol_files(folder, *_WANTED[protocol.name], protocol.name)
@@ -51,10 +49,8 @@ def scenes_in(
 
 
 def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = None) -> Protocol:
-    """Return video-v1 or hdr-v1 with other sizes of scenes, clips and full well.
-
-    The digest is that of the file, but scores under such a protocol are not the protocol's.
-    """
+    """Return video-v1 or hdr-v1 with other sizes of scenes, clips and full well. The digest is that
+    of the file, but scores under such a protocol are not the protocol's."""
     changed: dict[str, Any] = {} if full_well_e is None else {"full_well_e": full_well_e}
     if kind == "clips":
         return load_protocol("video-v1").changed(size=size, frames=frames, **changed)
@@ -80,9 +76,7 @@ def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
     """Return at most `count` scenes, equally many per file; procedural scenes without `data`.
-
-    Rejected (NS0811) if no scene can be exposed as the protocol says.
-    """
+    Rejected (NS0811) if no scene can be exposed as the protocol says."""
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:

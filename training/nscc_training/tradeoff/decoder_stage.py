@@ -39,11 +39,9 @@ class _Way(NamedTuple):
 
 
 def decoding(bench: Bench) -> Found:
-    """Decoders by iterations, stages and precision: seconds for a frame with every effect.
-
-    Pictures where all shutters open with the frame or pixels look, clips else, as `nscc
-    reconstruct any` makes them. Raises ModuleNotFoundError without torch where one is needed.
-    """
+    """Decoders by iterations, stages and precision: seconds for a frame with every effect. Pictures
+    where all shutters open with the frame or pixels look, clips else, as `nscc reconstruct any`
+    makes them. Raises ModuleNotFoundError without torch where one is needed."""
     taken = bench.taken
     container = bench.container
     notes: list[str] = []
