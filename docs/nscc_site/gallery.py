@@ -13,7 +13,7 @@ from PIL import Image
 from nscc_runtime.pictures.look import LOOKS, looking
 from nscc_site.tool import block, grid, said
 
-_THUMBNAIL = (440, 300)
+_THUMBNAIL = (440, 330)
 """Pixels of a thumbnail, at most."""
 
 
@@ -128,13 +128,11 @@ def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | byte
 
 
 def _thumbnail(data: bytes) -> bytes:
-    """The picture, smaller: its left upper part in the shape of a thumbnail."""
+    """The picture, small enough for a card."""
     picture = Image.open(io.BytesIO(data)).convert("RGB")
-    wide, high = _THUMBNAIL
-    scale = max(wide / picture.width, high / picture.height)
-    picture = picture.resize((round(picture.width * scale), round(picture.height * scale)))
+    picture.thumbnail(_THUMBNAIL)
     out = io.BytesIO()
-    picture.crop((0, 0, wide, high)).save(out, "png", optimize=True)
+    picture.save(out, "png", optimize=True)
     return out.getvalue()
 
 
