@@ -88,8 +88,11 @@ def command(
         refuse_missing(frame)
     if frame is None:
         from nscc_runtime.frame_arrays import image_of
+        from nscc_training.frame_reading import frame_arrays
+        from nscc_training.reconstruction import overexposed
 
         image = image_of(Path(run))
+        say([*overexposed(run, frame_arrays(Path(run)).saturated)])
         content = Content({"image": image}, image)
     elif run == "any" and (
         made := _of_measurement(frame, mask, noise, method, kind, program, dark)

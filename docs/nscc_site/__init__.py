@@ -46,9 +46,9 @@ def offer_notebook(_app: Sphinx, docname: str, source: list[str]) -> None:
         return
     title = re.search(r"^# .*$", source[0], re.MULTILINE)
     assert title is not None
-    text = (f"\n\n{{download}}`Download this page as a notebook "
-            f"<../generated/notebooks/{name}.ipynb>`, or `nscc examples {name}.ipynb`.")  # fmt: skip
-    source[0] = source[0][: title.end()] + text + source[0][title.end() :]
+    file = f"<../generated/notebooks/{name}.ipynb>"
+    text = f"{{download}}`This page as a notebook {file}`; `nscc examples {name}.ipynb` copies it."
+    source[0] = f"{source[0][: title.end()]}\n\n{text}{source[0][title.end() :]}"
 
 
 def generate(_app: Sphinx) -> None:

@@ -18,6 +18,8 @@ from nscc_runtime.effects import registered
 from nscc_runtime.sensor import default_sensor
 from nscc_site.tool import block, said, table
 
+_OF_ALL = ("-h", "--help", "--message-format", "--deny-warnings")
+"""Options of all commands."""
 _PROTOCOLS = Path(__file__).resolve().parents[2] / "training" / "protocols"
 
 
@@ -56,7 +58,7 @@ def _command(command: click.Command, path: str) -> str:
     rows = [("option", "meaning")]
     for title, records in command.option_sections(context).items():
         known = [(f"`{option}`", _plain(text)) for option, text in records
-                 if not option.startswith(("--help", "--message-format", "--deny-warnings"))]  # fmt: skip
+                 if not option.startswith(_OF_ALL)]  # fmt: skip
         rows += [(f"**{title}**", "")] * (bool(known) and title != "Options") + known
     return "\n".join(parts + [table(rows)] * (len(rows) > 1))
 

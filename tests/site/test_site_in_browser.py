@@ -1,4 +1,4 @@
-"""The built site in Chromium: at eight widths, light and dark, nothing scrolls sideways or is cut."""
+"""The built site in Chromium: nothing scrolls sideways or is cut, at eight widths."""
 
 from __future__ import annotations
 

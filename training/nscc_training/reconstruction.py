@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
 from nscc_runtime.formats import Content
 
-_OVEREXPOSED = 0.5
+_OVEREXPOSED = 0.25
 """Fraction of saturated pixels above which a warning is given."""
 
 
