@@ -9,7 +9,7 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from nscc.containers import load_container
-from nscc_runtime.pictures.look import LOOKS, looking
+from nscc_runtime.pictures.picture_colours import LOOKS, looking
 from nscc_site.tool import block, said
 
 _STILL = "builtin:hdr --exposure 1000000"

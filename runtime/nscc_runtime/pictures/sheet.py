@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.pictures.look import Look, look
+from nscc_runtime.pictures.picture_colours import Look, look
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
