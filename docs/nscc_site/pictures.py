@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from docutils import nodes
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.look import LOOKS, looking
+from nscc_runtime.pictures.picture_colours import LOOKS, looking
 from nscc_runtime.pictures.sheet import png_of
 from nscc_site.editor import editor_picture
 from nscc_site.tool import said

@@ -15,6 +15,7 @@ from nscc.chips.target import Target
 from nscc.operations import Op, op
 from nscc.words.encoding import encode
 from nscc_runtime.device import tasks
+from nscc_runtime.device.device_errors import rejected
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import SerialLink
@@ -30,7 +31,6 @@ from nscc_runtime.device.objects import (
     Upload,
     target_digest,
 )
-from nscc_runtime.device.trouble import rejected
 
 LAUNCHES = 2001
 WORDS = 100

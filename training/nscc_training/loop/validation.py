@@ -17,7 +17,7 @@ from nscc_training.data import Scenes
 from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import number
-from nscc_training.protocol_scenes.made import exposed_arrays
+from nscc_training.protocol_scenes.given_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel

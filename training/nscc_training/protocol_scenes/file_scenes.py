@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.protocol_scenes.deblur import moments
+from nscc_training.protocol_scenes.given_scenes import made_scene
 from nscc_training.protocol_scenes.hdr import ENDINGS, crops
-from nscc_training.protocol_scenes.made import made_scene
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.sci import sci_scenes
 from nscc_training.protocol_scenes.video import windows
