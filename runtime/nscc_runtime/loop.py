@@ -12,6 +12,9 @@
 
     scaled(sizes=Sizes(pixels=9, factor=0.5), lanes=lanes, out=out)
 
+Arrays that belong together are one parameter: a NamedTuple, whose fields are annotated as arrays
+are.
+
 From that one declaration numba learns the types, and every call its order and what to check: an
 array's type, that it is contiguous, that it may be written where it is `Written`, and, where the
 declaration names its axes, its shape. Loops are called by name only.
@@ -25,7 +28,7 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from pathlib import Path
@@ -128,7 +131,7 @@ class Loop(Generic[_P]):
         if values.keys() != self.parameters.keys():
             raise TypeError(f"{self.name}: {_unlike(self.parameters, values)}")
         axes: dict[str, int] = {}
-        self.entry(*[p.address(values[name], axes) for name, p in self.parameters.items()])
+        self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
 
     def bound(self, **values: Any) -> Bound:
         """The loop with some of its parameters checked and given."""
@@ -144,15 +147,17 @@ class Loop(Generic[_P]):
         object_file(self.module).linked  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def parameters(self) -> dict[str, Parameter]:
+    def parameters(self) -> dict[str, Parameter | Together]:
         """What it is given, in order."""
         hints = get_type_hints(self.function, include_extras=True)
-        found = [Parameter.of(name, hints[name]) for name in hints if name != "return"]
-        axes = {name for each in found for name, _ in each.axes or ()}
-        return {
-            each.name: replace(each, lengths=tuple(n for n in each.kind.names or () if n in axes))
-            for each in found
-        }
+        found = [_parameter(name, hints[name]) for name in hints if name != "return"]
+        axes = {name for each in found for part in each.parts for name, _ in part.axes or ()}
+        return {each.name: each.sized(axes) for each in found}
+
+    @property
+    def takes(self) -> int:
+        """How many addresses its machine code takes."""
+        return sum(len(each.parts) for each in self.parameters.values())
 
     @cached_property
     def entry(self) -> Callable[..., None]:
@@ -170,9 +175,9 @@ class Bound:
         self._open = {name: each for name, each in whole.parameters.items() if name not in values}
         if len(values) + len(self._open) != len(whole.parameters):
             raise TypeError(f"{whole.name}: {_unlike(whole.parameters, values)}")
-        self._addresses = dict.fromkeys(whole.parameters, 0)
+        self._addresses: dict[str, Sequence[int]] = dict.fromkeys(whole.parameters, ())
         for name, value in values.items():
-            self._addresses[name] = whole.parameters[name].address(value, self._axes)
+            self._addresses[name] = whole.parameters[name].addresses(value, self._axes)
 
     def __call__(self, **values: Any) -> None:
         """Run the loop with the rest of its parameters; see `Loop.__call__`."""
@@ -180,8 +185,8 @@ class Bound:
             raise TypeError(f"{self._loop.name}: {_unlike(self._open, values)}")
         addresses, axes = self._addresses.copy(), self._axes.copy()
         for name, parameter in self._open.items():
-            addresses[name] = parameter.address(values[name], axes)
-        self._loop.entry(*addresses.values())
+            addresses[name] = parameter.addresses(values[name], axes)
+        self._loop.entry(*[address for each in addresses.values() for address in each])
 
 
 _DATA = object.__basicsize__
@@ -219,11 +224,23 @@ class Parameter:
             axes=axes[0] if axes else None,
         )
 
-    def address(self, value: Any, axes: dict[str, int]) -> int:
+    @property
+    def parts(self) -> tuple[Parameter, ...]:
+        """Itself: what has an address of its own."""
+        return (self,)
+
+    def sized(self, axes: set[str]) -> Parameter:
+        """The same; of its record's fields those that are named there are lengths of axes."""
+        return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
+
+    def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
         """Where a value begins; raises TypeError for one that is not as declared.
 
         `axes` are the lengths that are known, and are added to.
         """
+        return (self._address(value, axes),)
+
+    def _address(self, value: Any, axes: dict[str, int]) -> int:
         if self.record is not None:
             if type(value) is not self.record:
                 raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
@@ -253,6 +270,46 @@ class Parameter:
 
 
 @dataclass(frozen=True)
+class Together:
+    """Arrays that a loop is given as one, a NamedTuple. To machine code its fields come one by one:
+    so LLVM passes a tuple's members."""
+
+    name: str
+    kind: type[tuple[Any, ...]]
+    parts: tuple[Parameter, ...]
+
+    def sized(self, _axes: set[str]) -> Together:
+        """See `Parameter.sized`: arrays have no lengths to tell."""
+        return self
+
+    def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
+        """See `Parameter.addresses`."""
+        if type(value) is not self.kind:
+            raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
+        return [
+            address
+            for part, each in zip(self.parts, value, strict=True)
+            for address in part.addresses(each, axes)
+        ]
+
+
+def _parameter(name: str, hint: Any) -> Parameter | Together:
+    """A parameter from its annotation."""
+    if not (isinstance(hint, type) and issubclass(hint, tuple)):
+        return Parameter.of(name, hint)
+    fields = get_type_hints(hint, include_extras=True).items()
+    return Together(name, hint, tuple(Parameter.of(f"{name}.{n}", each) for n, each in fields))
+
+
+def _told(
+    parameter: Parameter | Together,
+) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
+    """What numba is told of a parameter; see `nscc_runtime.loop_types.signature`."""
+    together = parameter.kind if isinstance(parameter, Together) else None
+    return together, [(part.kind, part.record is not None) for part in parameter.parts]
+
+
+@dataclass(frozen=True)
 class ObjectFile:
     """The machine code of a module's loops.
 
@@ -270,10 +327,7 @@ class ObjectFile:
             from nscc_runtime.loop_types import signature
 
             return machine_code.build(
-                (
-                    _for_numba(each.function),
-                    signature((p.kind, p.record is not None) for p in each.parameters.values()),
-                )
+                (_for_numba(each.function), signature(map(_told, each.parameters.values())))
                 for each in self.loops
             )
 
@@ -282,7 +336,7 @@ class ObjectFile:
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
         """The loops of this process, by name."""
-        return machine_code.load(self.code(), {e.name: len(e.parameters) for e in self.loops})
+        return machine_code.load(self.code(), {e.name: e.takes for e in self.loops})
 
     @cached_property
     def name(self) -> str:

@@ -15,7 +15,6 @@ from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
-from nscc.words.legality import decoded
 from nscc_runtime.effects import CannotHave, registry, selected
 from nscc_runtime.effects.read import READ
 from nscc_runtime.light import Light
@@ -88,7 +87,7 @@ def test_threads_and_rows_change_no_bit(program: Container) -> None:
 
 def test_a_pixel_that_has_closed_runs_no_more_words() -> None:
     container = compiled((EXAMPLES / "float_pixel.nsl").read_text())
-    paths = Paths.of(container, decoded(container))
+    paths = Paths.of(container)
     closing = [k for k, (no, yes) in enumerate(paths.following.tolist()) if no == yes < 0]
     lengths = np.diff(paths.start)[closing]
     # One copy where it closes, PIX and a copy where the frame ends.
@@ -152,4 +151,4 @@ def test_exposures_that_hang_on_what_was_before_have_no_ways() -> None:
     container = compiled((EXAMPLES / "float_pixel.nsl").read_text())
     without_the_first = replace(container, launches=container.launches[1:])
     with pytest.raises(Pathless, match="frame before"):
-        Paths.of(without_the_first, decoded(without_the_first))
+        Paths.of(without_the_first)

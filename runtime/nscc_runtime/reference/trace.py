@@ -7,6 +7,7 @@ that hangs on it is found.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import inf
 
@@ -24,6 +25,8 @@ from nscc_runtime.effects.sensor import Sensor
 
 Bits = NDArray[np.bool_]
 
+_ANALOG = Effect.BUS, Effect.RESET_PIX, Effect.FLAG_ANALOG
+
 
 def opens_no_shutters(what: str) -> Rejected:
     """NS0442, for what the reference cannot simulate effects of."""
@@ -36,22 +39,67 @@ def opens_no_shutters(what: str) -> Rejected:
 
 
 @dataclass(frozen=True, eq=False)
-class AnalogWord:
-    """A bus or reset word executed at `boundary`, ending `after_us` after it.
+class RunningWord:
+    """A word executed at `boundary`, ending `after_us` after it.
 
-    `number` counts the analog words of a frame; `lanes` bool (lanes,): where it acts.
+    `number` counts the analog words of a frame: bus, reset and compare words. `in_e`: what IN holds
+    meanwhile, in electrons.
     """
 
     number: int
     boundary: int
     after_us: float
     op: Op
-    lanes: Bits
+    in_e: float
 
     @property
     def resets(self) -> bool:
-        """Whether it resets PIX; else it is a bus word."""
+        """Whether it resets PIX."""
         return self.op.operation.effect is Effect.RESET_PIX
+
+    @property
+    def compares(self) -> bool:
+        """Whether it is a `where`."""
+        return self.op.operation.effect is Effect.FLAG_ANALOG
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The analog registers, PIX and IN that it reads."""
+        return () if self.resets else self.op.sources
+
+    @property
+    def destinations(self) -> tuple[str, ...]:
+        """The analog registers that it writes."""
+        return () if self.resets or self.compares else self.op.destinations
+
+
+@dataclass(frozen=True, eq=False)
+class AnalogWord(RunningWord):
+    """A bus or reset word, and where it acts: `lanes` bool (lanes,)."""
+
+    lanes: Bits
+
+    @classmethod
+    def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
+        """A word that acts there."""
+        return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
+
+
+def running_words(container: Container) -> Iterator[RunningWord]:
+    """Every word of a frame in the order of execution. Raises Rejected as
+    `nscc.words.legality.decoded` does."""
+    kernels, target, number = decoded(container), container.target, 0
+    boundary, after_us, in_e = -1, 0.0, 0.0
+    for launch in sorted(container.launches, key=lambda launch: launch.instant):
+        if launch.instant != boundary:
+            boundary, after_us = launch.instant, 0.0
+        if launch.level is not None:
+            in_e = launch.level * target.electrons_per_step
+        after_us += target.launch_us
+        for op in kernels[launch.kernel]:
+            after_us += word_us(op, target)
+            yield RunningWord(number, boundary, after_us, op, in_e)
+            number += op.operation.effect in _ANALOG
 
 
 def retention_us(effects: Selection, sensor: Sensor) -> float:
@@ -66,26 +114,17 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
     A digital register reads 0 when no word wrote it for more than `retention_us`. Raises Rejected
     as `nscc.words.legality.decoded` does, and NS0442 where FLAG hangs on the light.
     """
-    kernels = decoded(container)
-    target = container.target
     pixel = _Digital(container, retention_us)
     start_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
     found: list[AnalogWord] = []
-    boundary, after_us = -1, 0.0
-    for launch in sorted(container.launches, key=lambda launch: launch.instant):
-        if launch.instant != boundary:
-            boundary, after_us = launch.instant, 0.0
-            pixel.now_us = float(start_us[boundary])
-        after_us += target.launch_us
-        for op in kernels[launch.kernel]:
-            after_us += word_us(op, target)
-            effect = op.operation.effect
-            if effect in (Effect.BUS, Effect.RESET_PIX):
-                everywhere = effect is Effect.RESET_PIX and target.reset_honours_flag == "no"
-                lanes = np.ones(pixel.lanes, np.bool_) if everywhere else pixel.read("FLAG")
-                found.append(AnalogWord(len(found), boundary, after_us, op, lanes))
-            else:
-                pixel.run(op)
+    for word in running_words(container):
+        pixel.now_us = float(start_us[word.boundary])
+        if word.resets or word.op.operation.effect is Effect.BUS:
+            everywhere = word.resets and container.target.reset_honours_flag == "no"
+            lanes = np.ones(pixel.lanes, np.bool_) if everywhere else pixel.read("FLAG")
+            found.append(AnalogWord.of(word, lanes))
+        else:
+            pixel.run(word.op)
     return tuple(found)
 
 
