@@ -23,9 +23,9 @@ from nscc_runtime.execution.layout import (
     Word,
 )
 from nscc_runtime.noise import RATE_CAP
-from nscc_runtime.reference.capture import readout_waits_s
 from nscc_runtime.reference.trace import RunningWord
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import readout_waits_s
 
 _WORD = np.dtype(Word)
 

@@ -54,8 +54,9 @@ from nscc_runtime.loop import Bound
 from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import START, Reference, most_destinations
+from nscc_runtime.reference.capture import Reference
 from nscc_runtime.reference.noise import PART, SUM
+from nscc_runtime.reference.words import START, most_destinations
 
 _MOST_KEPT = 1 << 23
 """Bytes a thread may keep of neighbours' counts."""

@@ -40,11 +40,11 @@ from nscc_runtime.looking.way_loop import (
     run_ways,
 )
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import most_destinations
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS
 from nscc_runtime.reference.trace import retention_us
+from nscc_runtime.reference.words import most_destinations
 from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
