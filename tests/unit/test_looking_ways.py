@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from looks_programs import looking_frames
 from numpy.typing import NDArray
 
 from nscc.chips.load import builtin_target
@@ -18,7 +19,7 @@ from nscc.words.container import Container
 from nscc_runtime.effects import CannotHave, registry, selected
 from nscc_runtime.effects.read import READ
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import frames, looking_frames
+from nscc_runtime.looked_frames import frames
 from nscc_runtime.looking.paths import Pathless, Paths
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.capture import scene_of

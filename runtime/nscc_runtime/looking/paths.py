@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 
 from nscc.operations import Effect
 from nscc.words.container import Container
-from nscc_runtime.looking.registers import UNKNOWN, Bits, Registers
 from nscc_runtime.ready import OfContainer
+from nscc_runtime.reference.digital import UNKNOWN, Bits, Digital
 from nscc_runtime.reference.trace import RunningWord, running_words
 
 MOST = 1 << 21
@@ -138,8 +138,12 @@ class _Walk:
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
         self.container, self.target = container, container.target
-        self.registers = Registers(self.target, starts, retention_us)
-        self.starts = self.segments = self.registers.lanes
+        self.starts = self.segments = len(next(iter(starts.values()))) if starts else 1
+        unknown = np.full(self.starts, UNKNOWN)
+        names = (*self.target.digital_registers, "FLAG")
+        self.registers = Digital(
+            self.target, {**dict.fromkeys(names, unknown), **starts}, retention_us
+        )
         self.segment = np.arange(self.starts)
         self.passed: list[tuple[int, NDArray[np.intp], Bits]] = []
         """By word that may act: its number, the segments, and whether it acts there."""
@@ -165,7 +169,8 @@ class _Walk:
         each lane."""
         planes = self.container.state_planes.values()
         names = sorted({register for each in planes for register in each.registers})
-        bits = self.registers.bits[[self.registers.place[name] for name in names]]
+        bits = np.array([self.registers.bits[name] for name in names], np.int8)
+        bits = bits.reshape(len(names), self.registers.pixels)
         if (bits == UNKNOWN).any():
             raise Pathless("a state that is told hangs on a bit that nothing has set")
         endings, ending = np.unique(bits, axis=1, return_inverse=True)
@@ -192,11 +197,11 @@ class _Walk:
         lanes = np.concatenate([whole, whole[asked == 1]])
         answer = np.repeat([0, 1], [len(whole), len(lanes) - len(whole)])
         self.registers.choose(lanes)
-        self.registers.write("FLAG", answer.astype(np.int8))
+        self.registers.write("FLAG", answer)
         before = self.segment[lanes]
         group = self.registers.merge()
-        self.segment = self.segments + np.arange(self.registers.lanes)
-        self.segments += self.registers.lanes
+        self.segment = self.segments + np.arange(self.registers.pixels)
+        self.segments += self.registers.pixels
         leads = self.segment[group]
         for value in (0, 1):
             at = answer == value

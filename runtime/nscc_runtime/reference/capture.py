@@ -22,14 +22,20 @@ from nscc_runtime.effects.parts import Errors, Leak, WordGain
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check
-from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.reference.charge import Fallen, Groups, charge_of_rows
 from nscc_runtime.reference.noise import SpreadNoise
 from nscc_runtime.reference.trace import AnalogWord, analog_words, retention_us
 from nscc_runtime.reference.weights import Backward, ByName, Model, backward, orthonormal
-from nscc_runtime.reference.words import Marked, WordPixels, in_rows, most_destinations
+from nscc_runtime.reference.words import (
+    Marked,
+    WordPixels,
+    converted_frames,
+    in_rows,
+    most_destinations,
+)
 
 Values = NDArray[np.float64]
 
@@ -108,18 +114,16 @@ def expose(
     seed: int = 0,
     device_seed: int = 0,
     frame: int = 0,
-    previous: Light | None = None,
     threads: int | None = None,
 ) -> Exposure:
     """Run `container`'s words over `light` with `effects` of `sensor`, slot by slot, in float64.
 
-    `frame` numbers the repeats of a scene; `previous` is what the array saw in the frame before,
-    the same light unless given. `threads`, by default as many as there are processors, change no
-    bit. Raises Rejected as `nscc_runtime.emulator.expose` does, and NS0442
-    for words that open no shutters.
+    `frame` numbers the repeats of a scene. `threads`, by default as many as there are processors,
+    change no bit. Raises Rejected as `nscc_runtime.emulator.expose` does, and NS0442 for words that
+    open no shutters.
     """
     check(container, light)
-    scene = scene_of(container, light, previous)
+    scene = scene_of(container, light)
     return Reference.of(container, sensor, effects).expose(scene, seed, device_seed, frame, threads)
 
 
@@ -132,7 +136,6 @@ def frames(
     seed: int = 0,
     device_seed: int = 0,
     count: int = 1,
-    previous: Light | None = None,
     threads: int | None = None,
 ) -> Iterator[Frame]:
     """Frames 0 .. `count` - 1 of `light`, as `nscc_runtime.reference.expose` exposes them.
@@ -141,21 +144,18 @@ def frames(
     """
     check(container, light)
     reference = Reference.of(container, sensor, effects)
-    scene = scene_of(container, light, previous)
-    return (
-        converted(
-            reference.expose(scene, seed, device_seed, number, threads), container.target, sensor,
-            effects, (seed, device_seed), number,
-        )
-        for number in range(count)
-    )  # fmt: skip
+    scene = scene_of(container, light)
+    seeds = seed, device_seed
+
+    def expose(number: int) -> Exposure:
+        return reference.expose(scene, *seeds, number, threads)
+
+    return converted_frames(expose, container, sensor, effects, seeds, count)
 
 
-def scene_of(container: Container, light: Light, previous: Light | None = None) -> Scene:
-    """The light of a frame, the one before it (the same unless given), the slots of a program."""
-    if previous is not None:
-        check(container, previous)
-    return Scene(light, light if previous is None else previous, container.slot_s)
+def scene_of(container: Container, light: Light) -> Scene:
+    """The light of a frame and of the one before it, the same, in the slots of a program."""
+    return Scene(light, light, container.slot_s)
 
 
 def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]:

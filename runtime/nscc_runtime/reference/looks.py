@@ -19,7 +19,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Effect
 from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.effects import Selection, selected
@@ -31,6 +31,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, uniforms
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
+from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.trace import RunningWord, retention_us, running_words
 from nscc_runtime.reference.words import START, Marked, WordPixels, in_rows
@@ -110,7 +111,7 @@ class LookingReference:
             found = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
             chunk = slice(part.start - rows.start, part.stop - rows.start)
             for name, plane in planes.items():
-                plane[chunk] = pixels.bits[name].reshape(len(part), cols)
+                plane[chunk] = pixels.digital.bits[name].reshape(len(part), cols)
             return found
 
         shape = len(container.buckets), cols, len(self.intervals)
@@ -125,9 +126,7 @@ def executed(
     reference = LookingReference(
         container, sensor or default_sensor(converter_of(container)), selected("none")
     )
-    return reference.expose(
-        scene_of(container, light, None), container.planes(), (0, device_seed), 0
-    )
+    return reference.expose(scene_of(container, light), container.planes(), (0, device_seed), 0)
 
 
 @dataclass(eq=False, kw_only=True)
@@ -140,16 +139,13 @@ class _LookingPixels(WordPixels):
 
     def __post_init__(self) -> None:
         super().__post_init__()
-        bits = (*self.target.digital_registers, "FLAG")
-        self.bits = {
+        bits = {
             name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
-            for i, name in enumerate(bits)
+            for i, name in enumerate((*self.target.digital_registers, "FLAG"))
         }
-        nothing = np.zeros(len(self.places), np.bool_)
-        self.bits |= {"SELECT": nothing, "bus": nothing, **self.code}
-        self.written_us = dict.fromkeys(self.bits, 0.0)
-        self.retention_us = retention_us(self.effects, self.sensor)
-        self.now_us = 0.0
+        self.digital = Digital(
+            self.target, {**bits, **self.code}, retention_us(self.effects, self.sensor)
+        )
 
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.effects.effects if each.name == name)
@@ -171,7 +167,7 @@ class _LookingPixels(WordPixels):
             if n < slots:
                 self.fall(charge[number] * (1.0 - self.fallen))
                 self.hold(interval_us[number] * 1e-6)
-                self.now_us += interval_us[number]
+                self.digital.now_us += interval_us[number]
         return self.read_out()
 
     def _until(self, word: RunningWord, charge: Values, number: int) -> None:
@@ -185,59 +181,22 @@ class _LookingPixels(WordPixels):
             self.fallen = now
 
     def _run(self, word: RunningWord) -> None:
+        flag = self.digital.read("FLAG") == 1
         match word.op.operation.effect:
-            case Effect.NONE:
-                pass
             case Effect.RESET_PIX:
                 everywhere = self.target.reset_honours_flag == "no"
-                here = np.ones(len(self.places), np.bool_) if everywhere else self._read("FLAG")
-                self.reset(word, here)
+                self.reset(word, np.ones_like(flag) if everywhere else flag)
             case Effect.BUS:
-                self.bus(word, self._read("FLAG"))
-            case Effect.FLAG_ALL:
-                self._write("FLAG", np.ones(len(self.places), np.bool_))
+                self.bus(word, flag)
             case Effect.FLAG_ANALOG:
-                self._compare(word)
-            case Effect.FLAG_DIGITAL:
-                self._write("FLAG", self._some(word.op))
-            case Effect.DIGITAL:
-                self._digital(word.op)
+                found = self._seen(word) > 0
+                self.digital.write("FLAG", found & flag if self.target.where_obeys_flag else found)
+            case _:
+                self.digital.run(word.op)
 
-    def _compare(self, word: RunningWord) -> None:
+    def _seen(self, word: RunningWord) -> Values:
+        """What a comparison with 0 sees."""
         total = self.total(word)
         for seen in self.at("compare"):
             total = seen(self, total, word)
-        found = total > 0
-        if self.target.where_obeys_flag:
-            found &= self._read("FLAG")
-        self._write("FLAG", found)
-
-    def _read(self, name: str) -> Bits:
-        if self.now_us - self.written_us[name] > self.retention_us:
-            return np.zeros(len(self.places), np.bool_)
-        return self.bits[name]
-
-    def _some(self, op: Op) -> Bits:
-        some = np.zeros(len(self.places), np.bool_)
-        for name in op.sources:
-            some = some | self._read(name)
-        return some
-
-    def _digital(self, op: Op) -> None:
-        row = op.operation
-        if row.phase is not Phase.WRITE:
-            self.bits["bus"] = self._some(op) ^ row.inverted
-        if row.phase is Phase.READ:
-            return
-        # What guards the masked register is the mask as it was before this word.
-        masked, mask = self.target.masked_register, self.target.mask_register
-        guard = None if mask is None else self._read(mask)
-        for name in op.destinations:
-            value = self.bits["bus"]
-            if name == masked and guard is not None:
-                value = np.where(guard, value, self._read(name))
-            self._write(name, value)
-
-    def _write(self, name: str, value: Bits) -> None:
-        self.bits[name] = value
-        self.written_us[name] = self.now_us
+        return total

@@ -20,13 +20,13 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.emulator.capture import check
-from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
-from nscc_runtime.reference.words import Marked, in_rows
+from nscc_runtime.reference.words import Marked, converted_frames, in_rows
 
 Values = NDArray[np.float64]
 
@@ -56,20 +56,17 @@ def stream_frames(
     seed: int = 0,
     device_seed: int = 0,
     count: int = 1,
-    previous: Light | None = None,
     threads: int | None = None,
 ) -> Iterator[Frame]:
     """Frames 0 .. `count` - 1 of `light`. What can be refused is refused before the first one."""
     check(container, light)
-    scene = scene_of(container, light, previous)
+    scene = scene_of(container, light)
     seeds = seed, device_seed
-    return (
-        converted(
-            expose_stream(container, scene, sensor, effects, seeds, number, threads),
-            container.target, sensor, effects, seeds, number,
-        )
-        for number in range(count)
-    )  # fmt: skip
+
+    def expose(number: int) -> Exposure:
+        return expose_stream(container, scene, sensor, effects, seeds, number, threads)
+
+    return converted_frames(expose, container, sensor, effects, seeds, count)
 
 
 def expose_stream(

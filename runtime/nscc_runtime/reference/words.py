@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,7 +14,9 @@ from nscc.operations import OPERATIONS, Effect
 from nscc.words.container import Container
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Errors
+from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.frame_file import Frame, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.noise import key, uniforms
 from nscc_runtime.pool import in_strips, threads_of
@@ -77,6 +79,19 @@ def in_rows(
 
     in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
     return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
+
+
+def converted_frames(
+    expose: Callable[[int], Exposure],
+    container: Container,
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+    count: int,
+) -> Iterator[Frame]:
+    """Frames 0 .. `count` - 1, read out; `seeds` are those of their noise and of the device."""
+    for number in range(count):
+        yield converted(expose(number), container.target, sensor, effects, seeds, number)
 
 
 @dataclass(eq=False, kw_only=True)
