@@ -64,10 +64,10 @@ class CannotHave:
 
 @dataclass(frozen=True)
 class InLoop:
-    """What the loops over words are told of an effect, by their own names (of single pixels:
-    `nscc_runtime.execution.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
-    turns it on, `numbers` are its figures, `device_key` is that of its stream on the device,
-    `draws_key` of its draws at words, where it has no `Errors`, `function` what is called.
+    """What the loops over words are told of an effect, by the names of their records
+    (`nscc_runtime.execution.layout`): `switch` turns it on, `numbers` are its figures, `device_key`
+    is that of its stream on the device, `draws_key` of its draws at words, where it has no
+    `Errors`, `function` what is called.
     """
 
     switch: str | None = None
