@@ -20,7 +20,7 @@ author = "nscc contributors"
 copyright = "nscc contributors"
 release = version = nscc.__version__
 
-extensions = ["sphinx.ext.autodoc", "myst_nb", "nscc_site"]
+extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon", "myst_nb", "nscc_site"]
 root_doc = "docs/index"
 include_patterns = [
     "*.md",
@@ -58,10 +58,18 @@ autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
 autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
+napoleon_google_docstring = False
+napoleon_use_rtype = False
 linkcheck_timeout = 20
 
 html_theme = "furo"
 html_title = f"nscc {version}"
+html_logo = html_favicon = "static/logo.svg"
+html_theme_options = {"sidebar_hide_name": False}
+
+# What is copied are commands: neither their prompt nor what they print.
+copybutton_prompt_text = r"\$ |>>> |\.\.\. "
+copybutton_prompt_is_regexp = True
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_extra_path = ["static/index.html"]

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from nscc.chips.target import Target
-    from nscc_runtime.scenes.load import Laid
+    from nscc_runtime.scenes.load import PlacedLight
     from nscc_training.design import Design
     from nscc_training.search.choose import Kind
 
@@ -34,9 +34,10 @@ _MOST_SLOTS = 4096
 
 
 @click.command("design", cls=CommonCommand)
-@click.option("--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-              help="A scene as nscc run takes it; of several the mean of the decibels "
-              "counts.")  # fmt: skip
+@shared.section(shared.SCENE, click.option(
+    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+    help="A scene as nscc run takes it; of several the mean of the decibels counts.",
+))  # fmt: skip
 @click.option("--looks", type=click.IntRange(2, _MOST_LOOKS), metavar="K",
               help="Design pixels that look: K exposures, the last the whole frame.")  # fmt: skip
 @click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]), help="What is least: the "
@@ -58,8 +59,10 @@ _MOST_SLOTS = 4096
 @shared.scene_options
 @shared.fit_option("crop")
 @shared.sensor_options
-@click.option("-o", "out", type=OUT, help="The program (default: looks-K.nsl or sve-risk.nsl in "
-              "this folder).")  # fmt: skip
+@shared.section(shared.OUTPUT, click.option(
+    "-o", "out", type=OUT,
+    help="The program (default: looks-K.nsl or sve-risk.nsl in this folder).",
+))  # fmt: skip
 def command(
     scenes: tuple[str, ...], looks: int | None, criterion: str | None, motion: Kind | None,
     level: int, out: Path | None, **options: Any,
@@ -120,7 +123,7 @@ def _seen(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
     """The light of each scene (rows, cols): electrons over the frame."""
-    return [laid.where.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
+    return [laid.placement.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
 
 
 def _moving(
@@ -131,11 +134,14 @@ def _moving(
     starts = [slots * part // _CLIP_PARTS for part in range(_CLIP_PARTS)]
     starts = sorted(set(starts))
     return [
-        laid.where.cut(laid.light.joined(starts).dense()) for laid in _laid(scenes, target, options)
+        laid.placement.cut(laid.light.joined(starts).dense())
+        for laid in _laid(scenes, target, options)
     ]
 
 
-def _laid(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> Iterator[Laid]:
+def _laid(
+    scenes: tuple[str, ...], target: Target, options: dict[str, Any]
+) -> Iterator[PlacedLight]:
     """Each scene in the slots of the frame on the chip's array."""
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):

@@ -23,17 +23,15 @@ from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.tradeoff.study import Scene, Settings, Study
+    from nscc_runtime.tradeoff.study import NamedLight, Study, StudySettings
 
 
 @click.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
-@click.option("--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-              help="As in nscc run; more than "
-              "once for several (default: three builtin ones).")  # fmt: skip
-@click.option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv, OUT.png, "
-              "OUT_calibration.png and OUT_budget.png.")  # fmt: skip
-@shared.csv_options
+@shared.section(shared.SCENE, click.option(
+    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+    help="As in nscc run; more than once for several (default: three builtin ones).",
+))  # fmt: skip
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
               show_default=True,
               help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
@@ -50,6 +48,11 @@ if TYPE_CHECKING:
 @shared.scene_options
 @shared.sensor_options
 @shared.build_options
+@shared.section(shared.OUTPUT, click.option(
+    "-o", "out", type=OUT, metavar="OUT",
+    help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
+))  # fmt: skip
+@shared.csv_options
 def command(program: Path | None, **options: Any) -> int:
     """Measure what the emulator's time buys: error against the reference and time of one frame.
 
@@ -62,7 +65,7 @@ def command(program: Path | None, **options: Any) -> int:
     from nscc_runtime.execution.program import analysed
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
-    from nscc_runtime.tradeoff.study_text import kept, studies_text
+    from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
 
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
@@ -79,7 +82,9 @@ def command(program: Path | None, **options: Any) -> int:
         )
         click.echo(studies_text(studies, gb_per_s))
         write_files(files, _makers(studies, options["repeats"]), rows)
-    return 0 if all(kept(each) for study in studies for each in study.asked) else 1
+    return (
+        0 if all(keeps_promise(each) for study in studies for each in study.measured_plans) else 1
+    )
 
 
 def _refuse(container: Container) -> None:
@@ -114,11 +119,11 @@ def _container(
     return with_pixels(made, path, options["pixels"]), ()
 
 
-def _settings(options: dict[str, Any]) -> Settings:
-    from nscc_runtime.tradeoff.study import Settings
+def _settings(options: dict[str, Any]) -> StudySettings:
+    from nscc_runtime.tradeoff.study import StudySettings
 
     named = ("frames", "repeats", "seed", "device_seed")
-    return Settings(
+    return StudySettings(
         tuple(options["tolerances"].split(",")),
         options["budget"],
         *(options[name] for name in named),
@@ -127,9 +132,9 @@ def _settings(options: dict[str, Any]) -> Settings:
 
 def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
-) -> list[Scene]:
+) -> list[NamedLight]:
     """The scenes, by the shortest names that tell them apart."""
-    from nscc_runtime.tradeoff.study import SCENES, Scene
+    from nscc_runtime.tradeoff.study import SCENES, NamedLight
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
     names = [spec if spec.startswith("builtin:") else Path(spec).stem for spec in specs]
@@ -142,7 +147,7 @@ def _scenes(
         scene = scene_of({**options, "scene": spec})
         light = scene.light(container.slot_us, container.target, said.append, progress)
         say(said)
-        found.append(Scene(name, light))
+        found.append(NamedLight(name, light))
     return found
 
 

@@ -1,4 +1,4 @@
-"""Pictures and clips as arrays, from files that anyone may have made."""
+"""Read pictures and clips as arrays from untrusted files."""
 
 from __future__ import annotations
 
@@ -16,48 +16,48 @@ from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
-"""The arrays that a file of several is taken to mean, the first that it has."""
+"""Names of the array to read from a file of several; the first one present is used."""
 
 _MOST_BYTES = 1 << 28
-"""Of one array: to compare two takes some times as much."""
+"""Largest size of an array; comparing two takes a multiple of it."""
 
 ARRAYS = (".mat", ".npy", ".npz")
 
 
 def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
-    """The array of a file: (rows, cols) or (T, rows, cols), real numbers, all finite.
+    """Read the array of a file: (rows, cols) or (T, rows, cols), finite real numbers.
 
-    `.npy`, `.npz` and `.mat` (`key` names one of several; `orig` and `video` of .mat files are
-    (rows, cols, T), and are turned), linear pictures as luminance, grey display pictures as stored.
-    Raises Rejected: NS0801 where the file cannot be read as such, NS0802 for other shapes, NS0804
+    `.npy`, `.npz` and `.mat` (`key` names one of several arrays; `orig` and `video` of .mat files
+    are (rows, cols, T), and are transposed), linear pictures as luminance, grey display pictures as
+    stored. Raises Rejected: NS0801 for a file that cannot be read, NS0802 for other shapes, NS0804
     for values that are not finite.
     """
-    found = _read(path, key)
-    if found.dtype.kind not in "uifb":
+    array = _read(path, key)
+    if array.dtype.kind not in "uifb":
         raise rejected(
             "NS0801",
-            f"the array in '{path}' holds {found.dtype}, not real numbers",
+            f"the array in '{path}' holds {array.dtype}, not real numbers",
             helps=("save it as float32, or as integers",),
         )
-    if found.ndim == 3 and found.shape[0] == 1:
-        found = found[0]
-    if found.ndim not in (2, 3) or 0 in found.shape:
+    if array.ndim == 3 and array.shape[0] == 1:
+        array = array[0]
+    if array.ndim not in (2, 3) or 0 in array.shape:
         raise rejected(
             "NS0802",
-            f"the array in '{path}' has the shape {found.shape}",
+            f"the array in '{path}' has the shape {array.shape}",
             notes=("a picture is (rows, cols), a clip (T, rows, cols)",),
             helps=("save one picture or one clip, without an axis for colours or batches",),
         )
-    bad = int(np.count_nonzero(~np.isfinite(found))) if found.dtype.kind == "f" else 0
-    if bad:
+    bad_count = int(np.count_nonzero(~np.isfinite(array))) if array.dtype.kind == "f" else 0
+    if bad_count:
         raise rejected(
             "NS0804",
-            f"{bad} of {found.size} values in '{path}' are not finite",
+            f"{bad_count} of {array.size} values in '{path}' are not finite",
             notes=("one of them would make every mean of errors meaningless",),
             helps=("find where they come from; np.nan_to_num hides them",),
-            data={"count": bad},
+            data={"count": bad_count},
         )
-    return found
+    return array
 
 
 def _read(path: Path, key: str | None) -> NDArray[Any]:
@@ -84,16 +84,16 @@ def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
         name = _chosen(path, names, key)
         return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
     name = _chosen(path, mat_names(path), key)
-    found = mat_array(path, name, _MOST_BYTES)
-    return np.moveaxis(found, 2, 0) if name in ("orig", "video") and found.ndim == 3 else found
+    array = mat_array(path, name, _MOST_BYTES)
+    return np.moveaxis(array, 2, 0) if name in ("orig", "video") and array.ndim == 3 else array
 
 
 def _chosen(path: Path, names: list[str], key: str | None) -> str:
-    wanted = [key] if key is not None else [name for name in KEYS if name in names]
-    if key is None and not wanted and len(names) == 1:
-        wanted = names
-    if wanted and wanted[0] in names:
-        return wanted[0]
+    candidates = [key] if key is not None else [name for name in KEYS if name in names]
+    if key is None and not candidates and len(names) == 1:
+        candidates = names
+    if candidates and candidates[0] in names:
+        return candidates[0]
     unnamed = f"name the array with an option; without one, {', '.join(KEYS)} are looked for"
     raise rejected(
         "NS0801",
@@ -106,7 +106,7 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 
 def _pages(path: Path) -> list[NDArray[Any]]:
-    """The pictures of a file, the second and all after it within the bound of arrays."""
+    """Return the pictures of a file; from the second on within the size limit of arrays."""
     from nscc_runtime.scenes.picture_files import open_pages
 
     pages: list[NDArray[Any]] = []

@@ -1,4 +1,5 @@
-"""Codes to and from `.npz` and `.mat`: one integer array a field, and a codebook's `book`."""
+"""Read and write codes as `.npz` and `.mat`: an integer array per field, and a codebook's
+`book`."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ Codes = Mapping[str, NDArray[np.int64]]
 
 
 def codes_bytes(codes: Codes) -> bytes:
-    """An .npz file of these codes: the same codes, the same bytes."""
+    """Return an .npz file of codes, always with the same bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(codes):
@@ -32,7 +33,20 @@ def codes_bytes(codes: Codes) -> bytes:
 
 
 def save_codes(path: Path, codes: Codes) -> None:
-    """Write codes to a `.npz` or `.mat` file; ValueError for another ending."""
+    """Write codes to a file.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in `.npz` or `.mat`.
+    codes : mapping of str to array of int64
+        Values (rows, cols) by field.
+
+    Raises
+    ------
+    ValueError
+        For another ending.
+    """
     if path.suffix == ".npz":
         path.write_bytes(codes_bytes(codes))
     elif path.suffix == ".mat":
@@ -44,10 +58,22 @@ def save_codes(path: Path, codes: Codes) -> None:
 
 
 def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
-    """The integer arrays of a `.npz` or `.mat` file, by name.
+    """Read codes from a file.
 
-    Raises Rejected (NS0805) for a file that cannot be read or holds something else; floats that are
-    whole numbers count as integers, because MATLAB saves them so.
+    Parameters
+    ----------
+    path : Path or str
+        A `.npz` or `.mat` file of integer arrays. Floats that are whole numbers count as integers,
+        because MATLAB saves them so.
+
+    Returns
+    -------
+    dict of str to array of int64
+
+    Raises
+    ------
+    Rejected
+        NS0805 for a file that cannot be read or has other contents.
     """
     path = Path(path)
     if path.suffix.lower() not in (".npz", ".mat"):
@@ -63,10 +89,10 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
         )
     try:
         if path.suffix == ".mat":
-            found = mat_arrays(path)
+            arrays = mat_arrays(path)
         else:
-            found, _ = npz_arrays(path)
-        return {name: _integers(path, name, values) for name, values in found.items()}
+            arrays, _ = npz_arrays(path)
+        return {name: _integers(path, name, values) for name, values in arrays.items()}
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
@@ -76,13 +102,13 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
-    whole = values.dtype.kind in "iub"
+    integral = values.dtype.kind in "iub"
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)
-        whole = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
+        integral = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
     if values.dtype.kind == "u" and values.size and int(values.max()) > np.iinfo(np.int64).max:
-        whole = False
-    if not whole or values.ndim != 2 or values.size == 0:
+        integral = False
+    if not integral or values.ndim != 2 or values.size == 0:
         raise rejected(
             "NS0805",
             f"'{name}' in '{path}' is no code: {values.dtype}, {values.shape}",
@@ -96,7 +122,7 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
 
 
 def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
-    """The smallest integer type that holds the values."""
+    """Return the values in the smallest integer type that holds them."""
     low, high = int(values.min()), int(values.max())
     for kind in (np.uint8, np.uint16, np.int32):
         if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:

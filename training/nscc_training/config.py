@@ -1,4 +1,4 @@
-"""Configurations: TOML in, TOML out, every mistake told at once and with its place."""
+"""Read and write configurations as TOML, reporting all mistakes with their places."""
 
 from __future__ import annotations
 
@@ -10,26 +10,24 @@ from typing import Any
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.schema import Found, Key
-from nscc_training.settings import SCHEMA, Settings
+from nscc_training.settings import SCHEMA, RunSettings
 
 
-def load_config(path: Path, changes: Sequence[str] = ()) -> Settings:
-    """The settings of a file, with `changes`, each SECTION.KEY=VALUE, on top.
-
-    Raises Rejected, status 2: NS0813 for a file that cannot be read or is no TOML, NS0814 for keys
-    that are none, NS0815 for wrong values; all that is wrong at once.
-    """
-    found, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
-    return _settings(found, problems, changes)
+def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
+    """Read the settings of a file, with `changes`, each SECTION.KEY=VALUE. Raises Rejected, status
+    2, with all mistakes at once: NS0813 for a file that cannot be read or is not TOML, NS0814 for
+    unknown keys, NS0815 for wrong values."""
+    values, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
+    return _settings(values, problems, changes)
 
 
-def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> Settings:
-    """The settings of a dictionary of sections; as `load_config`."""
+def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
+    """Return the settings of a dictionary of sections; otherwise as `load_config`."""
     return _settings(*SCHEMA.read(values), changes)
 
 
-def config_toml(settings: Settings, *, remarks: bool = False) -> str:
-    """A complete file that `load_config` reads back; with `remarks`, what each key means."""
+def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
+    """Return a complete file for `load_config`; with `remarks`, the meaning of each key."""
 
     def remark(key: Key) -> str:
         return f"{key.meaning} ({key.kind.allowed})" if remarks else ""
@@ -44,12 +42,12 @@ def config_toml(settings: Settings, *, remarks: bool = False) -> str:
     return file_text(SCHEMA, values, remark, head if remarks else ())
 
 
-def _settings(found: Found, problems: Sequence[Diagnostic], changes: Sequence[str]) -> Settings:
-    changed, wrong = SCHEMA.changed(changes)
-    if problems or wrong:
-        raise Rejected([*problems, *wrong], status=2)
-    settings = Settings()
-    for path, value in (found | changed).items():
+def _settings(values: Found, problems: Sequence[Diagnostic], changes: Sequence[str]) -> RunSettings:
+    changed, change_problems = SCHEMA.changed(changes)
+    if problems or change_problems:
+        raise Rejected([*problems, *change_problems], status=2)
+    settings = RunSettings()
+    for path, value in (values | changed).items():
         key = SCHEMA.by_path[path]
         section = replace(getattr(settings, key.section), **{key.attribute: value})
         settings = replace(settings, **{key.section: section})

@@ -1,4 +1,4 @@
-"""A finished run folder, loaded: its decoder and its shutters."""
+"""Load finished run folders: decoder and shutters."""
 
 from __future__ import annotations
 
@@ -17,34 +17,34 @@ from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.encoders import Encoder
 from nscc_training.import_paths import is_import_path
-from nscc_training.loop.setup import Parts, make_parts, started_encoder
-from nscc_training.problems import is_out_of_memory, said
+from nscc_training.loop.setup import TrainingSetup, make_setup, started_encoder
+from nscc_training.problems import is_out_of_memory, one_line
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
 from nscc_training.run_files import CONFIG, run_path
-from nscc_training.settings import Settings
+from nscc_training.settings import RunSettings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
-"""What a result has digests of, and reconstructions depend on."""
+"""Files that a result has digests of, and that reconstructions depend on."""
 
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A run: `parts` with its learned codes and weights, `program` the text of `shutter.nsl`,
-    `seen` the digests of the files that it learned from or was chosen by, `result` its own."""
+    """A loaded run: `setup` with learned codes and weights, `program` the text of `shutter.nsl`.
+    `seen_digests` are those of the files of training and validation, `result` is `result.json`."""
 
     path: Path
-    parts: Parts
+    setup: TrainingSetup
     program: str
-    seen: frozenset[str]
+    seen_digests: frozenset[str]
     result: dict[str, Any]
 
 
 def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
-    """The run in a folder, or the one that comes with nscc under that name.
+    """Load the run in a folder, or the run that comes with nscc under that name.
 
-    Rejected (NS0818) where there is none, or it did not finish. A run may name Python code of its
-    maker's, `module:name`, as its decoder or loss. To load it imports and runs that code, which
-    only `trust_code` allows; else Rejected (NS0823).
+    Rejected (NS0818) for a missing or unfinished run. A run may name Python code of its author,
+    `module:name`, as decoder or loss. Loading the run executes that code, which needs `trust_code`;
+    else Rejected (NS0823).
     """
     from safetensors.torch import load_file
 
@@ -52,8 +52,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
     if not path.is_dir():
-        what = "it is a file: the run's folder is named first" if path.is_file() else ""
-        raise _no_run(path, what or "there is no such folder")
+        reason = "it is a file: the run's folder is named first" if path.is_file() else ""
+        raise _no_run(path, reason or "there is no such folder")
     reads(*(path / name for name in (*needed, CODES_FILE)))
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
@@ -61,10 +61,10 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     settings = load_config(path / "config.resolved.toml")
     if not trust_code:
         _refuse_code(path, settings)
-    # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
+    # Codes, chip and sensor are read from the run folder. Such files may also
     # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
-    # When codes learned decides nothing any more, and older versions let them learn never.
+    # The schedule of learning no longer matters, and older versions allowed other values.
     shutter = replace(shutter, warm_up=0.0, settle=0.0)
     decoder = replace(settings.decoder, init="")
     train = settings.train
@@ -75,28 +75,28 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     if sensor.file and (path / SENSOR_FILE).is_file():
         sensor = replace(sensor, file=str(path / SENSOR_FILE))
     begun = replace(settings, shutter=shutter, decoder=decoder, sensor=sensor, train=train)
-    parts = make_parts(begun)
-    parts = replace(parts, settings=settings)
+    setup = make_setup(begun)
+    setup = replace(setup, settings=settings)
     try:
         if (path / CODES_FILE).is_file():
-            parts.encoder.load_codes(load_codes(path / CODES_FILE))
+            setup.encoder.load_codes(load_codes(path / CODES_FILE))
         check_size((path / "decoder.safetensors").stat().st_size)
-        parts.decoder.load_state_dict(load_file(str(path / "decoder.safetensors")))
+        setup.decoder.load_state_dict(load_file(str(path / "decoder.safetensors")))
         split = json.loads(read_whole(path / "split.json"))
-        seen = frozenset(str(s["sha256"]) for part in split.values() for s in part)
+        seen_digests = frozenset(str(s["sha256"]) for entries in split.values() for s in entries)
         result = dict(json.loads(read_whole(path / "result.json")))
         _check_whole(path, result)
         program = read_whole(path / "shutter.nsl").decode()
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
         if is_out_of_memory(error):
             raise
-        raise _no_run(path, f"{type(error).__name__}: {said(error, 150)}") from error
+        raise _no_run(path, f"{type(error).__name__}: {one_line(error, 150)}") from error
     except Exception as error:
         if type(error).__name__ != "SafetensorError":
             raise
         raise _no_run(path, f"decoder.safetensors: {error}") from error
-    parts.decoder.eval()
-    return RunFolder(path, parts, program, seen, result)
+    setup.decoder.eval()
+    return RunFolder(path, setup, program, seen_digests, result)
 
 
 def run_codes(path: Path) -> Encoder:
@@ -110,12 +110,12 @@ def run_codes(path: Path) -> Encoder:
     return started_encoder(chosen, chip, load_target(chosen.target, Path()), 0)
 
 
-def _refuse_code(path: Path, settings: Settings) -> None:
-    """NS0823 where to load the run would run code that is not nscc's."""
+def _refuse_code(path: Path, settings: RunSettings) -> None:
+    """Raise Rejected (NS0823) if loading the run would execute code that is not nscc's."""
     named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
     code = [
-        f"its {what} is `{name.strip()[:100]}`"
-        for what, names in named.items()
+        f"its {role} is `{name.strip()[:100]}`"
+        for role, names in named.items()
         for name in names
         if is_import_path(name)
     ]
@@ -131,11 +131,9 @@ def _refuse_code(path: Path, settings: Settings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """ValueError where a file is not the one that the result was made with.
-
-    Such folders are left by runs that began anew in them and did not finish, or that were copied in
-    part: codes, weights and what was seen would be those of different runs.
-    """
+    """Raise ValueError for a file whose digest differs from that in the result. Such folders come
+    from an unfinished later run in the same folder, or from a partial copy: their files would
+    belong to different runs."""
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]
@@ -144,10 +142,10 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
     }
     for name, digest in named.items():
         file = path / name
-        found = file_sha256(file) if file.is_file() else None
-        if found != digest:
-            what = "is missing" if found is None else "is of another run"
-            raise ValueError(f"{name} {what}: result.json has another digest of it")
+        actual = file_sha256(file) if file.is_file() else None
+        if actual != digest:
+            difference = "is missing" if actual is None else "is of another run"
+            raise ValueError(f"{name} {difference}: result.json has another digest of it")
 
 
 def _no_run(path: Path, reason: str) -> Exception:

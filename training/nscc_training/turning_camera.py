@@ -1,7 +1,5 @@
-"""A camera turned inside a panorama: high-speed video with true radiance.
-
-Rotation only: no parallax and no occlusion, which is why things are made to cross the picture.
-"""
+"""A camera that turns inside a panorama: high-speed video with true radiance. Rotation has no
+parallax and no occlusion, so objects cross the picture in addition."""
 
 from __future__ import annotations
 
@@ -12,19 +10,17 @@ Picture = NDArray[np.float32]
 FIELD_OF_VIEW = 90.0
 """Degrees: 256 pixels of a panorama of 1024."""
 _TURNS = (0.1, 4.0)
-"""Degrees a frame, slowest and fastest: both are as likely, and all ratios between them."""
+"""Slowest and fastest rotation in degrees per frame, drawn uniformly in the logarithm."""
 _FLIGHTS = (0.2, 16.0)
-"""Pixels a frame of things that fly across."""
+"""Slowest and fastest speed of objects in pixels per frame."""
 
 
 def turned(
     panorama: Picture, generator: np.random.Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
-    """A clip (frames, size, size) of linear light from an equirectangular panorama (rows, cols).
-
-    The camera starts anywhere near the horizon and turns evenly; one to three things, other parts
-    of the panorama, fly across.
-    """
+    """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
+    cols). The camera starts near the horizon and turns evenly; one to three objects, other parts of
+    the panorama, cross the picture."""
     import cv2
 
     def somewhere() -> tuple[float, float]:
@@ -33,8 +29,8 @@ def turned(
     yaw, pitch = somewhere()
     turn = np.radians(_velocity(generator, _TURNS) * (0.3, 1.0))[::-1]
     views = [view(panorama, yaw + turn[0] * k, pitch + turn[1] * k, size) for k in range(frames)]
-    found = np.stack(views)
-    level = float(np.median(found))
+    clip = np.stack(views)
+    level = float(np.median(clip))
     rows, cols = np.mgrid[:size, :size]
     for _ in range(int(generator.integers(1, 4))):
         texture = view(panorama, *somewhere(), size)
@@ -47,19 +43,20 @@ def turned(
             cover = np.clip(0.5 - outside * min(height, width), 0, 1)
             shift = np.array([[1, 0, x - place[1]], [0, 1, y - place[0]]])
             moved = cv2.warpAffine(texture, shift, (size, size), borderMode=cv2.BORDER_REFLECT)
-            found[k] += ((moved * light - found[k]) * cover).astype(np.float32)
-    return found
+            clip[k] += ((moved * light - clip[k]) * cover).astype(np.float32)
+    return clip
 
 
 def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
-    """Down and right in any direction, its size spread evenly over the ratios within limits."""
+    """Return a velocity (down, right) in a random direction, with its size uniform in the
+    logarithm."""
     size = np.exp(generator.uniform(*np.log(limits)))
     angle = generator.uniform(0, 2 * np.pi)
     return np.asarray(size * np.array([np.sin(angle), np.cos(angle)]))
 
 
 def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
-    """What a camera sees that looks along `yaw` and `pitch` (radians), (size, size)."""
+    """Return the view (size, size) of a camera in direction `yaw` and `pitch` (radians)."""
     import cv2
 
     half = np.tan(np.radians(FIELD_OF_VIEW) / 2)
@@ -72,10 +69,10 @@ def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
     rows, cols = panorama.shape
     x = (longitude / (2 * np.pi) % 1.0) * cols - 0.5
     y = (latitude / np.pi + 0.5) * rows - 0.5
-    # The seam: one column more on either side.
+    # One more column on either side closes the seam.
     wide = np.concatenate([panorama[:, -1:], panorama, panorama[:, :1]], axis=1)
-    found = cv2.remap(
+    picture = cv2.remap(
         wide, (x + 1).astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REPLICATE,
     )  # fmt: skip
-    return np.asarray(found, np.float32)
+    return np.asarray(picture, np.float32)

@@ -1,7 +1,5 @@
-"""Pictures of what nscc makes: frames, reconstructions, runs, results and sensors, by their files.
-
-Programs are drawn by `nscc_runtime.pictures.shutters`.
-"""
+"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors. Programs are drawn
+by `nscc_runtime.pictures.shutter_sheet`."""
 
 from __future__ import annotations
 
@@ -20,7 +18,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole, reads
 from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.formats import Content
-from nscc_runtime.formats.sheet import content_sheet
+from nscc_runtime.formats.content_sheet import content_sheet
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
@@ -37,26 +35,23 @@ if TYPE_CHECKING:
 _MOST_FRAMES = 64
 _MOST_DRAWN_PIXELS = 1 << 22
 _MOST_FRAME_PIXELS = 1 << 20
-"""Of a frame of a clip, of which all are held at once."""
+"""Most pixels of a drawn frame of a clip, all of whose frames are in memory."""
 _MOST_DRAWN_BYTES = 1 << 28
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
 def view_of(path: Path, tone: str | None = None) -> bytes:
-    """The PNG of a frame file or a reconstruction (.npz), a picture or a clip, a run folder, a
-    result (.json) or a sensor (.toml).
-
-    `tone` names a curve for light. Raises Rejected: NS0801 for a file that is none of these, what
-    their readers raise for damaged ones.
-    """
-    found = run_path(path)
-    if found.is_dir():
-        if not (found / "metrics.csv").is_file():
+    """Return the PNG of a frame file or reconstruction (.npz), a picture or clip, a run folder, a
+    result (.json) or a sensor (.toml). `tone` names a tone curve for light. Raises Rejected: NS0801
+    for another file, and the errors of the readers for damaged files."""
+    folder = run_path(path)
+    if folder.is_dir():
+        if not (folder / "metrics.csv").is_file():
             raise _nothing_to_view(path, "it is a folder without metrics.csv, no run of nscc train")
-        reads(found / "metrics.csv")
-        result = found / "result.json"
-        told = _json(result) if result.is_file() else {}
-        return _drawn(path, run_sheet, found, told)
+        reads(folder / "metrics.csv")
+        result = folder / "result.json"
+        result_values = _json(result) if result.is_file() else {}
+        return _drawn(path, run_sheet, folder, result_values)
     suffix = path.suffix.lower()
     if not path.is_file():
         raise _nothing_to_view(path, "there is no such file")
@@ -64,10 +59,10 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     if suffix == ".toml":
         return png_of(sensor_sheet, path)
     if suffix == ".json":
-        told = _json(path)
-        if not ("robustness" in told or "items" in told):
+        result_values = _json(path)
+        if not ("robustness" in result_values or "items" in result_values):
             raise _nothing_to_view(path, "it has no items and no robustness: no result of nscc")
-        return _drawn(path, result_sheet, told, path.name)
+        return _drawn(path, result_sheet, result_values, path.name)
     if suffix == ".npz":
         return _of_arrays(path, tone)
     if suffix in PICTURES:
@@ -90,10 +85,10 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
     try:
-        _, held = npz_arrays(path, lambda _: False)
-        most_bytes = MOST_BYTES if "frame" in held else _MOST_DRAWN_BYTES
-        wanted = (*_FRAME_KEYS, "meta", "image", "video")
-        arrays, _ = npz_arrays(path, wanted.__contains__, most_bytes)
+        _, array_names = npz_arrays(path, lambda _: False)
+        most_bytes = MOST_BYTES if "frame" in array_names else _MOST_DRAWN_BYTES
+        read_names = (*_FRAME_KEYS, "meta", "image", "video")
+        arrays, _ = npz_arrays(path, read_names.__contains__, most_bytes)
         meta = frame_meta(arrays)
         if meta is not None and "frame" in arrays:
             checked_meta(arrays)
@@ -109,27 +104,29 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
             content = Content({}, light, moving, colour, tone=tone,
                               usual="srgb" if moving else "log")  # fmt: skip
             return png_of(content_sheet, content, path.name)
-    names = ", ".join(sorted(held)[:8]) or "nothing"
+    names = ", ".join(sorted(array_names)[:8]) or "nothing"
     raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {names}")
 
 
 def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
-    """A picture of at most `most` pixels, by means over areas: no sheet shows more of it."""
+    """Return a picture reduced to at most `most` pixels by means over areas."""
     import cv2
 
     rows, cols = picture.shape[:2]
     share = (most / (rows * cols)) ** 0.5
     if share >= 1:
         return picture
-    kept = picture if picture.dtype in (np.uint8, np.uint16) else picture.astype(np.float32)
+    picture_values = (
+        picture if picture.dtype in (np.uint8, np.uint16) else picture.astype(np.float32)
+    )
     shape = max(1, int(cols * share)), max(1, int(rows * share))
-    return np.asarray(cv2.resize(kept, shape, interpolation=cv2.INTER_AREA))
+    return np.asarray(cv2.resize(picture_values, shape, interpolation=cv2.INTER_AREA))
 
 
 def _check_array(
     path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...]
 ) -> None:  # fmt: skip
-    """NS0801 where an array that is to be drawn holds no numbers, or has other axes."""
+    """Raise Rejected (NS0801) for an array without numbers, or with other axes."""
     values = arrays[name]
     numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
     if not numbers:
@@ -138,8 +135,8 @@ def _check_array(
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """The PNG of a sheet of tables that are looked at only while they are drawn; NS0801 where they
-    are not as nscc writes them."""
+    """Return the PNG of a sheet drawn from parsed tables; NS0801 if they are not as nscc writes
+    them."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:
@@ -149,8 +146,8 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Every bucket of a frame file: codes, electrons, and what is saturated; of repeats the first,
-    of colours all three."""
+    """Draw every bucket of a frame file: codes, electrons, saturation; the first repeat, all
+    colours."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:
@@ -173,12 +170,12 @@ def frame_view(
 
 def _json(path: Path) -> dict[str, Any]:
     try:
-        found = json.loads(read_whole(path))
+        document = json.loads(read_whole(path))
     except (OSError, ValueError, RecursionError) as error:
         raise _nothing_to_view(path, str(error)) from error
-    if not isinstance(found, dict):
+    if not isinstance(document, dict):
         raise _nothing_to_view(path, "it is no result of nscc")
-    return found
+    return document
 
 
 def _nothing_to_view(path: Path, reason: str) -> Rejected:

@@ -1,9 +1,9 @@
-"""The photon transfer curve: which levels may be used, the gain of the system, saturation.
+"""The photon transfer curve: usable levels, system gain, saturation.
 
-Of a count of electrons mean and variance are equal. A code is K electrons, so the variance of a
-level over its mean rises with slope K, from the noise of a frame without charge. Charge that a
-pixel shares with its neighbours is lost to that variance, and found again in the neighbours'
-covariance (EMVA 1288 takes crosstalk to be absent).
+Mean and variance of a count of electrons are equal. A code is K electrons, so the variance of a
+level rises with its mean with slope K, from the noise of a frame without charge. Charge that a
+pixel shares with its neighbours reduces the variance and appears in the covariance of neighbours
+(EMVA 1288 assumes no crosstalk).
 """
 
 from __future__ import annotations
@@ -16,20 +16,21 @@ import numpy as np
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.fit import Line, Vector, line
-from nscc_runtime.calibrate.levels import QUIET, Moments
+from nscc_runtime.calibrate.levels import QUIET, LevelMoments
+from nscc_runtime.calibrate.line_fit import Line, Vector, line
 
 LINEAR_PART = 0.7
-"""The part of the range up to saturation that the gain is fitted to (EMVA 1288)."""
+"""Fraction of the range up to saturation over which the gain is fitted (EMVA 1288)."""
 _DROP = 0.2
-"""Variance that falls by this part beyond its maximum has saturated."""
+"""Relative drop of the variance beyond its maximum that indicates saturation."""
 _STILL = 0.1
-"""Saturated pixels with less than this part of the shot noise are all at their limit."""
+"""Fraction of the shot noise below which all saturated pixels are at their limit."""
 
 
 @dataclass(frozen=True)
 class Saturation:
-    """Where flats stop rising: `mean` code; `of_pixel` if below the ADC's end, all pixels at it."""
+    """The saturation of flats: `mean` code; `of_pixel` if it is the pixels' limit, below the end of
+    the ADC."""
 
     mean: float
     mean_se: float
@@ -38,11 +39,12 @@ class Saturation:
 
 @dataclass(frozen=True, eq=False)
 class Transfer:
-    """The fitted curve. `offset` is the code without charge, None where no dark tells.
+    """The fitted curve.
 
-    `noise` is the variance of the codes without charge (rounding included), `gain` K in codes an
-    electron; `covariance` (3, 3) of (gain, noise, crosstalk). Without an offset `noise` means
-    nothing. `used` are the levels of the fit, `left_out` the others, each with the reason.
+    `offset` is the code without charge, None without darks. `noise` is the variance of codes
+    without charge (rounding included), meaningless without an offset; `gain` K in codes per
+    electron; `covariance` (3, 3) of (gain, noise, crosstalk). `used` are the levels of the fit,
+    `left_out` the others with the reasons.
     """
 
     offset: float | None
@@ -52,8 +54,8 @@ class Transfer:
     crosstalk: float
     covariance: Vector
     fit: Line
-    used: tuple[Moments, ...]
-    left_out: tuple[tuple[Moments, str], ...]
+    used: tuple[LevelMoments, ...]
+    left_out: tuple[tuple[LevelMoments, str], ...]
     saturation: Saturation | None
 
     @property
@@ -63,18 +65,15 @@ class Transfer:
 
 
 def transfer(
-    flats: Sequence[Moments],
-    darks: Sequence[Moments],
+    flats: Sequence[LevelMoments],
+    darks: Sequence[LevelMoments],
     offset: tuple[float, float] | None,
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """The photon transfer curve of levels.
-
-    `offset` is the code without charge, with its error, or None; `crosstalk` is taken as known
-    where it is given. NS0758 where fewer than two levels of light can be used, NS0759 where
-    variance does not rise with the mean.
-    """
+    """Fit the photon transfer curve of levels. `offset` is the code without charge with its error,
+    or None; `crosstalk`, if given, replaces its measurement. NS0758 for fewer than two usable
+    levels of light, NS0759 if the variance does not rise with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)
@@ -86,18 +85,18 @@ def transfer(
         raise _too_few(judged, limit)
     if offset is not None:
         judged += [(level, _unfit(level, limit)) for level in darks]
-    found = _fitted([level for level, reason in judged if not reason], offset, crosstalk)
-    found = replace(found, left_out=tuple(each for each in judged if each[1]))
+    curve = _fitted([level for level, reason in judged if not reason], offset, crosstalk)
+    curve = replace(curve, left_out=tuple(judgement for judgement in judged if judgement[1]))
     if not (fallen or highest.cut_at_top):
-        return found
-    excess = highest.variance - found.noise
-    still = excess < _STILL * found.gain * (highest.mean - zero)
+        return curve
+    excess = highest.variance - curve.noise
+    still = excess < _STILL * curve.gain * (highest.mean - zero)
     of_pixel = offset is not None and still and not highest.cut_at_top
-    return replace(found, saturation=Saturation(highest.mean, highest.mean_se, of_pixel))
+    return replace(curve, saturation=Saturation(highest.mean, highest.mean_se, of_pixel))
 
 
-def _unfit(level: Moments, limit: float) -> str:
-    """Why a level cannot be part of the fit; empty if it can."""
+def _unfit(level: LevelMoments, limit: float) -> str:
+    """Return why a level is excluded from the fit; empty if it is used."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
     if level.cut_at_zero:
@@ -110,29 +109,31 @@ def _unfit(level: Moments, limit: float) -> str:
 
 
 def _fitted(
-    used: Sequence[Moments], offset: tuple[float, float] | None, known: float | None
+    used: Sequence[LevelMoments], offset: tuple[float, float] | None, known: float | None
 ) -> Transfer:
     zero, zero_se = offset or (0.0, 0.0)
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
     neighbours = np.array([level.neighbours for level in used])
-    # Of a sample variance and of a mean covariance of 2 N pairs, both of normal numbers.
+    # Degrees of freedom of the sample variance, and samples of the covariance of 2 N pairs.
     degrees = np.array([(level.frames - 1) * level.pixels for level in used], np.float64)
     samples = np.array([level.frames * level.pixels for level in used], np.float64)
-    # Darks of nearly the same mean are rounded alike: together no better than one of them.
-    alike = np.array([sum(abs(level.mean - other.mean) < 0.5 for other in used) for level in used])
+    # Darks of nearly equal means have the same rounding error: they count as one.
+    alike = np.array(
+        [sum(abs(level.mean - other_level.mean) < 0.5 for other_level in used) for level in used]
+    )
     rounding = np.array([level.rounding for level in used]) * np.sqrt(alike)
     slope = float(np.ptp(variance) / max(np.ptp(x), 1e-9))
 
-    def own(fitted: Vector) -> Vector:
+    def standard_errors(fitted: Vector) -> Vector:
         size = np.maximum(fitted, QUIET / 2)
         errors = 2 * size**2 / degrees + slope**2 * size / samples + rounding**2
         return np.asarray(np.sqrt(errors))
 
     if np.ptp(x) < 1e-6:
         raise _no_transfer("all its levels have the same mean")
-    fit = line(x, variance, own)
-    across = line(x, neighbours, lambda _: own(fit.start + fit.slope * x) / 2)
+    fit = line(x, variance, standard_errors)
+    across = line(x, neighbours, lambda _: standard_errors(fit.start + fit.slope * x) / 2)
     if fit.slope <= 3 * sqrt(fit.covariance[1, 1]):
         raise _no_transfer(f"from {variance.min():.3g} to {variance.max():.3g} squared codes")
 
@@ -156,24 +157,25 @@ def _fitted(
 
 
 def _solved(slopes: Vector, known: float | None) -> Vector:
-    """Gain, noise and crosstalk from slope and start of the variance, slope of the covariance."""
+    """Return gain, noise and crosstalk from slope and intercept of the variance and the slope of
+    the covariance."""
     crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
     return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
 
 
 def kept_variance(crosstalk: float) -> float:
-    """What is left of the variance of independent pixels that give c to each neighbour."""
+    """Return the factor on the variance of independent pixels that give c to each neighbour."""
     return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
 
 
-def _crosstalk(own: float, across: float) -> float:
-    """c, from covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2)."""
-    ratio = across / own
+def _crosstalk(variance: float, covariance: float) -> float:
+    """Solve covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2) for c."""
+    ratio = covariance / variance
     a, half_b = 20 * ratio + 8, 4 * ratio + 1
     return float((half_b - np.sqrt(max(half_b**2 - a * ratio, 0.0))) / a)
 
 
-def _too_few(judged: Sequence[tuple[Moments, str]], limit: float) -> Rejected:
+def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Rejected:
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]

@@ -1,8 +1,6 @@
-"""The firmware, compiled for this machine: how it is built, and how its process is talked to.
-
-The process runs the real core (`runtime/firmware`). What its board is told to do comes here as a
-job, word for word, and runs on the emulator.
-"""
+"""The firmware compiled for this machine, and communication with its process. The process runs the
+real core (`runtime/firmware`). The commands to its board arrive here as a job, word by word, and
+run on the emulator."""
 
 from __future__ import annotations
 
@@ -23,12 +21,12 @@ from typing import TYPE_CHECKING, NamedTuple, Self
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.board import in_background
 from nscc_runtime.device.kept_loaders import cached_folder, is_whole, keep, passing_folder
-from nscc_runtime.device.recording import Job, Recording
+from nscc_runtime.device.recording import BoardJob, Recording
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
-    from nscc_runtime.device.board import EmulatedChip, Executed
+    from nscc_runtime.device.board import EmulatedChip, ExecutedFrame
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 _INSTALLED = _PACKAGE / "firmware_files"
@@ -44,15 +42,15 @@ _START_S = 10.0
 
 
 class NotBuilt(Exception):
-    """The firmware cannot be compiled here: why."""
+    """The firmware cannot be compiled here; the text says why."""
 
 
 class NotStarted(NotBuilt):
-    """The firmware is compiled and does not start: why."""
+    """The firmware does not start; the text says why."""
 
 
 class Built(NamedTuple):
-    """A compiled loader and the compiler that made it."""
+    """A compiled loader, its compiler, and its target."""
 
     path: Path
     compiler: str
@@ -60,32 +58,31 @@ class Built(NamedTuple):
 
 
 def compiler() -> str | None:
-    """A C++ compiler of this machine: `CXX`, g++ or clang++; None where there is none."""
+    """Return a C++ compiler of this machine: `CXX`, g++ or clang++; None without any."""
     names = [os.environ.get("CXX", ""), "g++", "clang++"]
     return next((name for name in names if name and shutil.which(name)), None)
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """The loader for a target, compiled now or before; raises NotBuilt.
-
-    It is kept in nscc's cache folder, or in `folder`; where there is no cache, for this process
-    alone.
-    """
-    found = compiler()
-    if found is None:
+    """Return the loader for a target, compiled now or cached; raises NotBuilt. It is stored in
+    nscc's cache folder, or in `folder`; without a cache, for this process only."""
+    compiler_path = compiler()
+    if compiler_path is None:
         raise NotBuilt("there is no C++ compiler")
-    command = [found, *CORE_FLAGS, *WARNINGS, *extra]
-    return Built(compiled(command, ("core", "emulated", "host"), target, folder), found, target)
+    command = [compiler_path, *CORE_FLAGS, *WARNINGS, *extra]
+    return Built(
+        compiled(command, ("core", "emulated", "host"), target, folder), compiler_path, target
+    )
 
 
 def compiled(
-    command: Sequence[str], parts: Sequence[str], target: Target, folder: Path | None = None
+    command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """What a compiler makes of these parts of the firmware for a target, now or before.
-
-    Raises NotBuilt.
-    """
-    sources = [path for part in parts for path in sorted(SOURCES.glob(f"{part}/*.cpp"))]
+    """Return the executable of folders of the firmware for a target, compiled now or cached. Raises
+    NotBuilt."""
+    sources = [
+        path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
+    ]
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
     try:
@@ -97,14 +94,16 @@ def compiled(
     name = f"loader-{key.hexdigest()[:32]}"
     place = (folder or cached_folder()) / name
     if not is_whole(place):
-        includes = [f"-I{SOURCES / part}" for part in parts]
+        includes = [f"-I{SOURCES / subfolder}" for subfolder in subfolders]
         image = _compile([*command, *includes, *map(str, sources)], header)
         try:
             keep(place, image)
         except Rejected as reason:
             if folder is not None:
                 raise NotBuilt(reason.diagnostics[0].message) from None
-            place = passing_folder() / name  # a full or damaged cache does not stop the loader
+            place = (
+                passing_folder() / name
+            )  # use a temporary folder if the cache is full or damaged
             keep(place, image)
     return place
 
@@ -115,15 +114,15 @@ def _compile(command: list[str], header: str) -> bytes:
         (folder / "target.hpp").write_text(header)
         out = folder / "loader"
         line = [*command, f"-I{folder}", "-o", str(out)]
-        done = subprocess.run(line, capture_output=True, text=True)
-        if done.returncode:
-            lines = done.stderr.strip().splitlines() or [command[0]]
+        result = subprocess.run(line, capture_output=True, text=True)
+        if result.returncode:
+            lines = result.stderr.strip().splitlines() or [command[0]]
             raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
         return out.read_bytes()
 
 
 class Firmware:
-    """The loader's process; its jobs, which come as records like all else, run on `chip`."""
+    """The process of the loader; its jobs arrive as records and run on `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         self.chip, self.target = chip, target
@@ -141,24 +140,24 @@ class Firmware:
         self.close()
 
     def fileno(self) -> int:
-        """Readable where there are records."""
+        """The file descriptor that is readable when there are records."""
         return self._out.fileno()
 
-    def put(self, kind: bytes, data: bytes = b"") -> None:
-        """Hand the process a record."""
+    def write_record(self, kind: bytes, data: bytes = b"") -> None:
+        """Send a record to the process."""
         view = memoryview(_RECORD.pack(kind[0], len(data)) + data)
         while view:
             view = view[os.write(self._in.fileno(), view) :]
 
     def fill(self) -> None:
-        """Wait for bytes; raises RuntimeError where the process has ended."""
+        """Wait for bytes; raises RuntimeError if the process has ended."""
         data = os.read(self.fileno(), _MOST_READ)
         if not data:
             raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
         self._held += data
 
     def next(self) -> tuple[bytes, bytes] | None:
-        """Kind and data of the next record that is here whole."""
+        """Return kind and data of the next complete record, or None."""
         if len(self._held) < _RECORD.size:
             return None
         kind, size = _RECORD.unpack_from(self._held)
@@ -170,30 +169,31 @@ class Firmware:
         return bytes([kind]), data
 
     def announce(self) -> None:
-        """Start the loader anew."""
-        self.put(b"X")
+        """Restart the loader."""
+        self.write_record(b"X")
 
-    def execute(self, job: Job) -> Executed:
-        """What becomes of what the loader's board was told to do."""
+    def execute(self, job: BoardJob) -> ExecutedFrame:
+        """Execute a job of the loader's board."""
         return self.chip.execute(job.container, job.channels)
 
-    def answer(self, job: Job, exposed: Callable[[], Executed]) -> None:
-        """Tell the loader of its frame, or that there is none, whatever the reason."""
+    def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
+        """Send the loader its frame, or the failure of the job."""
         try:
             executed = exposed()
         except Exception as error:
             self.chip.report(error)
-            self.put(b"R", _RESULT.pack(job.number, 0))
+            self.write_record(b"R", _RESULT.pack(job.number, 0))
         else:
             self._recording.keep(job, executed.planes)
-            self.put(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
+            self.write_record(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
 
-    def sent(self, job: Job, frame: bytes) -> bytes:
-        """What of a frame is sent with the news that it is there: all of it."""
+    def sent(self, job: BoardJob, frame: bytes) -> bytes:
+        """Return the part of a frame that is sent with the reply to its job: all of it."""
         return frame
 
     def close(self) -> int:
-        """End the process; its exit status, which a sanitizer makes other than 0."""
+        """End the process and return its exit status, which is not 0 if a sanitizer found
+        an error."""
         with suppress(OSError):
             self._in.close()
         try:
@@ -205,47 +205,47 @@ class Firmware:
         return self._process.returncode
 
 
-class Running(Firmware):
-    """A loader in real time, behind a line of its own: a file descriptor that does not wait."""
+class RunningFirmware(Firmware):
+    """A loader in real time behind a non-blocking file descriptor."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         super().__init__(command, target, chip)
         self._line = -1
         self._unsent = b""
-        self._exposing: list[tuple[Job, Future[Executed]]] = []
+        self._exposing: list[tuple[BoardJob, Future[ExecutedFrame]]] = []
 
     @property
     def busy(self) -> bool:
-        """Whether bytes wait for the loader to take them, or a frame is being exposed."""
+        """Whether bytes wait for the loader, or a frame is being exposed."""
         return bool(self._unsent) or bool(self._exposing)
 
     def watched(self) -> list[int]:
-        """The line, and the pipe on which jobs come."""
+        """The file descriptors of the line and of the job pipe."""
         return [self._line, self.fileno()]
 
     def receive(self, data: bytes, now_us: int) -> None:
-        """Hand bytes to the loader; it has a clock of its own."""
+        """Send bytes to the loader, which has its own clock."""
         self._unsent += data
         with suppress(BlockingIOError):
             self._unsent = self._unsent[os.write(self._line, self._unsent) :]
 
     def poll(self, now_us: int, room: int) -> bytes:
-        """What the loader has sent."""
+        """Return bytes that the loader has sent."""
         self.receive(b"", now_us)
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
-        while (found := self.next()) is not None:
-            self.follow(*found)
-        for each in [each for each in self._exposing if each[1].done()]:
-            self._exposing.remove(each)
-            self.answer(each[0], each[1].result)
+        while (record := self.next()) is not None:
+            self.follow(*record)
+        for pending in [pending for pending in self._exposing if pending[1].done()]:
+            self._exposing.remove(pending)
+            self.answer(pending[0], pending[1].result)
         try:
             return os.read(self._line, room)
         except BlockingIOError:
             return b""
 
     def follow(self, kind: bytes, data: bytes) -> None:
-        """Do what a record of the loader's asks for."""
+        """Handle a record of the loader."""
         job = self._recording.take(kind, data)
         if job is not None:
             self._exposing.append((job, in_background(partial(self.execute, job))))
@@ -257,7 +257,7 @@ class Running(Firmware):
         return super().close()
 
 
-class Process(Running):
+class Process(RunningFirmware):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
@@ -271,12 +271,12 @@ class Process(Running):
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:
-        """The name of its terminal, which comes after what its board was told at the start."""
+        """Wait for the name of the terminal, handling the records before it."""
         while True:
-            found = self.next()
-            if found is None:
+            record = self.next()
+            if record is None:
                 self.fill()
-            elif found[0] == _PORT:
-                return found[1].decode()
+            elif record[0] == _PORT:
+                return record[1].decode()
             else:
-                self.follow(*found)
+                self.follow(*record)

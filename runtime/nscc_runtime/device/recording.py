@@ -1,4 +1,4 @@
-"""Records of what a loader tells its board to do, as programs that the emulator runs."""
+"""Records of a loader's commands to its board, as programs for the emulator."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ _LIGHT_FALLS = 0xFFFF_FFFF
 _IN_IS_SET = 0xFFFF_FFFE
 
 
-class Job(NamedTuple):
-    """A frame that a loader wants of its board."""
+class BoardJob(NamedTuple):
+    """A frame that a loader requests from its board."""
 
     number: int
     channels: int
@@ -33,7 +33,7 @@ class Job(NamedTuple):
 
 
 class Recording:
-    """What a loader does with its board, told record by record (`emulated/records.hpp`)."""
+    """The commands of a loader to its board, received as records (`emulated/records.hpp`)."""
 
     def __init__(self, target: Target) -> None:
         self.target = target
@@ -41,12 +41,12 @@ class Recording:
 
     def _forget(self) -> None:
         self._planes: dict[int, bytes] = {}
-        self._latest: Job | None = None
+        self._latest: BoardJob | None = None
         self._words = self._runs = b""
         self._events: list[tuple[int, int]] = []
 
-    def take(self, kind: bytes, data: bytes) -> Job | None:
-        """Follow the loader; a job where a frame is to be exposed."""
+    def take(self, kind: bytes, data: bytes) -> BoardJob | None:
+        """Process a record; return a job if a frame is to be exposed."""
         match kind:
             case b"F":
                 self._forget()
@@ -63,7 +63,7 @@ class Recording:
             case b"J":
                 number, channels, readouts, states = _JOB.unpack_from(data)
                 split = _JOB.size + readouts * _READOUT.size
-                self._latest = Job(
+                self._latest = BoardJob(
                     number,
                     channels,
                     self._container(
@@ -76,8 +76,9 @@ class Recording:
                 raise ValueError(f"a record of kind {kind!r}")
         return None
 
-    def keep(self, job: Job, planes: Mapping[str, bytes]) -> None:
-        """What a frame left in code registers: the next one of the same program begins with it."""
+    def keep(self, job: BoardJob, planes: Mapping[str, bytes]) -> None:
+        """Store the code registers after a frame, which the next frame of the program
+        starts with."""
         if job is self._latest:
             names = self.target.digital_registers
             self._planes = {names.index(name): plane for name, plane in planes.items()}
@@ -86,13 +87,13 @@ class Recording:
         numbers: dict[tuple[int, int], int] = {}
         launches: list[Launch] = []
         boundary, level = 0, None
-        for what, count in self._events:
-            if what == _LIGHT_FALLS:
+        for event, count in self._events:
+            if event == _LIGHT_FALLS:
                 boundary += count
-            elif what == _IN_IS_SET:
+            elif event == _IN_IS_SET:
                 level = count
             else:
-                kernel = numbers.setdefault((what, count), len(numbers))
+                kernel = numbers.setdefault((event, count), len(numbers))
                 launches.append(Launch(boundary, kernel, level))
                 level = None
         return container_of(
@@ -119,10 +120,8 @@ def container_of(
     states: Sequence[int],
     planes: dict[int, bytes],
 ) -> Container:
-    """What a chip was told to do, as a container that the emulator runs.
-
-    Each digital register that comes with the frame is a state of one bit, by its own name.
-    """
+    """Return the commands to a chip as a container for the emulator. Each digital register that is
+    sent with the frame is a state of one bit, under its own name."""
     shape = (target.rows, target.cols)
     slot_us = tuple(us for count, us in runs for _ in range(count))
     bits: dict[str, NDArray[np.bool_]] = {}

@@ -1,4 +1,4 @@
-"""A sensor: every number that its effects depend on, as one frozen value."""
+"""A sensor: the values of all parameters of its effects, frozen."""
 
 from __future__ import annotations
 
@@ -14,10 +14,13 @@ from nscc import html
 
 @dataclass(frozen=True, repr=False)
 class Sensor:
-    """The parameters of a sensor by name, all finite and within their ranges.
+    """The parameters of a sensor. Each is an attribute too: `sensor.read_noise_e`.
 
-    Each is an attribute too: `sensor.read_noise_e`. Units are in the names: electrons, seconds,
-    codes of the ADC (lsb); a fraction has none.
+    Parameters
+    ----------
+    values : mapping of str to float
+        Value by parameter name. Names end with their unit: electrons (`_e`), seconds (`_s`), codes
+        of the converter (`_lsb`); fractions have no unit.
     """
 
     values: Mapping[str, float]
@@ -31,7 +34,7 @@ class Sensor:
         return html.card("sensor", f"{len(rows)} numbers", html.table(rows))
 
     def __getattr__(self, name: str) -> float:
-        # Copies and pickles ask for attributes of a sensor that has no values yet.
+        # Copies and pickles read attributes before the values are set.
         if name.startswith("__") or name == "values" or name not in self.values:
             raise AttributeError(f"a sensor has no parameter {name!a}")
         return self.values[name]
@@ -41,11 +44,25 @@ class Sensor:
 
     @cached_property
     def _hash(self) -> int:
-        # Of numbers alone: what is kept goes along to other processes, which hash names otherwise.
+        # Hash the numbers alone: cached hashes travel to processes that hash names differently.
         return hash(frozenset(self.values.values()))
 
     def changed(self, **values: float) -> Sensor:
-        """This sensor with other values of some parameters; TypeError for names that are none."""
+        """Return a sensor with other values of some parameters.
+
+        Parameters
+        ----------
+        **values : float
+
+        Returns
+        -------
+        Sensor
+
+        Raises
+        ------
+        TypeError
+            For an unknown parameter.
+        """
         unknown = [name for name in values if name not in self.values]
         if unknown:
             raise TypeError(f"a sensor has no parameter {unknown[0]!a}")
@@ -53,5 +70,5 @@ class Sensor:
 
 
 def sensor_sha256(sensor: Sensor) -> str:
-    """Hexadecimal digest of all values: the same sensor wherever its numbers came from."""
+    """Return the hexadecimal digest of all values, which identifies a sensor."""
     return hashlib.sha256(json.dumps(dict(sensor.values), sort_keys=True).encode()).hexdigest()

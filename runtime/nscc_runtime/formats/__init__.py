@@ -1,8 +1,8 @@
-"""Files that pictures, clips and frames are written as: one table, and a function for each."""
+"""File formats of pictures, clips and frames: a table, and a function per format."""
 
 from __future__ import annotations
 
 from nscc_runtime.formats.content import Content
-from nscc_runtime.formats.table import FORMATS, Format, check_ending, endings, file_of
+from nscc_runtime.formats.format_table import FORMATS, Format, check_ending, endings, file_of
 
 __all__ = ["FORMATS", "Content", "Format", "check_ending", "endings", "file_of"]

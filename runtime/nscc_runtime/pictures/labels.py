@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,7 @@ _NAME, _SMALL = 7.8, 7.0
 _NEAR, _FAR = (3.0, 5.5, 8.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
 """Points between a mark and its text, and a text that may stand further off."""
 _LEADER = 9.0
-"""A text further off than so many points is joined to its anchor."""
+"""Distance in points beyond which a text is joined to its anchor by a line."""
 _HALO = 2.0
 """Points of the line around the letters, of which half is outside them."""
 _CLEAR = np.array([-1.0, -1.0, 1.0, 1.0]) * (_HALO / 2 + 0.8)
@@ -42,12 +42,10 @@ the text is nearer to another mark than to its own."""
 
 
 @dataclass(frozen=True)
-class Label:
-    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
-
-    The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
-    and so may what a reader looks for (`sought`).
-    """
+class ChartLabel:
+    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first. The
+    `name` of a line is larger. It may stand further off, joined to its anchor by a thin line, and
+    so may a text that readers look for (`sought`)."""
 
     text: str
     anchors: Sequence[tuple[float, float]]
@@ -57,11 +55,11 @@ class Label:
 
     @property
     def far(self) -> bool:
-        """Whether it may stand far off."""
+        """Whether the text may stand far off."""
         return self.name or self.sought
 
 
-def place_labels(axes: Axes, labels: Sequence[Label]) -> list[Label]:
+def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
     """Write the labels, in this order; return those for which there is no free place.
 
     The figure is laid out (`sheet.lay_out`): nothing in it moves any more.
@@ -71,7 +69,7 @@ def place_labels(axes: Axes, labels: Sequence[Label]) -> list[Label]:
 
 
 def halo() -> list[Any]:
-    """The effect of a text (`path_effects`) that stays legible on lines."""
+    """Return the `path_effects` of a text that stays legible on lines."""
     from matplotlib.patheffects import withStroke
 
     return [withStroke(linewidth=_HALO, foreground=look().paper)]
@@ -98,7 +96,7 @@ class _Drawn:
                 marks.append(np.hstack([points - reach, points + reach]))
         self.marks = np.vstack(marks)
 
-    def write(self, label: Label) -> bool:
+    def write(self, label: ChartLabel) -> bool:
         """Writes a label where there is a free place for it; returns whether there is one."""
         text = self.axes.annotate(
             label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left",
@@ -125,7 +123,7 @@ class _Drawn:
         self.texts = np.vstack([self.texts, box])
         return True
 
-    def _place(self, label: Label, size: Points) -> tuple[int, Points, Points] | None:
+    def _place(self, label: ChartLabel, size: Points) -> tuple[int, Points, Points] | None:
         """The best free place: the number of its anchor, the anchor and the text's box in dots."""
         numbers, anchors, boxes, costs = self._places(label, size)
         room = self.axes.bbox
@@ -144,12 +142,14 @@ class _Drawn:
                     return int(numbers[k]), anchors[k], boxes[k]
         return None
 
-    def _places(self, label: Label, size: Points) -> tuple[NDArray[np.int64], Points, Boxes, Any]:
+    def _places(
+        self, label: ChartLabel, size: Points
+    ) -> tuple[NDArray[np.int64], Points, Boxes, Any]:
         """All places around all anchors, with what each one costs in points."""
         gaps = np.array(_FAR if label.far else _NEAR)
         numbers, gap, angle = (
-            part.ravel()
-            for part in np.meshgrid(np.arange(len(label.anchors)), gaps, np.arange(16) * np.pi / 8)
+            axis.ravel()
+            for axis in np.meshgrid(np.arange(len(label.anchors)), gaps, np.arange(16) * np.pi / 8)
         )
         anchors = self.axes.transData.transform(np.array(label.anchors, float))[numbers]
         ahead = np.column_stack([np.cos(angle), np.sin(angle)])
@@ -160,9 +160,9 @@ class _Drawn:
         # Names go on to the right, other texts stand above or below.
         turn = 1 - np.cos(angle) if label.name else 1 - np.abs(np.sin(angle))
         costs = gap + _ANCHOR * numbers + _TURN * turn
-        own = _distances(boxes, anchors)
+        anchor_distances = _distances(boxes, anchors)
         for mark in (self.marks[:, :2] + self.marks[:, 2:]) / 2:
-            costs += _ASTRAY / self.dots * np.maximum(own - _distances(boxes, mark), 0)
+            costs += _ASTRAY / self.dots * np.maximum(anchor_distances - _distances(boxes, mark), 0)
         return numbers, anchors, boxes, costs
 
 
@@ -171,9 +171,9 @@ def _distances(boxes: Boxes, points: Points) -> NDArray[np.float64]:
     return np.asarray(np.hypot(*(nearest - points).T))
 
 
-def _overlaps(some: Boxes, others: Boxes) -> NDArray[np.bool_]:
+def _overlaps(boxes_a: Boxes, boxes_b: Boxes) -> NDArray[np.bool_]:
     """Which of (n, 4) overlap which of (m, 4): (n, m)."""
-    a, b = some[:, None], others[None]
+    a, b = boxes_a[:, None], boxes_b[None]
     return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
 
@@ -187,5 +187,5 @@ def _cross(paths: Sequence[Path], boxes: Boxes) -> bool:
     """Whether one of the paths crosses one of the boxes."""
     from matplotlib.transforms import Bbox
 
-    found = [Bbox(box.reshape(2, 2)) for box in boxes]
-    return any(path.intersects_bbox(box, filled=False) for path in paths for box in found)
+    bboxes = [Bbox(box.reshape(2, 2)) for box in boxes]
+    return any(path.intersects_bbox(box, filled=False) for path in paths for box in bboxes)

@@ -1,4 +1,4 @@
-"""The picture of what compile time buys."""
+"""The diagram of words against compile time."""
 
 from __future__ import annotations
 
@@ -7,17 +7,15 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
 def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
-    """For each program of `nscc.tradeoff.synthesis` the words against time, a line a lowering.
-
-    `words` says which words are counted; `repeats` compilations were timed on `device`.
-    """
+    """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, a line per lowering.
+    `words` names the words that are counted; `repeats` compilations were timed on `device`."""
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
     ]
@@ -27,5 +25,5 @@ def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device:
         panels, "What compile time buys",
         f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
         f"on {device}",
-        Reading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
+        PointReading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
     )  # fmt: skip

@@ -1,8 +1,6 @@
-"""Scenes given as pictures: single files and folders of them, through the readers that know them.
-
-OpenEXR reads .exr; Pillow .jpg and .webp, because it notices truncated files, and .avif; rawpy the
-raw files of cameras; OpenCV the rest, because it keeps 16 bits a sample and knows Radiance and PFM.
-"""
+"""Scenes as pictures: single files and folders of them. OpenEXR reads .exr; Pillow .jpg and .webp,
+because it detects truncated files, and .avif; rawpy the raw files of cameras; OpenCV the rest,
+because it keeps 16 bits per sample and reads Radiance and PFM."""
 
 from __future__ import annotations
 
@@ -22,6 +20,7 @@ from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
 from nscc_runtime.scenes.exr_pictures import exr_pages
+from nscc_runtime.scenes.large_pictures import large_pages, without_pillow_limit
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.picture_heads import png_head, read_radiance
@@ -35,30 +34,31 @@ PICTURES = LINEAR + DISPLAY
 
 
 def default_transfer(path: Path) -> Transfer:
-    """Linear for formats of linear light, the sRGB curve for those made for displays."""
+    """Return the default curve: linear for formats of linear light, sRGB for formats made for
+    displays."""
     return "linear" if path.suffix.lower() in LINEAR else "srgb"
 
 
 def transfer_of(path: Path) -> Transfer:
-    """The transfer curve that a picture's file names, or else that of its format."""
+    """Return the transfer curve that a picture's file names, or that of its format."""
     named = png_head(path).transfer if path.suffix.lower() == ".png" else None
     return named or default_transfer(path)
 
 
-def open_pages(path: Path) -> Pages:
-    """The pictures in a file: one, or those of a file of several, which are a clip.
+def open_pages(path: Path, large: bool = False) -> Pages:
+    """Open the pictures in a file: one, or several, which are a clip.
 
-    Alpha is dropped; the rotation noted in a photograph is applied.
+    Alpha is dropped; the rotation noted in a photograph is applied. `large` admits single pictures
+    of 8 bits per sample with up to `MOST_LARGE_PIXELS`.
 
-    Raises
-    ------
-    Rejected
-        NS0732 for a file that is damaged, or of a kind that is not decoded.
+    Raises Rejected (NS0732) for a file that is damaged, or of a kind that is not decoded.
     """
     reads(path)
     with _readable(path):
-        refuse_huge(path)
-        pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
+        pages = large_pages(path) if large else None
+        if pages is None:
+            refuse_huge(path)
+            pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
 
     def read() -> Iterator[tuple[str, NDArray[Any]]]:
         pictures = pages.read()
@@ -74,7 +74,7 @@ def open_pages(path: Path) -> Pages:
 
 
 def read_picture(path: Path) -> NDArray[Any]:
-    """The one picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
+    """Read the one picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
 
     Raises
     ------
@@ -92,7 +92,7 @@ def read_picture(path: Path) -> NDArray[Any]:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """NS0732 with the reader's words, or with the reason why a whole file is not decoded."""
+    """Turn exceptions of readers into NS0732, with the reader's text or the reason."""
     try:
         with quiet():
             yield
@@ -104,9 +104,9 @@ def _readable(path: Path) -> Iterator[None]:
         raise damaged(path, error) from error
 
 
-def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
-    """A file of one picture. imread knows files by their content; decoding from memory also takes
-    any path."""
+def _single_picture_pages(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
+    """Open a file of one picture. Decoding from memory recognises files by content, as imread does,
+    and supports any path."""
 
     def read() -> Iterator[NDArray[Any]]:
         yield decode(np.fromfile(path, np.uint8))
@@ -115,36 +115,36 @@ def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pag
 
 
 def _opencv_pages(path: Path) -> Pages:
-    return _one(path, decoded)
+    return _single_picture_pages(path, decoded)
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """The picture that OpenCV decodes from the bytes of a file; ValueError where it cannot."""
+    """Decode a file's bytes by OpenCV; ValueError if it cannot."""
     import cv2
 
     if data.size == 0:
         raise ValueError("the file is empty")
-    # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
+    # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
-        found = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
-        if found is not None:
+        image = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
+        if image is not None:
             break
     else:
         raise ValueError("")
-    picture = np.asarray(found)
+    picture = np.asarray(image)
     return picture if picture.ndim == 2 else picture[..., 2::-1]
 
 
 def _pillow_pages(path: Path) -> Pages:
-    """The frames of a file, an animation's laid over those before."""
+    """Open the frames of a file by Pillow; frames of an animation are composed."""
     from PIL import Image, ImageOps
 
-    with _large_pictures(), Image.open(path) as image:
+    with without_pillow_limit(), Image.open(path) as image:
         count = int(getattr(image, "n_frames", 1))
         refuse_size(path, image.height, image.width)
 
     def read() -> Iterator[NDArray[Any]]:
-        with _large_pictures(), Image.open(path) as image:
+        with without_pillow_limit(), Image.open(path) as image:
             for number in range(count):
                 image.seek(number)
                 upright = ImageOps.exif_transpose(image) if count == 1 else image
@@ -152,18 +152,6 @@ def _pillow_pages(path: Path) -> Pages:
                 yield np.asarray(upright.convert("L" if grey else "RGB"))
 
     return Pages(count, read)
-
-
-@contextmanager
-def _large_pictures() -> Iterator[None]:
-    """Pillow takes panoramas for attacks by their size; `refuse_size` says what is one here."""
-    from PIL import Image
-
-    most, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
-    try:
-        yield
-    finally:
-        Image.MAX_IMAGE_PIXELS = most
 
 
 def _heif_pages(path: Path) -> Pages:
@@ -174,14 +162,15 @@ def _heif_pages(path: Path) -> Pages:
 
 
 def _png_pages(path: Path) -> Pages:
-    """A picture by OpenCV, which keeps 16 bits, or the frames of an animation by Pillow."""
+    """Open a .png: a picture by OpenCV, which keeps 16 bits, or the frames of an animation by
+    Pillow."""
     head = png_head(path)
     pages = _pillow_pages(path) if head.animated else _opencv_pages(path)
     return replace(pages, transfer=head.transfer, notes=head.notes)
 
 
 def _radiance_pages(path: Path) -> Pages:
-    return _one(path, lambda data: read_radiance(path, data, decoded))
+    return _single_picture_pages(path, lambda data: read_radiance(path, data, decoded))
 
 
 _READERS: dict[str, Callable[[Path], Pages]] = {
@@ -198,7 +187,7 @@ _READERS: dict[str, Callable[[Path], Pages]] = {
 def files_of(
     folder: Path, skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> list[Path]:
-    """The pictures of a folder in natural order (2 before 10).
+    """Return the pictures of a folder in natural order (2 before 10).
 
     Hidden files, and files that belong to no sequence of frames, are passed over. With `skip`,
     `warn` is told of frames that are missing.
@@ -242,21 +231,19 @@ def files_of(
 
 
 def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
-    """Sort key in which runs of digits count as numbers; the name itself decides ties."""
-    parts = re.findall(r"\d+|\D+", name)
+    """Return a sort key in which runs of digits count as numbers; the name itself breaks ties."""
+    runs = re.findall(r"\d+|\D+", name)
     return [
         (0, int(p), "") if p.isdecimal() and p.isascii() and len(p) < 4000 else (1, 0, p.casefold())
-        for p in parts
+        for p in runs
     ], name
 
 
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Iterator[NDArray[Any]]:
-    """The frames of a folder, each as stored; NS0734 where one differs in size from the first.
-
-    With `skip`, `warn` is told of damaged files (NS0776), and they are left out.
-    """
+    """Yield the frames of a folder as stored; NS0734 if one differs in size from the first. With
+    `skip`, damaged files are reported to `warn` (NS0776) and left out."""
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
         for path in pictures:
@@ -272,7 +259,7 @@ def read_folder(
 
 
 def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
-    """The pictures of a clip, each given with its name; NS0734 where one differs in size."""
+    """Yield the pictures of a clip, given with their names; NS0734 if one differs in size."""
     first: tuple[int, int] | None = None
     for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])
@@ -289,11 +276,9 @@ def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Keep what decoding libraries print about damaged files off the user's screen.
-
-    They write to the process's standard error below Python, so the file descriptor is set aside.
-    OpenCV and its FFmpeg read their own switches when first used.
-    """
+    """Suppress the output of decoding libraries about damaged files. They write to the process's
+    standard error below Python, so the file descriptor is replaced. OpenCV and its FFmpeg read
+    their own switches at first use."""
     import io
     import os
     import sys
@@ -305,7 +290,7 @@ def quiet() -> Iterator[None]:
     with redirect_stdout(io.StringIO()):
         sys.stderr.flush()
         try:
-            kept = os.dup(2)
+            saved_stderr = os.dup(2)
         except OSError:  # standard error is closed: nothing to keep quiet
             yield
             return
@@ -314,5 +299,5 @@ def quiet() -> Iterator[None]:
         try:
             yield
         finally:
-            os.dup2(kept, 2)
-            os.close(kept)
+            os.dup2(saved_stderr, 2)
+            os.close(saved_stderr)

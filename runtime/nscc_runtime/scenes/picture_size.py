@@ -1,4 +1,4 @@
-"""The size of a picture by its header, so that a huge one is refused before it is decoded."""
+"""Check the size of a picture by its header, before it is decoded."""
 
 from __future__ import annotations
 
@@ -10,10 +10,13 @@ from typing import Any
 from nscc.diagnostics.rejection import rejected
 
 MOST_PIXELS = 1 << 26
-"""Of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
+"""Most pixels of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
+
+MOST_LARGE_PIXELS = 3 * MOST_PIXELS
+"""Most pixels of a scene that is one picture of 8 bits per sample: 201 million."""
 
 _MOST_SAMPLES = 4
-"""Samples that an OpenEXR file holds, in all its parts and channels, for each of MOST_PIXELS."""
+"""Most samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS."""
 
 _HEADER_BYTES = 1 << 16
 _WINDOWS = ("dataWindow", "displayWindow")
@@ -23,24 +26,28 @@ _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 
 
 def refuse_huge(path: Path) -> None:
-    """NS0734 for a picture file whose header states more than MOST_PIXELS; other faults pass."""
+    """Raise NS0734 for a picture file whose header states more than MOST_PIXELS; other
+    errors pass."""
     size = _stated_size(path)
     if size is not None:
         refuse_size(path, *size)
 
 
 def refuse_size(path: Path, rows: int, cols: int) -> None:
-    """NS0734 for a picture or a frame of more than MOST_PIXELS."""
+    """Raise NS0734 for a picture or a frame of more than MOST_PIXELS."""
     if rows * cols > MOST_PIXELS:
         raise rejected(
             "NS0734",
             f"'{path}' is {rows:,} x {cols:,} pixels: at most {MOST_PIXELS:,} are read",
-            helps=("make the picture smaller, or cut out a part of it",),
+            helps=(
+                "make the picture smaller, or cut out a part of it; a scene that is one picture of "
+                f"8 bits a sample may have {MOST_LARGE_PIXELS:,} pixels",
+            ),
         )
 
 
 def _stated_size(path: Path) -> tuple[int, int] | None:
-    """Rows and columns; None where the header does not tell them."""
+    """Return rows and columns; None if the header does not state them."""
     with open(path, "rb") as file:
         head = file.read(_HEADER_BYTES)
     if match := _PFM.match(head):
@@ -65,14 +72,14 @@ def _stated_size(path: Path) -> tuple[int, int] | None:
 
 
 def _exr_size(path: Path) -> tuple[int, int] | None:
-    """The size of the largest window of an OpenEXR file's parts; NS0734 for too many samples in
-    all of them, which are decoded together."""
+    """Return the size of the largest window of an OpenEXR file's parts. NS0734 for too many samples
+    in all parts, which are decoded together."""
     import OpenEXR
 
     try:
         with OpenEXR.File(str(path), header_only=True) as file:
-            headers = [part.header for part in file.parts]
-            sizes = [_window(each[name]) for each in headers for name in _WINDOWS]
+            headers = [file_part.header for file_part in file.parts]
+            sizes = [_window(header[name]) for header in headers for name in _WINDOWS]
             samples = sum(prod(_window(h["dataWindow"])) * len(h["channels"]) for h in headers)
     except Exception:  # OpenEXR's exceptions differ from version to version
         return None
@@ -87,5 +94,5 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
 
 
 def _window(corners: Any) -> tuple[int, int]:
-    (left, top), (right, bottom) = corners
-    return int(bottom) - int(top) + 1, int(right) - int(left) + 1
+    (x0, y0), (x1, y1) = corners
+    return int(y1) - int(y0) + 1, int(x1) - int(x0) + 1

@@ -1,8 +1,6 @@
-"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV.
-
-OpenCV multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white;
-Pillow has no colours of 16 bits.
-"""
+"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV. OpenCV
+multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white; Pillow
+has no colours of 16 bits."""
 
 from __future__ import annotations
 
@@ -30,7 +28,7 @@ Tags = Mapping[int, Any]
 
 
 def tiff_pages(path: Path) -> Pages:
-    """The pages of a TIFF file, thumbnails and masks left out.
+    """Open the pages of a TIFF file, without thumbnails and masks.
 
     Raises
     ------
@@ -55,7 +53,7 @@ def tiff_pages(path: Path) -> Pages:
 
 
 def _directories(path: Path) -> list[Tags]:
-    """The tags of each page."""
+    """Return the tags of each page."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []
@@ -64,9 +62,9 @@ def _directories(path: Path) -> list[Tags]:
         if head[2:4] in (b"+\0", b"\0+"):  # 43, the number of BigTIFF
             head += file.read(8)
         directory = ImageFileDirectory_v2(head)
-        seen = set()
-        while directory.next and directory.next not in seen:
-            seen.add(directory.next)
+        visited = set()
+        while directory.next and directory.next not in visited:
+            visited.add(directory.next)
             file.seek(directory.next)
             directory = ImageFileDirectory_v2(head)
             directory.load(file)
@@ -77,7 +75,7 @@ def _directories(path: Path) -> list[Tags]:
 
 
 def _samples(tags: Tags) -> tuple[int, int]:
-    """Format and bits of a page's samples."""
+    """Return format and bits of a page's samples."""
     kinds, bits = (np.ravel(tags.get(tag) or 1) for tag in (_FORMAT, _BITS))
     return int(kinds[0]), int(bits.max())
 
@@ -101,14 +99,14 @@ def _read_page(path: Path, index: int, tags: Tags) -> NDArray[Any]:
         picture = picture[..., 0] if grey and picture.ndim == 3 else picture
         if bits > 8 and kind == _UNSIGNED and tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
             picture = np.iinfo(picture.dtype).max - picture
-    wanted = (int(tags[_ROWS]), int(tags[_COLS]))
-    if sorted(picture.shape[:2]) != sorted(wanted):  # a photograph may have been turned
-        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {wanted}")
+    stated_size = (int(tags[_ROWS]), int(tags[_COLS]))
+    if sorted(picture.shape[:2]) != sorted(stated_size):  # a photograph may have been turned
+        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {stated_size}")
     return picture
 
 
 def _by_pillow(path: Path, index: int) -> NDArray[Any] | None:
-    """The page in 8 bits; None where Pillow does not know its kind."""
+    """Return the page in 8 bits; None if Pillow does not support its kind."""
     from PIL import Image, ImageOps, UnidentifiedImageError
 
     try:
@@ -125,10 +123,12 @@ def _by_opencv(path: Path, index: int) -> NDArray[Any]:
     import cv2
 
     data = np.fromfile(path, np.uint8)
-    # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
+    # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
-        good, found = cv2.imdecodemulti(data, cv2.IMREAD_ANYDEPTH | flags, range=(index, index + 1))
-        if good and len(found) == 1:
-            picture = np.asarray(found[0])
+        success, pages = cv2.imdecodemulti(
+            data, cv2.IMREAD_ANYDEPTH | flags, range=(index, index + 1)
+        )
+        if success and len(pages) == 1:
+            picture = np.asarray(pages[0])
             return picture if picture.ndim == 2 else picture[..., 2::-1]
     raise ValueError(f"OpenCV decodes no page {index} of it")

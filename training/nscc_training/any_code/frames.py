@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
 from nscc.containers import is_compiled, load_container, with_pixels
@@ -21,10 +20,10 @@ from nscc.words.file import to_bytes
 from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_training.dark import read_dark, undarkened
+from nscc_training.dark_frames import read_dark, undarkened
 from nscc_training.frame_reading import are_lengths, number_of
 from nscc_training.measured import Measured
-from nscc_training.problems import said, why_no_arrays
+from nscc_training.problems import one_line, why_no_arrays
 
 _TOP = 255
 """The last code, where a frame does not say what is saturated."""
@@ -64,23 +63,23 @@ class CodedFrame:
             row=self.row[rows, cols],
         )
 
-    def clip(self) -> Measured:
+    def clip(self) -> Measured[NDArray[Any]]:
         """As the frames of a clip, whose unit is electrons in a slot of mean length."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
         return self._measured(weights)
 
-    def still(self) -> Measured:
+    def still(self) -> Measured[NDArray[Any]]:
         """As the frames of a still, whose unit is electrons over the whole frame."""
         share = self.opened @ (self.slot_us / self.slot_us.sum())
         return self._measured(share[..., None].astype(np.float32))
 
-    def _measured(self, weights: NDArray[np.float32]) -> Measured:
+    def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
         """`weights` (shutters, B, N)."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
         arrays = (self.value_e, mask, self.variance_e2, self.saturated)
-        return Measured(*(torch.from_numpy(part)[None] for part in arrays))
+        return Measured(*(part[None] for part in arrays))
 
 
 def read_coded_frames(
@@ -127,7 +126,7 @@ def read_coded_frames(
             for k in range(len(arrays["frame"]))
         )
     except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise nocoded_frame(path, f"its arrays do not fit together: {said(error)}") from error
+        raise nocoded_frame(path, f"its arrays do not fit together: {one_line(error)}") from error
 
 
 def _dark_of(
@@ -213,7 +212,7 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
     try:
         found = decode_arrays(container, Sensor(values), meta.get("plan"))
     except (KeyError, TypeError, AttributeError) as error:
-        raise nocoded_frame(path, f"its meta is damaged: {said(error)}") from error
+        raise nocoded_frame(path, f"its meta is damaged: {one_line(error)}") from error
     if not found:
         raise rejected(
             "NS0819",

@@ -1,8 +1,6 @@
 """Lessons of the decoder for any code: noisy clips, and clips and stills behind codes of any kind.
-
 What is drawn of a lesson, light and shutters, depends on seed and step; noise is drawn on the
-device that the network learns on.
-"""
+device that the network learns on."""
 
 from __future__ import annotations
 
@@ -21,7 +19,7 @@ from nscc_training.data.exposures import quantiles
 from nscc_training.data.moving import Generator, Picture, moving
 from nscc_training.draws import uniform
 from nscc_training.measured import Measured
-from nscc_training.settings import Settings
+from nscc_training.settings import RunSettings
 
 Mask = NDArray[np.float32]
 Light = NDArray[np.float32]
@@ -53,7 +51,9 @@ class Lesson(NamedTuple):
 class LessonSet(Dataset[Lesson]):
     """The lessons of a run by step: as many clips as come to the batch of eight frames."""
 
-    def __init__(self, pictures: Sequence[Picture] | Sequence[Light], settings: Settings) -> None:
+    def __init__(
+        self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
+    ) -> None:
         self.pictures, self.settings = pictures, settings
 
     def __getitem__(self, step: int) -> Lesson:
@@ -86,7 +86,7 @@ def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
 
 def measured_lesson(
     lesson: Lesson, generator: torch.Generator
-) -> tuple[Tensor, Measured, Tensor | None]:
+) -> tuple[Tensor, Measured[Tensor], Tensor | None]:
     """Return the truth of a lesson, what is measured of it, and the display's white (batch,).
 
     The white is given for filmed lessons, in whose unit errors are counted as a display shows them.
@@ -200,9 +200,7 @@ def _read_out(
     value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None
 ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
     """Return frames (batch, 1, rows, cols) as some sensor reads each: the fields of `Measured`.
-
-    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none.
-    """
+    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none."""
     wide = (-1, 1, 1, 1)
 
     def drawn(limits: tuple[float, float]) -> Tensor:

@@ -1,4 +1,4 @@
-"""Total variation and GAP-TV of batches of clips, as operators of torch on any device."""
+"""Total variation of batches of clips, as an operator of torch on any device."""
 
 from __future__ import annotations
 
@@ -6,60 +6,17 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.loops import Volume, denoise
-from nscc_training.measured import Measured
-
-START = 20
-"""Iterations of GAP-TV that decoders begin with."""
-_WEIGHT, _INNER, _TIME = 0.1, 5, 0.3
-_FAR = 1.0
-"""What a clip is taken to be wrong by while GAP-TV runs: frames are believed as they are."""
-
-
-def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tensor]:
-    """GAP-TV of so many iterations: the clip (batch, N, rows, cols), and its target as
-    `gap_step` takes it. Frames in several buckets, saturated and noisy ones too.
-
-    It begins with a clip in which nothing moves, each pixel's light spread over the frame. From a
-    dark one light would come only to slots that are open, and by smoothing to those near them: of
-    64 slots, of which some are open nowhere, these would stay a fifth too dark.
-    """
-    far = measured.value.new_full((len(measured.value),), _FAR)
-    target = measured.value
-    clip = measured.mean().unsqueeze(1).expand(-1, measured.mask.shape[2], -1, -1)
-    for _ in range(iterations):
-        clip, target = gap_step(measured, clip, target, far)
-        clip = tv_denoised(clip, _WEIGHT, _INNER, _TIME).to(clip)
-    return clip, target
-
-
-def gap_step(
-    measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
-) -> tuple[Tensor, Tensor]:
-    """A clip led towards the frames, and the frames as they are asked for from now on."""
-    seen = measured.of(clip)
-    target = target + measured.missing(seen, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(seen, target), sigma), target
+from nscc_training.baselines.tv import tv_denoised_arrays
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     """Return clips (batch, T, rows, cols) denoised as `nscc_training.baselines.tv.tv_denoise` does.
-
     On the CPU a compiled loop goes over the pixels, because torch's operators go over the memory
-    fifteen times as often; on other devices they are used. No gradient passes.
-    """
-    # The same memory as arrays: nothing is copied.
-    image = np.asarray(np.from_dlpack(clips.detach().float().contiguous()), np.float32)
-    field = np.zeros((3, *image.shape), np.float32)
-    out = np.empty_like(image)
-    batch, frames, rows, cols = image.shape
-    volume = Volume(
-        clips=batch, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
-        time=time,
-    )  # fmt: skip
-    denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
-    return torch.from_numpy(out)
+    fifteen times as often; on other devices they are used. No gradient passes."""
+    # The same memory as an array: nothing is copied.
+    image = np.from_dlpack(clips.detach().float().contiguous())
+    return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
 @tv_denoised.register_kernel(None)
@@ -73,7 +30,7 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return the same by torch's operators, on whatever device the clips are."""
+    """Return the result of `tv_denoised` by torch's operators, on any device."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     step = 1.0 / (4.0 + 2.0 * time * time)
@@ -81,9 +38,9 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
     out = image
     for turn in range(iterations + 1):
         out = image.clone()
-        for axis, (part, scale) in enumerate(zip(field, scales, strict=True), start=1):
-            out.sub_(part, alpha=scale)
-            _after(out, axis).add_(_before(part, axis), alpha=scale)
+        for axis, (component, scale) in enumerate(zip(field, scales, strict=True), start=1):
+            out.sub_(component, alpha=scale)
+            _after(out, axis).add_(_before(component, axis), alpha=scale)
         if turn == iterations:
             break
         slopes = [
@@ -93,8 +50,8 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
         for axis, slope in enumerate(slopes, start=1):
             _before(squared, axis).addcmul_(slope, slope)
         shrink = squared.sqrt_().mul_(step / weight).add_(1.0).reciprocal_()
-        for axis, (part, slope) in enumerate(zip(field, slopes, strict=True), start=1):
-            _before(part, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
+        for axis, (component, slope) in enumerate(zip(field, slopes, strict=True), start=1):
+            _before(component, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
     return out
 
 

@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.scenes import Scene
-from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.clips import CLIPS, read_clip
 from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.load import ARRAYS
 from nscc_runtime.scenes.picture_files import (
     PICTURES,
@@ -45,12 +45,9 @@ class Subject:
 
 
 def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
-    """What a scene is; a clip has to fill `slots` in `frame_s` seconds.
-
-    Of a longer clip the frames in which most moves are taken, one a slot; a shorter one is slowed
-    down. Raises Rejected as the scenes' readers do; what is wrong with a scene that is read later
-    is said then.
-    """
+    """What a scene is; a clip has to fill `slots` in `frame_s` seconds. Of a longer clip the frames
+    in which most moves are taken, one a slot; a shorter one is slowed down. Raises Rejected as the
+    scenes' readers do; what is wrong with a scene that is read later is said then."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):

@@ -1,4 +1,4 @@
-"""The rows of protocols that need no training: fixed codes, and a decoder for them."""
+"""Baselines of protocols that need no training: fixed codes, and a decoder for them."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.evaluation import methods
-from nscc_training.evaluation.captured import Captured, captured
+from nscc_training.evaluation.captured import CapturedScene, captured
 from nscc_training.evaluation.methods import Light, Method
 from nscc_training.evaluation.results import (
+    ResultSubject,
     Scored,
-    Subject,
     also_saturated,
     mean_score,
     scored,
     usable_scenes,
     with_arrays,
 )
-from nscc_training.protocol_scenes.files import files_of, scenes_in
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
 from nscc_training.protocols import Protocol, load_protocol
 
@@ -42,17 +42,17 @@ _CLASSES = {
     "codes-v1": ("c", "d", "e"),
     "deblur-v1": ("b", "c", "d", "e"),
 }
-"""Classes of codes that `codes` may name, by protocol."""
+"""Classes that `codes` may name, by protocol."""
 
 
 @dataclass(frozen=True)
 class Baseline:
-    """A row of a protocol: the `start` of its codes, CLASS:START on a tile of that side or a number
-    of open slots, and its method.
+    """A baseline of a protocol.
 
-    `takes_codes`: other codes may be named instead. `best_in`: of several uniform exposures the one
-    that is best in this metric, in hindsight. `tiles` makes shutters of several frames; with
-    `alone` each of these is decoded by itself.
+    `start` of its codes is CLASS:START on a tile of `side` x `side`, or a number of open slots.
+    `takes_codes`: other codes may be named. `best_in`: of several uniform exposures the best in
+    this metric, in hindsight. `tiles` returns shutters of several frames; with `alone` each frame
+    is decoded alone.
     """
 
     method: Method
@@ -76,13 +76,14 @@ def _pixel_wise(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
 
 
 def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Random bits of each pixel, and what they leave out in a second frame."""
+    """Random bits of each pixel, and their complement in a second frame."""
     first = _pixel_wise(protocol, seed)
     return np.concatenate([first, ~first])
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Frames of a film: shutters within a frame, or `staggered` past its end into the next one."""
+    """Return shutters of a film: within a frame each, or `staggered` across the end into the next
+    frame."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]
@@ -141,11 +142,9 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 def evaluate_baseline(
     protocol: Protocol, name: str, folder: Path, seed: int = 0, codes: str = ""
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a baseline on a folder of scenes, and its arrays by name.
-
-    `codes` names other shutters, CLASS:START or a run, see `named_codes`. A scene's noise is its
-    own, whatever else is evaluated.
-    """
+    """Return the result of a baseline on a folder of scenes, and its arrays by name. `codes` names
+    other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends on the scene
+    alone."""
     from nscc_training.sensor_model import SensorModel
 
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
@@ -153,32 +152,33 @@ def evaluate_baseline(
     files = files_of(protocol, folder)
     scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
 
-    def decoded(tile: Tensor, shown: Sequence[Scene | None]) -> list[Scored]:
-        def decode(scene: Scene, index: int) -> tuple[Light, float]:
+    def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:
+        def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
             return _decoded(baseline, frames), perf_counter() - begin
 
         return list(scored(shown, decode))
 
-    tried = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
+    attempts = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
     metric = baseline.best_in or "psnr_db"
-    tile, settings, every = max(tried, key=lambda each: mean_score(each[2], metric))
+    tile, settings, scored_scenes = max(attempts, key=lambda entry: mean_score(entry[2], metric))
     published = protocol.values.get("published_db", {}).get(name)
-    more = {} if published is None else {"published_db": published}
-    spent_s = [each.seconds for each in every]
-    subject = Subject(
-        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **more},
-        sees=baseline.method.sees, decoder_ms=1e3 * float(np.mean(spent_s)) if every else None,
+    extra_settings = {} if published is None else {"published_db": published}
+    spent_s = [entry.seconds for entry in scored_scenes]
+    subject = ResultSubject(
+        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
+        sees=baseline.method.sees,
+        decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
     )  # fmt: skip
-    others = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
-    return with_arrays(protocol, subject, files, every, left_out, **others)
+    other_shares = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
+    return with_arrays(protocol, subject, files, scored_scenes, left_out, **other_shares)
 
 
-def _decoded(baseline: Baseline, frames: Captured) -> Light:
+def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
     if not baseline.alone:
         return baseline.method.decode(frames)
-    # A frame tells nothing of slots that it has not seen.
+    # A frame carries no information on slots outside of it.
     count = len(frames.codes)
     return np.concatenate([baseline.method.decode(frames.frame(k)) for k in range(count)])
 
@@ -186,7 +186,7 @@ def _decoded(baseline: Baseline, frames: Captured) -> Light:
 def _choices(
     baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
 ) -> list[tuple[Tensor, dict[str, Any]]]:
-    """Return the shutters that a baseline chooses from, one unless it takes the best of several."""
+    """Return the candidate shutters of a baseline: one, unless it takes the best of several."""
     import torch
 
     from nscc_training.encoders import ShutterSpec, make_encoder
@@ -199,17 +199,19 @@ def _choices(
         return [(tile, {"frames": len(tile), "tile": [*tile.shape[2:]]})]
     slots = int(protocol["slots" if protocol.still else "frames"])
     if codes or ":" in baseline.start:
-        told: dict[str, Any] = {}
+        settings: dict[str, Any] = {}
         spec, start = named_codes(codes or baseline.start, protocol, name)
         if not codes:
             length = 1 if name == "bilinear" else spec.length
             spec = ShutterSpec(spec.kind, slots, (baseline.side, baseline.side), length)
         encoder = start if not isinstance(start, str) else make_encoder(spec, start, seed)
         if codes:
-            told["words_per_slot"] = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))
+            settings["words_per_slot"] = words_per_slot(
+                compiled(program_of(encoder, Chip()), Chip())
+            )
         for key, values in encoder.codes().items():
-            told["stops" if key == "stop" else key] = values.tolist()
-        return [(encoder.hard().cpu(), told)]
+            settings["stops" if key == "stop" else key] = values.tolist()
+        return [(encoder.hard().cpu(), settings)]
     stops = [int(baseline.start)] if baseline.start else [
         1 << k for k in range(slots.bit_length()) if 1 << k <= slots
     ]  # fmt: skip
@@ -218,11 +220,9 @@ def _choices(
 
 
 def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, Any]:
-    """Return the class on its tile and the start of `CLASS[:START]`, or the encoder of a run.
-
-    A class alone starts at random. Rejected (NS0840) if `name` takes no other codes, or the text
-    names none of the protocol's.
-    """
+    """Return the spec and the start of `CLASS[:START]`, or those of a run's encoder. A class alone
+    starts at random. Rejected (NS0840) if `name` takes no other codes, or for codes that the
+    protocol does not have."""
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.run_files import CONFIG, run_path
     from nscc_training.run_folder import run_codes
@@ -251,7 +251,7 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
         reason = f"'{text[:40]}' names no codes of protocol {protocol.name}"
         note = f"its classes are {', '.join(known)}; starts are {', '.join(STARTS)}"
     else:
-        takers = ", ".join(each for each, row in rows.items() if row.takes_codes)
+        takers = ", ".join(row_name for row_name, row in rows.items() if row.takes_codes)
         reason = f"{name} has codes of its own"
         note = f"under {protocol.name} these take others: {takers}"
     raise rejected("NS0840", reason, notes=(note,), helps=(f"such as {known[0]}:quad",))
@@ -260,10 +260,8 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 def evaluate_sci8(
     paths: Sequence[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on the benchmark's clips, and its clips as arrays by name.
-
-    Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method.
-    """
+    """Return the result of a method on the clips of the benchmark, and its clips by name. Rejected:
+    NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(
@@ -275,12 +273,12 @@ def evaluate_sci8(
     methods.load(method, int(protocol["frames"]))
     options = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
 
-    def decode(scene: Scene, _index: int) -> tuple[Light, float]:
+    def decode(scene: ProtocolScene, _index: int) -> tuple[Light, float]:
         assert isinstance(scene, SciClip)
         begin = perf_counter()
-        return chosen.decode(Captured.of_benchmark(scene), **options), perf_counter() - begin
+        return chosen.decode(CapturedScene.of_benchmark(scene), **options), perf_counter() - begin
 
-    every = list(scored(scenes_in(paths, protocol), decode))
-    spent_ms = 1e3 * float(np.mean([each.seconds for each in every]))
-    subject = Subject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
-    return with_arrays(protocol, subject, paths, every, [])
+    scored_scenes = list(scored(scenes_in(paths, protocol), decode))
+    spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
+    subject = ResultSubject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
+    return with_arrays(protocol, subject, paths, scored_scenes, [])

@@ -1,8 +1,6 @@
-"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made again from the runs that come with nscc.
-
-A still and a clip are exposed by the emulated chip through a run's shutters and by pixels that are
-always open, and decoded by the run. Light is in electrons, over the frame or a slot.
-"""
+"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made from the runs that come with nscc. The
+emulated chip exposes a still and a clip through a run's shutters and with always open pixels, and
+the run decodes them. Light is in electrons, over the frame or per slot."""
 
 from __future__ import annotations
 
@@ -30,9 +28,9 @@ from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
 from nscc_training.loop.decoding import container_of, decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
-from nscc_training.protocol_scenes.files import scenes_in
+from nscc_training.protocol_scenes.file_scenes import scenes_in
 from nscc_training.protocol_scenes.hdr import ENDINGS
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import load_protocol
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder, load_run
@@ -41,17 +39,17 @@ from nscc_training.scene_files import CLIPS, files_in
 _BUILTIN = dict(zip((True, False), BUILTIN, strict=True))
 _SHOWN = re.compile(r"(?P<light>[a-z]+):(?P<curve>[a-z-]+)(@(?P<gain>[0-9.]+))?(#(?P<frame>\d+))?")
 _GREY = 0.18
-"""What the median of a still is, of white, at an exposure of 1."""
+"""Relative brightness of the median of a still at an exposure of 1."""
 _ZOOM = 16
-"""Pixels a side that a place of a tile is drawn with."""
+"""Side in pixels of a place of a tile in mosaics."""
 
 Field = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class _Taken:
-    """What came of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
-    `frames`, the coded one and that of always open pixels, as greys."""
+class _Shot:
+    """The images of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
+    `frames`, the coded frame and that of always open pixels, as greys."""
 
     name: str
     light: Mapping[str, Field]
@@ -61,18 +59,18 @@ class _Taken:
         """Return a picture of a figure's layout."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
-        found = _SHOWN.fullmatch(shown)
-        assert found is not None, shown
-        truth, light = self.light["truth"], self.light[found["light"]]
-        name, white = found["light"].replace("open", "always open"), None
-        title = f"{name}, {found['curve']}"
-        if found["gain"]:
-            white = max(float(np.median(truth)), 1e-9) / _GREY / float(found["gain"])
-            title = f"{name}, exposure {found['gain']}"
-        tone = fitted(found["curve"], truth, white)
-        if not found["frame"]:
+        match = _SHOWN.fullmatch(shown)
+        assert match is not None, shown
+        truth, light = self.light["truth"], self.light[match["light"]]
+        name, white = match["light"].replace("open", "always open"), None
+        title = f"{name}, {match['curve']}"
+        if match["gain"]:
+            white = max(float(np.median(truth)), 1e-9) / _GREY / float(match["gain"])
+            title = f"{name}, exposure {match['gain']}"
+        tone = fitted(match["curve"], truth, white)
+        if not match["frame"]:
             return Image(tone(light), title, "" if light is truth else self._score(light))
-        k = min(int(found["frame"]), len(truth) - 1)
+        k = min(int(match["frame"]), len(truth) - 1)
         note = "" if light is truth or k else self._score(light)
         return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
 
@@ -88,20 +86,20 @@ class _Taken:
 
 
 def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> dict[str, bytes]:
-    """Return PNG files by the names that `figures.toml` has for them.
+    """Return PNG files by the names of `figures.toml`.
 
-    `data` holds panoramas and clips, or folders `hdr` and `video` of them: of the first crop of
-    each panorama that one is shown whose brightest light is most above its median, and of the first
-    window of each clip that in which most moves, but of files that the run has seen none. Without
-    it, or where it has none of a kind, the scenes that are built in. `effects` as `nscc run` takes
-    them. Raises Rejected: NS0756 for effects that there are not, NS0811 for a folder of neither.
+    `data` holds panoramas and clips, or folders `hdr` and `video`. The figures show the first crop
+    with the largest ratio of brightest light to median, and the first window with most motion, of
+    files that the run has not seen. Without `data`, or without a suitable file, the built-in scenes
+    are shown. `effects` are those of `nscc run`. Raises Rejected: NS0756 for unknown effects,
+    NS0811 for a folder without scenes.
     """
     runs = {still: load_run(path) for still, path in RUNS.items()}
-    found = {
+    scenes = {
         kind: None if data is None else _scene_of(folder, data, kind)
         for kind, folder in runs.items()
     }
-    if data is not None and not any(found.values()):
+    if data is not None and not any(scenes.values()):
         raise rejected(
             "NS0811",
             f"'{data}' holds nothing to show",
@@ -110,93 +108,103 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
             ),
             helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
         )
-    taken = {"still" if kind else "clip": _taken(folder, kind, found[kind], effects, seed)
+    shots = {"still" if kind else "clip": _shot_of(folder, kind, scenes[kind], effects, seed)
              for kind, folder in runs.items()}  # fmt: skip
     layout = files("nscc_training.evaluation") / "figures.toml"
-    made = {}
+    pngs = {}
     for name, figure in tomllib.loads(layout.read_text(encoding="utf-8")).items():
         if "scene" in figure:
-            scene = taken[figure["scene"]]
+            scene = shots[figure["scene"]]
             rows = [[scene.image(shown) for shown in row.split()] for row in figure["rows"]]
             title = f"{scene.name}: {figure['title']}"
         else:
             rows, title = _mosaics(runs, seed), figure["title"]
-        made[f"{name}.png"] = png_of(image_sheet, rows, title)
-    return made
+        pngs[f"{name}.png"] = png_of(image_sheet, rows, title)
+    return pngs
 
 
-def _taken(
-    folder: RunFolder, still: bool, found: tuple[str, Scene] | None, effects: str, seed: int
-) -> _Taken:
-    """A scene that was found, or the built-in one: a run's frame and what it makes of that."""
-    parts = folder.parts
-    if found is None:
+def _shot_of(
+    folder: RunFolder,
+    still: bool,
+    found_scene: tuple[str, ProtocolScene] | None,
+    effects: str,
+    seed: int,
+) -> _Shot:
+    """Return the images of a scene, or of the built-in one: the frame of a run and its
+    reconstruction."""
+    setup = folder.setup
+    if found_scene is None:
         like = run_capture(folder.path)
-        target, slot_us = parts.target, (parts.chip.slot_us,) * parts.slots
+        target, slot_us = setup.target, (setup.chip.slot_us,) * setup.slots
         [laid] = Shown(_BUILTIN[still], exposure=like.exposure).laid(slot_us, target)
         name, light = _BUILTIN[still], laid.light
     else:
-        name, scene = found
+        name, scene = found_scene
         light_e = np.asarray(scene.light_e, np.float32)
-        weight = np.full(parts.slots, 1 / parts.slots)
+        weight = np.full(setup.slots, 1 / setup.slots)
         light = Light.of_still(light_e, weight) if still else Light.of_clip(light_e)
     truth = np.asarray(light.total_e() if still else light.dense(), np.float64)
-    on = captures_on(parts.device)
+    on = captures_on(setup.device)
     request = Request.of(effects=effects, seed=seed, device_seed=seed, torch_device=on)
     coded, usual = (
-        simulate(container, light, parts.sensor, request).frame
-        for container in (container_of(parts), camera(parts.slots, parts.chip.slot_us))
+        simulate(container, light, setup.sensor, request).frame
+        for container in (container_of(setup), camera(setup.slots, setup.chip.slot_us))
     )
-    made = decoded_frame(parts, coded.frame[0], coded.saturated[0])
-    flat = usual.frame[0] * parts.model.electrons_per_lsb / (1 if still else parts.slots)
+    decoded_light = decoded_frame(setup, coded.frame[0], coded.saturated[0])
+    flat = usual.frame[0] * setup.model.electrons_per_lsb / (1 if still else setup.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
-    codes = fitted("srgb", np.zeros(1), float(parts.model.top_code))
+    codes = fitted("srgb", np.zeros(1), float(setup.model.top_code))
     frames = {
-        name: codes(each.frame[0]) for name, each in (("coded", coded), ("always-open", usual))
+        name: codes(frame.frame[0]) for name, frame in (("coded", coded), ("always-open", usual))
     }
-    shown = {"truth": truth, "open": usual_light, "decoded": made.astype(np.float64)}
-    return _Taken(name, shown, frames)
+    shown = {"truth": truth, "open": usual_light, "decoded": decoded_light.astype(np.float64)}
+    return _Shot(name, shown, frames)
 
 
-def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] | None:
-    """The scene that a figure shows of a folder, and its file's name; None without any."""
+def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
+    """Return the scene of a folder that a figure shows, and the name of its file; None
+    without any."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
-    size = (folder.parts.target.rows, folder.parts.target.cols)
-    scenes: list[tuple[float, str, Scene]] = []
+    size = (folder.setup.target.rows, folder.setup.target.cols)
+    scenes: list[tuple[float, str, ProtocolScene]] = []
     paths = files_in(data / name, endings) or files_in(data, endings)
-    seen = seen_of(folder, paths)
-    for path in (path for path in paths if path not in seen):
-        every = scenes_in([path], protocol)
-        scene = next((each for each in every if isinstance(each, Scene)), None)
+    seen_paths = seen_of(folder, paths)
+    for path in (path for path in paths if path not in seen_paths):
+        file_scenes = scenes_in([path], protocol)
+        scene = next(
+            (candidate for candidate in file_scenes if isinstance(candidate, ProtocolScene)), None
+        )
         if scene is not None and scene.light_e.shape[-2:] == size:
             scenes.append((_worth(scene.light_e), path.name, scene))
     if not scenes:
         return None
-    _, shown, scene = max(scenes, key=lambda each: each[0])
+    _, shown, scene = max(scenes, key=lambda candidate: candidate[0])
     return shown, scene
 
 
 def _worth(light_e: Field) -> float:
-    """How much a scene has to show: the range of a still, the motion of a clip."""
+    """Return the visual interest of a scene: the range of a still, the motion of a clip."""
     if light_e.ndim == 3:
         return float(np.abs(np.diff(light_e, axis=0)).mean() / max(light_e.mean(), 1e-9))
     return float(np.percentile(light_e, 99.9) / max(float(np.median(light_e)), 1e-9))
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
-    """Rows of stills and of clips: codes at random, the 2 x 2 pattern, the run's own."""
+    """Rows of stills and of clips: codes at random, the 2 x 2 tile, the run's own."""
     rows = []
     for still, folder in runs.items():
-        spec, row = folder.parts.encoder.spec, []
+        spec, row = folder.setup.encoder.spec, []
         codes = {start: make_encoder(spec, start, seed) for start in ("random", "quad")}
-        for name, encoder in {**codes, "run": folder.parts.encoder}.items():
+        for name, encoder in {**codes, "run": folder.setup.encoder}.items():
             opened = encoder.hard().double().cpu().numpy()
             share, count = opened.mean(axis=0), np.arange(len(opened)) + 0.5
-            when = np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
-            title = {"quad": "2 x 2 pattern", "run": f"run {RUNS[still]}"}.get(name, name)
+            mean_time = (
+                np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
+            )
+            title = {"quad": "2 x 2 tile", "run": f"run {RUNS[still]}"}.get(name, name)
             # Stops span two decades: their root tells the short ones apart.
-            shown = np.sqrt(share / share.max()) if still else when
+            shown = np.sqrt(share / share.max()) if still else mean_time
             note = "bright is long" if still else "dark is early, bright late"
             grey = np.rint(255 * shown).astype(np.uint8)
             row.append(Image(np.kron(grey, np.ones((_ZOOM, _ZOOM), np.uint8)), title, note))

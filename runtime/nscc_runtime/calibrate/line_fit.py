@@ -1,0 +1,119 @@
+"""Weighted line fits, error propagation, and variances from two halves."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from math import sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc_runtime.calibrate.levels import Map, Mask
+
+Vector = NDArray[np.float64]
+
+
+IMPROBABLE = 1e-4
+
+
+@dataclass(frozen=True, eq=False)
+class Line:
+    """y = start + slope x, with the covariance (2, 2) of (start, slope). `misfit` is chi squared,
+    `freedom` the degrees of freedom, `apart` the root mean square distance of the points relative
+    to the fitted y."""
+
+    start: float
+    slope: float
+    covariance: Vector
+    misfit: float
+    freedom: int
+    apart: float
+
+    @property
+    def chance(self) -> float:
+        """Probability of a misfit this large for points on a line; 1 for two points."""
+        if self.freedom < 1:
+            return 1.0
+        from scipy.special import gammaincc
+
+        return float(gammaincc(self.freedom / 2, self.misfit / 2))
+
+    @property
+    def excess(self) -> float:
+        """Factor on the variance of the points' errors; 1 unless the misfit has a probability below
+        `IMPROBABLE`."""
+        return self.misfit / self.freedom if self.chance < IMPROBABLE else 1.0
+
+
+def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
+    """Fit a weighted least-squares line; `errors` gives the points' standard errors from fitted y.
+    Weights come from the fit instead of the points, because points that are low by chance would get
+    more weight and bias the line."""
+    fitted = y
+    for _ in range(5):
+        weight = 1.0 / errors(fitted) ** 2
+        total = weight.sum()
+        centre = float((weight * x).sum() / total)
+        spread = float((weight * (x - centre) ** 2).sum())
+        slope = float((weight * (x - centre) * y).sum() / spread)
+        start = float((weight * y).sum() / total) - slope * centre
+        fitted = start + slope * x
+    covariance = np.array(
+        [[1 / total + centre**2 / spread, -centre / spread], [-centre / spread, 1 / spread]]
+    )
+    misfit = float((((y - fitted) / errors(fitted)) ** 2).sum())
+    apart = float(np.sqrt(((y / fitted - 1) ** 2).mean()))
+    return Line(start, slope, covariance, misfit, len(x) - 2, apart)
+
+
+def propagated(
+    function: Callable[[Vector], float], values: Sequence[float], covariance: Vector
+) -> tuple[float, float]:
+    """Return a function of uncertain values and its standard error, to first order."""
+    at = np.array(values, np.float64)
+    gradient = np.zeros(len(at))
+    for i, error in enumerate(np.sqrt(np.diag(covariance))):
+        if error > 0:
+            step = np.zeros(len(at))
+            step[i] = error * 1e-3
+            gradient[i] = (function(at + step) - function(at - step)) / (2 * step[i])
+    return float(function(at)), sqrt(max(float(gradient @ covariance @ gradient), 0.0))
+
+
+def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:
+    """Return the variance over the good pixels of the common pattern of two maps, and its standard
+    error. `maps` is (2, rows, cols); their independent noise cancels in the mean. `parameter_count`
+    is the number of parameters fitted and subtracted before, including the mean."""
+    even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
+    product = even * odd
+    count = len(product)
+    return float(product.sum() / (count - parameter_count)), float(product.std() / sqrt(count))
+
+
+def root(variance: float, error: float) -> tuple[float, float]:
+    """Return the square root of a variance, which may be negative, and its standard error. Near 0
+    the error is the increase of the root when the variance grows by its error."""
+    value = sqrt(max(variance, 0.0))
+    if value > 0 and variance > error:
+        return value, error / (2 * value)
+    return value, sqrt(max(variance, 0.0) + error) - value if error > 0 else 0.0
+
+
+def robust_scale(values: Vector) -> tuple[float, float]:
+    """Return the median, and the standard deviation from the median absolute deviation."""
+    middle = float(np.median(values))
+    return middle, 1.4826 * float(np.median(np.abs(values - middle)))
+
+
+def surface(values: Map, good_mask: Mask) -> Map:
+    """Fit a quadratic surface (rows, cols), six parameters, to the good pixels."""
+    rows, cols = values.shape
+    x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
+    terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)
+    solved = np.linalg.lstsq(terms[good_mask], values[good_mask], rcond=None)[0]
+    fitted: Map = terms @ solved
+    return fitted
+
+
+SURFACE_TERMS = 6

@@ -1,0 +1,241 @@
+"""Errors of devices as messages with remedies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from nscc.chips.target import Target
+from nscc.diagnostics import rejection
+from nscc.diagnostics.diagnostic import Rejected
+from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
+from nscc_runtime.device.messages import Capability, Info, LoaderFault, frame_bytes
+from nscc_runtime.device.objects import Upload, target_digest
+from nscc_runtime.device.packets import VERSION, PacketKind
+from nscc_runtime.device.port import PortTrouble
+
+FAILED = 3
+TOO_LONG, NO_BREATH, FADES = 7, 8, 9
+"""Details of the fault SCHEDULE: invalid times of a schedule."""
+_UNTIMED = {
+    TOO_LONG: "they last longer than its clock counts",
+    NO_BREATH: "they keep it from its other work for more than two seconds",
+    FADES: "a register that holds a code is not written often enough",
+}
+_LIST = "`nscc doctor` lists the serial ports of this machine"
+_STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
+
+
+def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
+    """A failure of the device, exit status 3; `options` as of `nscc.diagnostics.rejection`."""
+    return rejection.rejected(code, message, helps=helps, status=FAILED, **options)
+
+
+def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
+    """Return NS0760, or NS0761 for a port that is in use."""
+    shown = port[:200]
+    if trouble.kind == "busy":
+        return rejected(
+            "NS0761",
+            f"the port '{shown}' is busy: {trouble.reason}",
+            "end the other program (`fuser PORT` names it), or wait until it is done",
+        )
+    helps = {
+        "missing": (_LIST, _STAND_IN),
+        "forbidden": (
+            "have your user added to the group that owns the port (`ls -l PORT` shows it; often "
+            "dialout or uucp), then log in again",
+        ),
+        "unsuited": (_LIST, _STAND_IN),
+        "baud": ("choose another speed: --baud 115200 is what every port can do",),
+    }.get(trouble.kind, (_LIST,))
+    return rejected("NS0760", f"cannot open the port '{shown}': {trouble.reason}", *helps)
+
+
+def port_lost(port: str, seconds: float) -> Rejected:
+    """Return NS0766 for a port that was lost and did not return."""
+    return rejected(
+        "NS0766",
+        f"the device at '{port[:200]}' was lost, and did not come back within {seconds:g} s",
+        "check cable and power, then give the command again: what the device has is not sent twice",
+        "--patience S waits longer",
+    )
+
+
+@contextmanager
+def explained(port: str, patience_s: float) -> Iterator[None]:
+    """Turn exceptions of a host's task into messages about the device at `port`."""
+    try:
+        yield
+    except Silent as silent:
+        if silent.ever:
+            raise port_lost(port, patience_s) from None
+        behaviour = "sends bytes that are no packets" if silent.noise else "says nothing"
+        raise rejected(
+            "NS0762",
+            f"no loader of nscc answers at '{port[:200]}': what is there {behaviour}",
+            "put the loader on the device (runtime/firmware/README.md says how), or name another "
+            "port",
+            "if the loader is there, it may run at another speed: --baud",
+            _LIST,
+        ) from None
+    except Stalled:
+        raise rejected(
+            "NS0766",
+            f"the device at '{port[:200]}' answers, and nothing gets through to it",
+            "the line is too bad, or the device keeps starting anew: check cable, speed (--baud) "
+            "and power",
+        ) from None
+    except Contested:
+        raise rejected(
+            "NS0775",
+            f"another program speaks to the device at '{port[:200]}'",
+            "end it, or wait until it is done: a device has one host at a time",
+            notes=("the device did not start anew, and yet began other conversations than ours",),
+        ) from None
+    except Implausible as implausible:
+        captured = implausible.captured
+        raise rejected(
+            "NS0767",
+            f"the device at '{port[:200]}' has a frame of {captured.length} bytes in "
+            f"{captured.readouts} buckets, which is not the program's",
+            "put the loader that came with this nscc on the device",
+        ) from None
+    except RequestRefused as refused:
+        raise _refused(port, refused) from None
+
+
+def _refused(port: str, refused: RequestRefused) -> Rejected:
+    failure = refused.failure
+    at = f"the device at '{port[:200]}'"
+    match failure.fault:
+        case LoaderFault.VERSION:
+            return rejected(
+                "NS0762",
+                f"{at} speaks version {failure.detail} of the protocol, this nscc version "
+                f"{VERSION}",
+                "put the loader that came with this nscc on the device (runtime/firmware)",
+            )
+        case LoaderFault.HARDWARE:
+            return rejected(
+                "NS0768",
+                f"{at} could not expose a frame",
+                "a stand-in says why where it runs (a scene that does not suit the program, say); "
+                "a chip wants to be switched off and on",
+            )
+        case LoaderFault.TARGET:
+            return rejected(
+                "NS0764",
+                f"{at} is another chip than the program is for",
+                "build it for the device's: `nscc device info PORT` names it",
+            )
+        case LoaderFault.NO_PROGRAM:
+            return no_program(port)
+        case LoaderFault.LATE:
+            return rejected(
+                "NS0721",
+                f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
+                "frame later than the program allows",
+                "measure the device's times and build the program with them: `nscc device "
+                "calibrate PORT`",
+            )
+        case LoaderFault.SCHEDULE if failure.detail in _UNTIMED:
+            return rejected(
+                "NS0722",
+                f"{at} cannot time the program's frames: {_UNTIMED[failure.detail]}",
+                "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
+                "enough",
+            )
+    name = {fault.value: fault.name for fault in LoaderFault}.get(failure.fault, str(failure.fault))
+    request = {kind.value: kind.name for kind in PacketKind}.get(
+        failure.request, str(failure.request)
+    )
+    return rejected(
+        "NS0767",
+        f"{at} refuses the program or the request: {name.lower().replace('_', ' ')}, "
+        f"{failure.detail}, in answer to {request}",
+        "build the program again, and put the loader that came with this nscc on the device",
+        notes=("nscc checks programs before it sends them, so the two disagree",),
+    )
+
+
+def no_program(port: str) -> Rejected:
+    """Return NS0771: the device has no program."""
+    return rejected(
+        "NS0771",
+        f"the device at '{port[:200]}' holds no program",
+        "bring it one: `nscc device upload PORT FILE`, or name it: `nscc device capture PORT FILE`",
+    )
+
+
+def states_lost(port: str) -> Rejected:
+    """Return NS0774: the states of the previous frame were lost."""
+    return rejected(
+        "NS0774",
+        f"the device at '{port[:200]}' lost what its pixels keep from frame to frame",
+        "give the command again: the frames then begin with the program's first values",
+        notes=("it started anew, or another host brought it a program, between two frames",),
+    )
+
+
+def wrong_target(port: str, target: Target, info: Info) -> Rejected:
+    """Return NS0764: the program is for another chip."""
+    at = f"the device at '{port[:200]}'"
+    theirs, ours = info.target_name, target.name
+    if theirs != ours:
+        return rejected(
+            "NS0764",
+            f"the program is for {ours}, and {at} is {theirs}",
+            f"build it for the device: `--target {theirs}`, or a file for it",
+        )
+    return rejected(
+        "NS0764",
+        f"the program is for {ours}, and {at} is a {theirs} whose target table is another",
+        "build the program with the table that the device's loader was built with",
+        notes=(
+            f"the program's array is {target.rows} x {target.cols}, the device's "
+            f"{info.rows} x {info.cols}",
+        ),
+    )
+
+
+def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
+    """Refuse programs that the loader would refuse, before sending: NS0764, NS0765, NS0767."""
+    if target_digest(target) != info.target:
+        raise wrong_target(port, target, info)
+    pixels = info.rows * info.cols
+    length = frame_bytes(channels, pixels, upload.readouts, upload.states)
+    for resource, required, available in (
+        ("words", upload.words, info.most_words),
+        ("kernels", upload.kernels, info.most_kernels),
+        ("rows of its schedule", upload.rows, info.most_rows),
+        ("runs of equal slots", upload.runs, info.most_runs),
+        ("bytes of a frame", length, info.most_frame),
+        ("milliseconds of exposure", upload.frame_ms, info.longest_ms),
+    ):
+        if required > available:
+            raise rejected(
+                "NS0765",
+                f"the program does not fit the loader at '{port[:200]}': it needs {required} "
+                f"{resource}, and the loader has room for {available}",
+                "use fewer slots, or fewer buckets; the loader's room is set where it is built "
+                "(runtime/firmware)",
+                data={
+                    "resource": resource, "required": required, "available": available,
+                    "proved": True,
+                },
+            )  # fmt: skip
+    if (upload.levels or upload.states) and not info.capabilities & Capability.LOOKS:
+        raise rejected(
+            "NS0765",
+            f"the program's pixels look at the light, and the loader at '{port[:200]}' neither "
+            "sets IN nor sends digital registers",
+            "put the loader that came with this nscc on the device (runtime/firmware)",
+        )
+    if upload.gains and not info.capabilities & Capability.GAIN:
+        raise rejected(
+            "NS0765",
+            f"the program scales its readouts, which the loader at '{port[:200]}' cannot",
+            "build the program with another --lowering",
+        )

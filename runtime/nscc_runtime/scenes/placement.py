@@ -1,0 +1,191 @@
+"""Place pictures of any size on arrays: cropped, scaled, or in pieces. With `scale` and `tiles` the
+frame has the size of the picture, which lies in the top left corner of as many arrays as needed,
+side by side. The remaining pixels see its mirror image, and are cut off afterwards."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
+from nscc_runtime.light import Light
+from nscc_runtime.scenes.colour import CURVES, Transfer, white_of
+from nscc_runtime.scenes.crop import Window
+from nscc_runtime.scenes.errors import Path_or_name, size
+
+Fit = Literal["crop", "scale", "tiles"]
+FITS: tuple[Fit, ...] = get_args(Fit)
+
+MOST_PIXELS = 1 << 26
+"""Most pixels of a picture in pieces: a frame takes some 30 bytes per pixel."""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """The placement of a picture: `picture` (R, C) as stored, `size` (rows, cols) as exposed, on
+    `arrays` (down, across) of `array` (rows, cols) each."""
+
+    fit: Fit
+    picture: tuple[int, int]
+    size: tuple[int, int]
+    array: tuple[int, int]
+
+    @property
+    def arrays(self) -> tuple[int, int]:
+        """Numbers of arrays, down and across."""
+        return -(-self.size[0] // self.array[0]), -(-self.size[1] // self.array[1])
+
+    @property
+    def fits_one_array(self) -> bool:
+        """Whether the exposed picture has the size of one array."""
+        return self.size == self.array
+
+    def cut(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Return the part (.., rows, cols) of values on all arrays that is the picture."""
+        return values[..., : self.size[0], : self.size[1]]
+
+    def pieces(self, light: Light) -> list[Light]:
+        """Return the light on each array, row by row."""
+        if self.fits_one_array:
+            return [light]
+        (rows, cols), (down, across) = self.array, self.arrays
+        return [
+            light.part(slice(r * rows, (r + 1) * rows), slice(c * cols, (c + 1) * cols))
+            for r in range(down)
+            for c in range(across)
+        ]
+
+    def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
+        """Join values (.., rows, cols) of all arrays, row by row, and cut them to the picture."""
+        down, across = self.arrays
+        if len(pieces) == 1:
+            return self.cut(pieces[0])
+        rows = [pieces[r * across : (r + 1) * across] for r in range(down)]
+        return self.cut(np.concatenate([np.concatenate(row, axis=-1) for row in rows], axis=-2))
+
+    def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Repeat values of an array (.., rows, cols) at the pixels of the picture."""
+        ahead = (1,) * (values.ndim - 2)
+        return np.ascontiguousarray(self.cut(np.tile(values, (*ahead, *self.arrays))))
+
+    def widened(self, container: Container) -> Container:
+        """Return the container with the codes of every pixel of the picture."""
+        if container.pixel_codes is None or self.fits_one_array:
+            return container
+        return replace(container, pixel_codes=self.repeated(container.pixel_codes))
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the entry in a frame file's meta."""
+        return {"fit": self.fit, "picture": list(self.picture), "arrays": list(self.arrays)}
+
+
+def placement_of(
+    fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
+) -> Placement:
+    """Return the placement of a picture (R, C); NS0734 for too many pieces."""
+    array = (window.rows, window.cols)
+    if fit == "crop":
+        return Placement(fit, picture, array, array)
+    if fit == "tiles":
+        if picture[0] * picture[1] > MOST_PIXELS:
+            raise rejected(
+                "NS0734",
+                f"the scene '{name}' is {size(picture)}: too large to be exposed in pieces",
+                notes=(f"at most {MOST_PIXELS} pixels can be",),
+                helps=("--fit scale exposes the whole picture, reduced to the array",),
+            )
+        return Placement(fit, picture, picture, array)
+    factor = min(array[0] / picture[0], array[1] / picture[1])
+    rows, cols = (
+        min(most, max(1, round(side * factor))) for side, most in zip(picture, array, strict=True)
+    )
+    return Placement(fit, picture, (rows, cols), array)
+
+
+def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
+    """Return the light (rows, cols) of the exposed picture on all arrays."""
+    exposed = light.astype(np.float32)
+    if exposed.shape != placement.size:
+        exposed = _resized(exposed, placement.size)
+    (rows, cols), (down, across) = placement.array, placement.arrays
+    margin = [(0, down * rows - exposed.shape[0]), (0, across * cols - exposed.shape[1])]
+    return np.pad(exposed, margin, mode="symmetric")
+
+
+def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
+    """Resize by means over the area of each new pixel, or enlarge by linear interpolation."""
+    import cv2
+
+    smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]
+    how = cv2.INTER_AREA if smaller else cv2.INTER_LINEAR
+    return np.asarray(cv2.resize(light, new_size[::-1], interpolation=how), np.float32)
+
+
+def in_colour(stored: NDArray[Any]) -> bool:
+    """Return whether a stored picture has colours that differ anywhere."""
+    return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
+
+
+def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
+    """Return notes (NS0773) on changes of size and colours of a picture."""
+    notes = []
+    picture, array = size(placement.picture), size(placement.array)
+    if placement.fit == "crop" and placement.picture != placement.size:
+        share = (
+            placement.size[0] * placement.size[1] / (placement.picture[0] * placement.picture[1])
+        )
+        notes.append(picture_note(
+            f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
+            "--fit scale exposes the whole picture, reduced; --fit tiles all of it, in pieces; "
+            "--crop R,C says which part",
+        ))  # fmt: skip
+    elif placement.fit == "scale" and placement.picture != placement.size:
+        text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
+        notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in pieces"))
+    elif placement.fit == "tiles" and placement.arrays != (1, 1):
+        text = f"'{name}' is {picture}: it is exposed in {size(placement.arrays)} pieces of {array}"
+        notes.append(picture_note(text, "--fit scale exposes it at once, reduced"))
+    if colour:
+        text = f"'{name}' is in colour, and its luminance is exposed"
+        note = picture_note(text, "--color exposes red, green and blue one after the other")
+        notes.append(replace(note, data={"grey": True}))
+    return notes
+
+
+def no_colours(name: str) -> Diagnostic:
+    """Return the note (NS0773) on a grey scene that is to be exposed in colours."""
+    return picture_note(f"'{name}' has no colours: it is exposed once", "leave --color out")
+
+
+def taken_for_srgb(name: str) -> Diagnostic:
+    """Return the note (NS0773) on floating-point samples in a format made for screens."""
+    return picture_note(
+        f"the numbers of '{name}' are taken for sRGB, 1 for white",
+        "--transfer linear takes them for light",
+    )
+
+
+def few_bits(stored: NDArray[Any]) -> bool:
+    """Return whether samples of more than 8 bits use at most a quarter of their range: 14 bits of
+    16."""
+    deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
+    return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
+
+
+def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
+    """Return the note (NS0773) on curve and white level of a first picture with `few_bits`."""
+    return picture_note(
+        f"the samples of '{name}' are taken with {CURVES[transfer]} and {white_of(stored.dtype):g} "
+        f"for white; the largest is {stored.max():g}",
+        "--white W says which sample is white, such as --white 4095 for 12 bits",
+    )
+
+
+def picture_note(text: str, help_text: str) -> Diagnostic:
+    """Return a note (NS0773) on the treatment of a picture."""
+    return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

@@ -1,0 +1,271 @@
+"""Finished runs in Python: learned shutters, training curves, captures and reconstructions."""
+
+from __future__ import annotations
+
+import csv
+import os
+from dataclasses import dataclass, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from torch import nn
+
+from nscc import html
+from nscc.diagnostics.arguments import shown, warn, wrong_argument
+from nscc.emit.notebook import shutter_chart
+from nscc.shutter_program import ShutterProgram, compile
+from nscc_runtime import exposing
+from nscc_runtime.captured import Capture
+from nscc_runtime.frame_file import last_codes
+from nscc_runtime.given import LightLike
+from nscc_runtime.scenes.scene import Scene
+from nscc_training import run_folder
+from nscc_training.curve_chart import curve_chart
+from nscc_training.dark_frames import Dark, mean_dark, read_dark
+from nscc_training.encoders import Encoder
+from nscc_training.encoders.looks_encoder import LOOKS
+from nscc_training.frame_reading import FrameRead, by_colour, read_frame
+from nscc_training.loop.decoding import decoded_frame
+from nscc_training.reconstruct import reconstructed
+from nscc_training.run_files import run_capture
+from nscc_training.run_folder import RunFolder
+
+_CURVES = "metrics.csv"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Run:
+    """A finished training run.
+
+    Parameters
+    ----------
+    folder : RunFolder
+        The loaded parts of the run.
+    """
+
+    folder: RunFolder
+
+    @property
+    def path(self) -> Path:
+        """The folder of the run."""
+        return self.folder.path
+
+    @property
+    def still(self) -> bool:
+        """Whether the run reconstructs pictures instead of clips."""
+        return self.folder.setup.still
+
+    @property
+    def encoder(self) -> Encoder:
+        """The learned shutters: `encoder.codes()` are int64 on the tile, by field."""
+        return self.folder.setup.encoder
+
+    @property
+    def decoder(self) -> nn.Module:
+        """The learned decoder, from frames (batch, rows, cols) and shutters (N, rows, cols)."""
+        return self.folder.setup.decoder
+
+    @property
+    def result(self) -> dict[str, Any]:
+        """The scores of the run: `result.json`."""
+        return self.folder.result
+
+    @cached_property
+    def program(self) -> ShutterProgram:
+        """The learned shutters as a program, `shutter.nsl`, compiled as by `nscc run`."""
+        return compile(self.path / "shutter.nsl", target=self.folder.setup.chip.file)
+
+    @cached_property
+    def curves(self) -> dict[str, NDArray[np.float64]]:
+        """The columns of `metrics.csv`, NaN for empty cells; `split` is 1 for validation rows."""
+        with open(self.path / _CURVES, encoding="utf-8", newline="") as file:
+            rows = [*csv.DictReader(file)]
+
+        def number(name: str, text: str) -> float:
+            if name == "split":
+                return float(text == "val")
+            return float(text) if text else float("nan")
+
+        names = rows[0] if rows else ()
+        return {name: np.array([number(name, row[name]) for row in rows]) for name in names}
+
+    def capture(self, light: LightLike, **options: Any) -> Capture:
+        """Capture a scene with the program and sensor of the run.
+
+        A scene without exposure gets that of the run, as with `nscc run --like`.
+
+        Parameters
+        ----------
+        light : array, Light, Scene or str
+            As for `nscc_runtime.capture`.
+        **options
+            Further arguments of `nscc_runtime.capture`.
+
+        Returns
+        -------
+        Capture
+        """
+        like = run_capture(self.path)
+        if isinstance(light, str | os.PathLike):
+            light = Scene(os.fspath(light))
+        if isinstance(light, Scene):
+            light = replace(
+                light,
+                exposure=light.exposure or like.exposure_of(light.name),
+                transfer=light.transfer or like.transfer,
+            )
+        return exposing.capture(self.program, light, **{"sensor": like.sensor, **options})
+
+    def reconstruct(
+        self,
+        frame: Capture | NDArray[np.integer[Any]] | str | os.PathLike[str],
+        *,
+        force: bool = False,
+        dark: Capture | str | os.PathLike[str] | None = None,
+    ) -> NDArray[np.float32]:
+        """Decode a frame.
+
+        Parameters
+        ----------
+        frame : Capture, str, PathLike or array of int
+            A capture, a frame file, or codes of the converter, (rows, cols) or of two buckets (2,
+            rows, cols). Codes are not checked against program and sensor.
+        force : bool
+            Warn instead of refusing a frame of another program or sensor.
+        dark : Capture, str or PathLike, optional
+            A capture without light, with many repeats. Its mean is subtracted.
+
+        Returns
+        -------
+        array of float32
+            Electrons over the frame (rows, cols), or electrons per slot (T, rows, cols) of a clip,
+            the unit of `Capture.truth_e`. Colours are the last axis.
+
+        Raises
+        ------
+        Rejected
+            NS0819 for a frame of another program or sensor, or a dark frame of another program or
+            with light; NS0789 for other arguments.
+        """
+        if isinstance(frame, str | os.PathLike):
+            read, name = read_frame(Path(frame)), str(frame)
+        elif isinstance(frame, Capture):
+            about = frame.meta
+            in_colours = "colours" in about
+            buckets = self.folder.setup.buckets
+            if frame.frame.shape[-3] != buckets or (frame.frame.ndim != 3 and not in_colours):
+                expected = "one bucket" if buckets == 1 else "two buckets"
+                raise wrong_argument(
+                    f"reconstruct takes {expected} of one exposure, not {shown(frame.frame)}"
+                )
+            codes, full = (
+                by_colour(values, in_colours) for values in (frame.frame, frame.saturated)
+            )
+            read = FrameRead(codes, full, about, None)
+            name = "the capture"
+        else:
+            codes = self._codes(frame)
+            full = last_codes(codes, self.folder.setup.target) != 0
+            return decoded_frame(self.folder.setup, codes, full)
+        dark_frames, target = None if dark is None else self._dark(dark), self.folder.setup.target
+        offset = None if dark_frames is None else dark_frames.offset
+        size = (target.rows, target.cols)
+        doubts = () if dark_frames is None else dark_frames.checked(read.meta, size, force=force)
+        light, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
+        warn((*messages, *doubts))
+        return light
+
+    def __repr__(self) -> str:
+        spec, score = self.encoder.spec, self._score()
+        return (
+            f"<nscc run {str(self.path)!r}: class {spec.kind}, {spec.slots} slots, tile "
+            f"{spec.tile[0]} x {spec.tile[1]}, {self.folder.setup.settings.decoder.name}{score}>"
+        )
+
+    def _repr_html_(self) -> str:
+        spec, setup = self.encoder.spec, self.folder.setup
+        about = (
+            f"class {spec.kind}, {spec.slots} slots, {setup.settings.decoder.name}{self._score()}"
+        )
+        return html.card(
+            str(self.path), about,
+            curve_chart(self.curves), self._shutters(),
+            html.folded("the program", html.plain(self.folder.program)),
+        )  # fmt: skip
+
+    def _score(self) -> str:
+        scores_db = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
+        return f", {scores_db[-1]:.2f} dB" if scores_db else ""
+
+    def _shutters(self) -> html.Html:
+        """Return the chart of the distinct shutters of the tile, with the first code of each."""
+        spec, codes = self.encoder.spec, self.encoder.codes()
+        if spec.kind == LOOKS:
+            return html.Html()  # when a pixel is open hangs on the light
+        opened = self.encoder.hard().cpu().numpy().astype(bool).reshape(spec.slots, -1).T
+        rows, first = np.unique(opened, axis=0, return_index=True)
+        flat = {name: values.reshape(-1) for name, values in codes.items()}
+        labels = [
+            ", ".join(f"{name} {values[at]}" for name, values in flat.items()) or "all pixels"
+            for at in first
+        ]
+        slot_us = [self.folder.setup.chip.slot_us] * spec.slots
+        if spec.buckets == 1:
+            return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
+        return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
+
+    def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
+        """Return a frame without light."""
+        if not isinstance(dark, Capture):
+            return read_dark(Path(dark), self.folder.setup.buckets)
+        codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
+        offset = mean_dark(codes, self.folder.setup.model.adc_offset_lsb)
+        full = float(dark.saturated.mean())
+        return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
+
+    def _codes(self, frame: object) -> NDArray[np.uint8]:
+        """Return codes from an array."""
+        target = self.folder.setup.target
+        size: tuple[int, ...] = (target.rows, target.cols)
+        if self.folder.setup.buckets > 1:
+            size = (self.folder.setup.buckets, *size)
+        values = np.asarray(frame)
+        if values.shape == (1, *size):
+            values = values[0]
+        top = self.folder.setup.model.top_code
+        if values.dtype.kind not in "ui" or values.shape != size:
+            raise wrong_argument(
+                f"reconstruct takes a capture, a frame file or its codes {size}, not {shown(frame)}"
+            )
+        if values.min() < 0 or values.max() > top:
+            raise wrong_argument(
+                f"reconstruct: codes are 0..{top}, and these {values.min()}..{values.max()}"
+            )
+        return values.astype(np.uint8)
+
+
+def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
+    """Load a finished run.
+
+    Parameters
+    ----------
+    path : str or PathLike
+        A folder, or the name of a shipped run: hdr, clip.
+    trust_code : bool
+        Allow a run that names Python code of its own, which loading executes.
+
+    Returns
+    -------
+    Run
+
+    Raises
+    ------
+    Rejected
+        NS0818 if the folder contains no finished run, NS0823 if the run needs `trust_code`.
+    """
+    if not isinstance(path, str | os.PathLike):
+        raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")
+    return Run(run_folder.load_run(Path(path), trust_code=trust_code))
