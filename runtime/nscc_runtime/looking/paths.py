@@ -108,7 +108,7 @@ class Paths:
         else:
             at = np.minimum(np.searchsorted(numbers, wanted), len(numbers) - 1)
         if not np.array_equal(numbers[at], wanted):
-            raise ValueError("bits that no code and no kept state has")
+            raise ValueError("some bits are not defined by a code or a kept state")
         return first[at]
 
 
@@ -204,7 +204,7 @@ class _Walk:
         names = sorted({register for each in planes for register in each.registers})
         bits = self.registers.bits[[self.registers.place[name] for name in names]]
         if (bits == UNKNOWN).any():
-            raise Pathless("a state that is told hangs on a bit that nothing has set")
+            raise Pathless("a state that is read depends on a bit that no word has set")
         endings, ending = np.unique(bits, axis=1, return_inverse=True)
         return dict(zip(names, endings, strict=True)), ending.reshape(-1)
 
@@ -216,7 +216,7 @@ class _Walk:
         acts = np.ones_like(flag) if everywhere else flag
         self.size += len(acts)
         if self.size > MOST:
-            raise Pathless("its codes, states and answers make too many ways through a frame")
+            raise Pathless("its codes, states and answers give too many paths through a frame")
         self.passed.append((number, self.segment.copy(), acts))
         if effect is Effect.FLAG_ANALOG:
             self._answered(acts)
@@ -265,7 +265,7 @@ def _alive(
                 alive |= (last if yes < 0 else live[yes]) | reads[number]
             elif acts and writes[number] & alive:
                 if acts == UNKNOWN:
-                    raise Pathless("an exposure hangs on a bit that nothing has set")
+                    raise Pathless("an exposure depends on a bit that no word has set")
                 alive = alive & ~writes[number] | reads[number]
             else:
                 continue
@@ -275,7 +275,7 @@ def _alive(
             live[segment], following[segment], acting[segment] = alive, (no, yes), chosen
     first = np.array([leads_to[k] for k in range(walk.starts)], np.int64)
     if any(last if k < 0 else live[k] for k in first.tolist()):
-        raise Pathless("its exposures hang on what the frame before has left")
+        raise Pathless("its exposures depend on registers of the previous frame")
     return Paths(
         words,
         np.cumsum([0, *map(len, acting)]),

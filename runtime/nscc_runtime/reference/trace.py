@@ -29,8 +29,8 @@ def opens_no_shutters(what: str) -> Rejected:
     """NS0442, for what the reference cannot simulate effects of."""
     return rejected(
         "NS0442",
-        f"{what}, and sensor effects are defined by shutters",
-        helps=("use --effects none: the words are executed exactly",),
+        f"{what}, but sensor effects are defined for shutters",
+        helps=("use --effects none: the words are then executed exactly",),
         status=1,
     )
 
@@ -122,7 +122,8 @@ class _Digital:
                 self._write("FLAG", everywhere, everywhere)
             case Effect.FLAG_ANALOG:
                 raise opens_no_shutters(
-                    f"`{op}` makes FLAG hang on the light: this program opens no shutters"
+                    f"`{op}` makes FLAG depend on the light: this program does not "
+                    "implement shutters"
                 )
             case Effect.FLAG_DIGITAL:
                 self._write("FLAG", self._some(op), everywhere)
