@@ -29,7 +29,7 @@ from nscc_cli.support import CommonCommand, done, say
               "FILE; KIND=- prints it. The container is among them where icw or -o asks "
               "for it.")  # fmt: skip
 @click.option("--print-after", "after", type=PASS, metavar="PASS",
-              help="Show what a pass of the compiler made.")  # fmt: skip
+              help="Print the result of a compiler pass.")  # fmt: skip
 @build_options
 def command(file: Path, out: Path | None, kinds: str, after: str | None, **options: Any) -> None:
     """Compile FILE, prove the words, and write them, or what --emit names."""
@@ -41,8 +41,8 @@ def command(file: Path, out: Path | None, kinds: str, after: str | None, **optio
         see=_printer(after),
     )
     if after == "gates" and compiled.sending is not None:
-        what = "--print-after gates has nothing to show"
-        refuse_planes(compiled.program.target, what, "its passes are all the others")
+        what = "--print-after gates does not apply to this program"
+        refuse_planes(compiled.program.target, what, "its other passes can be printed")
     say(compiled.diagnostics)
     container = out if out is not None else file.with_suffix(".icw")
     products: dict[Path, bytes] = {}
@@ -72,7 +72,7 @@ def _kinds(text: str) -> dict[str, bool]:
         if kind not in SUFFIXES or place not in ("", "-"):
             raise rejected(
                 "NS0505",
-                f"--emit cannot write '{item}'",
+                f"unknown kind '{item}' for --emit",
                 notes=("kinds: " + ", ".join(SUFFIXES) + "; KIND=- prints to standard output",),
             )
         wanted[kind] = place == "-"
@@ -89,8 +89,8 @@ def _printer(after: str | None) -> Callable[[str, Any], None] | None:
     if after not in names:
         raise rejected(
             "NS0506",
-            f"the compiler has no pass '{after}'",
-            notes=("passes, in their order: " + ", ".join(names),),
+            f"unknown compiler pass '{after}'",
+            notes=("passes in their order: " + ", ".join(names),),
         )
 
     def see(name: str, value: Any) -> None:

@@ -48,9 +48,10 @@ def _spread(args: list[str]) -> list[str]:
               help="Frames without light: every file up to the next option.")  # fmt: skip
 @click.option("-o", "out", type=OUT, required=True, metavar="sensor.toml",
               help="The sensor file to write.")  # fmt: skip
-@click.option("--json", "as_json", is_flag=True, help="Print everything found for programs.")
+@click.option("--json", "as_json", is_flag=True, help="Print all results as JSON.")
 @click.option("--program", type=PATH, metavar="FILE.nsl|FILE.icw",
-              help="What the frames were taken with: its reads and words are counted.")  # fmt: skip
+              help="The program that exposed the frames: its reads and words are "
+                   "counted.")  # fmt: skip
 @click.option("--crosstalk", type=NumberRange(0, 0.2), metavar="C", help="Take crosstalk as known "
               "(0: as EMVA 1288 does) instead of measuring it.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,

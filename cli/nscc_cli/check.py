@@ -22,8 +22,7 @@ _MOST_ROUNDS = 20
 @click.command("check", cls=CommonCommand)
 @click.argument("files", nargs=-1, required=True, metavar="FILE...", type=PATH)
 @click.option("--fix", is_flag=True,
-              help="First mend what has one sure remedy, in the files; names are not guessed "
-              "at.")  # fmt: skip
+              help="First apply all safe fixes to the files; names are not guessed.")  # fmt: skip
 @click.option("--watch", is_flag=True,
               help="Check again whenever a file changes, until Ctrl-C.")  # fmt: skip
 @build_options
@@ -66,7 +65,9 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     from nscc_cli.watching import rounds
 
     if session().message_format == "sarif":
-        raise click.UsageError("--watch never ends, and a SARIF log is one document: take json")
+        raise click.UsageError(
+            "--watch runs forever, but a SARIF log is a single document: use json"
+        )
     status = 0
     try:
         for names in rounds(lambda: set().union(*map(files_of, files))):
@@ -109,4 +110,4 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
         count += fixes
         write_back(path, better.text.encode())
     if count:
-        done(f"mended {path.as_posix()}: {counted(count, 'change')}")
+        done(f"fixed {path.as_posix()}: {counted(count, 'change')}")

@@ -37,16 +37,18 @@ def command() -> None:
 
 @command.command("serve", cls=CommonCommand)
 @shared.section(shared.SCENE, click.option(
-    "--scene", type=SCENE, help="What the stand-in sees: a file, a folder or builtin:NAME."
+    "--scene", type=SCENE, help="The scene of the stand-in: a file, a folder or builtin:NAME."
 ))  # fmt: skip
 @click.option(
     "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml"
 )
-@click.option("--fault", metavar="F=V,..", help="A bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
-              "disconnect=after:20000,reboot=after:40000 (rates a byte).")  # fmt: skip
+@click.option("--fault", metavar="F=V,..",
+              help="Simulate a bad cable: corrupt=1e-4,drop=1e-5,delay=50ms, "
+                   "disconnect=after:20000,reboot=after:40000 (rates per byte).")  # fmt: skip
 @click.option("--on", "machine", type=click.Choice(["host", "qemu", "qemu-m0"]), default="host",
-              show_default=True, help="What runs the firmware: this machine, or a Cortex-M4 (a "
-              "Cortex-M0) that QEMU emulates.")  # fmt: skip
+              show_default=True,
+              help="The machine that runs the firmware: this one, or a Cortex-M4 (or "
+                   "Cortex-M0) emulated by QEMU.")  # fmt: skip
 @shared.scene_options
 @shared.sensor_options
 @click.option("--device-seed", type=SEED, default=0, help="Which chip.")
@@ -66,7 +68,7 @@ def serve(**options: Any) -> None:
     faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
     target = load_target(options["target"], Path())
     sensor = sensor_of(target, options)
-    scene = scene_of(options, "nothing for the stand-in to see: --scene is missing")
+    scene = scene_of(options, "--scene is missing: the stand-in needs a scene")
     chip = stand_in.emulated_chip(
         scene, target, sensor, options["device_seed"],
         warn=lambda diagnostic: support.show([diagnostic]), failed=_report,
@@ -128,13 +130,15 @@ def upload(port: str, program: Path, **options: Any) -> None:
 @click.argument("port")
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
 @click.option("-o", "out", type=OUT, help="A frame file: one frame.")
-@click.option("--to", "folder", type=OUT, help="A folder: frame after "
-              "frame, until Ctrl-C.")  # fmt: skip
-@click.option("--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: so many frames.")
-@click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
-              help="With --to: seconds from frame to frame (default: 0).")  # fmt: skip
+@click.option("--to", "folder", type=OUT,
+              help="A folder: write frame after frame, until Ctrl-C.")  # fmt: skip
 @click.option(
-    "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip, of a program that is there."
+    "--count", type=click.IntRange(1, _MOST_FRAMES), help="With --to: the number of frames."
+)
+@click.option("--every", type=NumberRange(0, _LONGEST_S), default=0.0,
+              help="With --to: seconds between frames (default: 0).")  # fmt: skip
+@click.option(
+    "--target", type=TARGET, metavar="NAME|FILE.toml", help="The chip of the stored program."
 )
 @shared.pixels_option
 @shared.sensor_options
@@ -170,7 +174,7 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
     elif options["pixels"]:
         raise rejected(
             "NS0770",
-            "--pixels belongs to a program, and none is named",
+            "--pixels needs a program, but none is named",
             helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
         )
     with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
@@ -192,7 +196,7 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
 @click.argument("port")
 @click.option("-o", "out", type=OUT, required=True, help="The target file.")
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml",
-              help="The chip, if it is none of nscc's own.")  # fmt: skip
+              help="The chip, if it is not a built-in target.")  # fmt: skip
 @shared.link_options
 def calibrate(port: str, out: Path, **options: Any) -> None:
     """Measure what launches, words, waits and readouts take on the device at PORT.

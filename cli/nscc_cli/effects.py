@@ -26,14 +26,14 @@ _WIDTH = 98
 @click.argument("name", required=False, type=EFFECT, metavar="[EFFECT]")
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
-@click.option("--cost", is_flag=True, help="Print what simulating takes on this machine.")
+@click.option("--cost", is_flag=True, help="Print the simulation times on this machine.")
 @click.option("--plan", type=PATH, metavar="FILE",
               help="Print the table of a plan: of the file of `nscc run --plan`, or of a "
               "frame.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
               show_default=True,
-              help="The chip whose figures are the defaults.")  # fmt: skip
-@click.option("--sensor", type=PATH, help="Show this file's values, not the defaults.")
+              help="The chip whose values are the defaults.")  # fmt: skip
+@click.option("--sensor", type=PATH, help="Show the values in this file, not the defaults.")
 @click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
 def command(
     name: str | None, as_json: bool, toml: bool, cost: bool, plan: Path | None, target: str,
@@ -45,7 +45,7 @@ def command(
 
     if as_json + toml + cost + (plan is not None) + (name is not None) > 1:
         raise click.UsageError(
-            "EFFECT, --json, --toml, --cost and --plan print different things: give one of them"
+            "EFFECT, --json, --toml, --cost and --plan print different things: use one of them"
         )
     if plan is not None:
         from nscc_runtime.planning.plan_file import plan_of

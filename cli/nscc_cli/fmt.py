@@ -20,8 +20,10 @@ _STANDARD_INPUT = Path("-")
 
 @click.command("fmt", cls=CommonCommand)
 @click.argument("files", nargs=-1, required=True, metavar="FILE...|-", type=PATH)
-@click.option("--check", is_flag=True, help="Write nothing; exit 1 where a file would change.")
-@click.option("--diff", is_flag=True, help="Write nothing; print what would change.")
+@click.option(
+    "--check", is_flag=True, help="Write nothing; exit with status 1 if a file would change."
+)
+@click.option("--diff", is_flag=True, help="Write nothing; print the changes.")
 def command(files: tuple[Path, ...], check: bool, diff: bool) -> int:
     """Write programs in the one style of the language; `-` is standard input, to standard output.
 

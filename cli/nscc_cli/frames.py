@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 def scene_of(
-    options: Mapping[str, Any], missing: str = "no scene to expose: --scene is missing"
+    options: Mapping[str, Any], missing: str = "--scene is missing: there is no light to expose"
 ) -> Scene:
     """The scene that a command's options describe; NS0744 with the text `missing` without one."""
     from nscc_runtime.scenes import Scene
@@ -97,7 +97,11 @@ def parse_keep(text: str) -> tuple[str, ...]:
     for name in names:
         if name not in KEEP:
             raise unknown_name(
-                "NS0739", "--keep cannot keep '{}'", name, KEEP, "it keeps, comma separated: {}"
+                "NS0739",
+                "unknown name '{}' for --keep",
+                name,
+                KEEP,
+                "--keep takes a comma-separated list of: {}",
             )
     return names
 

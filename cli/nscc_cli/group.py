@@ -76,7 +76,9 @@ def others() -> dict[str, click.Command]:
     found = added("nscc.commands", COMMANDS)
     for name, command in found.items():
         if not isinstance(command, click.Command):
-            raise unusable("nscc.commands", name, f"a {type(command).__name__} is no click command")
+            raise unusable(
+                "nscc.commands", name, f"a {type(command).__name__} is not a click command"
+            )
     return found
 
 
@@ -85,7 +87,7 @@ def _unknown(name: str, known: list[str]) -> Diagnostic:
     if not helps and name.endswith((".nsl", ".icw")):
         helps = (f"name a command first: `nscc check {name}`",)
     helps = helps or ("`nscc --help` lists the commands",)
-    return Diagnostic("NS0781", f"nscc has no command '{name}'", helps=helps)
+    return Diagnostic("NS0781", f"unknown command '{name}'", helps=helps)
 
 
 _version_option = click.version_option(
@@ -94,6 +96,6 @@ _version_option = click.version_option(
 group = _version_option(LazyGroup(
     name="nscc",
     help="Compile per-pixel shutter programs for SCAMP-5 class vision chips, and run them.",
-    epilog="`nscc COMMAND --help` says more about one; `nscc explain NSxxxx` about a message.",
+    epilog="`nscc COMMAND --help` describes a command; `nscc explain NSxxxx` describes a message.",
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 ))  # fmt: skip

@@ -100,7 +100,7 @@ def _checked(document: Text) -> tuple[Diagnostic, ...]:
         return (
             Diagnostic(
                 "NS0901", f"nscc itself failed: {type(error).__name__}: {said}",
-                helps=("save the text: `nscc check` then leaves what is needed to report it",),
+                helps=("save the text and run `nscc check`: it writes a reproducer to report",),
             ),
         )  # fmt: skip
 
@@ -235,7 +235,7 @@ def _changes(server: Server) -> None:
             better = all_mended(document)
             if better is not None:
                 edit = values.edits(uri, [(_whole(document), better)], positions)
-                found.append(types.CodeAction("Make every sure fix", _FIX_ALL, edit=edit))
+                found.append(types.CodeAction("Apply all safe fixes", _FIX_ALL, edit=edit))
             return [each for each in found if only is None or _is_of(each.kind, only)]
 
         return await server.ask(params.text_document.uri, offered)

@@ -74,8 +74,8 @@ def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> 
         listed = ", ".join(wrong)
         raise rejected(
             "NS0770",
-            f"{listed} cannot be had from a device: --on {place[:60]}",
-            notes=("a device exposes what is before it, with the noise that it has",),
+            f"{listed} does not apply to a device: --on {place[:60]}",
+            notes=("a device exposes the real scene with its real noise",),
             helps=(f"leave {listed} out, or run on the emulator: leave --on out",),
         )
 
@@ -83,7 +83,7 @@ def _refuse_simulation(place: str, scene: str | None, keep: tuple[str, ...]) -> 
 def _scene_note(scene: str) -> Diagnostic:
     return Diagnostic(
         "NS0770",
-        f"the device exposes what is before it: --scene {scene[:60]} only says what that is",
+        f"the device exposes the real scene: --scene {scene[:60]} is only recorded",
         severity=Severity.NOTE,
-        notes=("it goes into meta, and into the file with --keep light,truth",),
+        notes=("it is stored in meta, and in the file with --keep light,truth",),
     )

@@ -61,8 +61,8 @@ def load_program(
     if names and is_compiled(path):
         raise rejected(
             "NS0743",
-            f"{names} cannot change '{path}': it is compiled already",
-            notes=("build's options take effect where a program becomes words",),
+            f"{names} cannot change '{path}', which is compiled already",
+            notes=("these options control the compiler",),
             helps=(f"give the .nsl file instead, or leave {names} out",),
         )
     chosen = compile_options(options)

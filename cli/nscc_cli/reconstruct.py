@@ -25,26 +25,30 @@ if TYPE_CHECKING:
 @click.option("-o", "out", required=True, metavar="OUT", type=OUT,
               help="The picture or clip: .npz .npy .mat, .hdr .exr .pfm .png, .gif .mp4, "
               ".tiff.")  # fmt: skip
-@click.option("--png", type=OUT, help="Also write a picture of it, for the eye.")
+@click.option("--png", type=OUT, help="Also write a picture of it for the screen.")
 @tone_option
-@click.option("--dark", type=PATH, metavar="DARK.npz", help="A frame file of the same program "
-              "without light, of many repeats: what it reads is taken from FRAME.")  # fmt: skip
+@click.option("--dark", type=PATH, metavar="DARK.npz",
+              help="A frame file of the same program without light, with many "
+                   "repeats: it is subtracted from FRAME.")  # fmt: skip
 @click.option("--as", "kind", type=click.Choice(("image", "video")),
-              help="With any: a picture or a clip. Default: a picture where all shutters open with "
-              "the frame (class b), else a clip.")  # fmt: skip
+              help="With any: reconstruct a picture or a clip. Default: a picture if all "
+                   "shutters open at the start of the frame (class b), else a clip.")  # fmt: skip
 @click.option("--method", type=click.Choice(("network", "merge", "gap-tv")),
               help="With any: the network (default), or without torch: merge neighbours of a "
               "picture, total variation (GAP-TV) of a clip.")  # fmt: skip
 @click.option("--program", type=PATH, metavar="FILE",
-              help="With any: the program that exposed FRAME, where the file is an older one that "
-              "does not hold its shutters.")  # fmt: skip
-@click.option("--mask", type=PATH, metavar="MASK", help="With any and an own measurement: the file "
-              "of its mask, where FRAME does not hold `mask`.")  # fmt: skip
-@click.option("--noise", metavar="SD[,GAIN]", help="With any and an own measurement: the standard "
-              "deviation of its readout, and what a photon adds, in the unit of `meas` (default: "
-              "none).")  # fmt: skip
+              help="With any: the program that exposed FRAME, for older files "
+                   "without shutters.")  # fmt: skip
+@click.option("--mask", type=PATH, metavar="MASK",
+              help="With any and an own measurement: the file of its mask, if FRAME "
+                   "does not contain `mask`.")  # fmt: skip
+@click.option("--noise", metavar="SD[,GAIN]",
+              help="With any and an own measurement: the standard deviation of its "
+                   "readout, and the amount that one photon adds, in the unit of "
+                   "`meas` (default: none).")  # fmt: skip
 @click.option("--force", is_flag=True,
-              help="With RUN: only warn if the frame is of another program or sensor.")  # fmt: skip
+              help="With RUN: only warn if the frame belongs to another program or "
+                   "sensor.")  # fmt: skip
 @trust_code_option
 def command(
     run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
@@ -74,7 +78,7 @@ def command(
     if run != "any" and (mask or noise):
         raise click.UsageError("--mask and --noise are for `nscc reconstruct any`")
     if run == "any" and frame is not None and force:
-        raise click.UsageError("--force is for runs: `any` takes every frame as it is")
+        raise click.UsageError("--force applies to runs: `any` accepts every frame")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
     what = "a reconstruction"
@@ -148,10 +152,12 @@ def _of_measurement(
 
     if not is_measurement(path, mask):
         if noise is not None:
-            raise click.UsageError("--noise is for own measurements: a frame file states its noise")
+            raise click.UsageError(
+                "--noise applies to own measurements: a frame file contains its noise model"
+            )
         return None
     if any(of_frames):
-        raise click.UsageError("--as, --program and --dark are for frames of `nscc run`")
+        raise click.UsageError("--as, --program and --dark apply to frames of `nscc run`")
     if method == "merge":
         raise click.UsageError("--method merge makes pictures, and own measurements are of clips")
     model = NoiseModel.parse(noise or "0")

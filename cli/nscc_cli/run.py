@@ -43,8 +43,8 @@ _SIMULATION = (
                  help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
                  "builtin:flat:E, builtin:dark."),
     click.option("--like", type=RUN, metavar="RUN",
-                 help="Expose as a run's decoder knows it: its exposure and sensor, and without a "
-                 "FILE its program."),
+                 help="Expose as the run was trained: with its exposure and sensor, and without "
+                      "a FILE its program."),
 )  # fmt: skip
 @shared.scene_options
 @shared.fit_option("crop")
@@ -54,19 +54,20 @@ _SIMULATION = (
 @shared.section(
     shared.EFFECTS,
     click.option("--effects", type=EFFECTS,
-                 help="Sensor effects: auto, all, none (the default), or names; +NAME "
-                 "forces one on, -NAME off."),
+                 help="Sensor effects: auto, all, none (the default), or names; +NAME turns one "
+                      "on, -NAME off."),
     click.option("--tolerance", metavar="5e|0.1lsb|1%",
-                 help="RMS error that a plan may make; %: of the mean signal. Without it, "
-                 "0.15noise: of the frame's own."),
+                 help="Largest RMS error of a plan; %: of the mean signal. Default: 0.15noise, "
+                      "a fraction of the frame's own noise."),
     click.option("--tolerance-max", metavar="T",
-                 help="The same of the worst pixel (default: any)."),
+                 help="The largest error of the worst pixel (default: any)."),
     click.option("--fidelity", type=click.Choice(["planned", "reference"]),
-                 help="reference: effects slot by slot, exactly (slow). planned (default): to a "
-                 "tolerance."),
+                 help="reference: simulate effects slot by slot, exactly (slow). planned "
+                      "(default): within a tolerance."),
     click.option("--audit", is_flag=True,
-                 help="Compare with the reference; exit 1 if it broke."),
-    click.option("--plan", type=PATH, help="Use this plan; if there is none, write it."),
+                 help="Compare with the reference; exit with status 1 if the error exceeds the "
+                     "tolerance."),
+    click.option("--plan", type=PATH, help="Use this plan; if it does not exist, write it."),
     click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0)."),
     click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0)."),
     click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames."),
@@ -77,18 +78,18 @@ _SIMULATION = (
 @shared.section(
     shared.DEVICE,
     click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
-                 help="Where to run: a serial port is a device's."),
+                 help="Where to run: the emulator, or a device at a serial port."),
 )  # fmt: skip
 @shared.link_options
 @shared.section(
     shared.OUTPUT,
     click.option("-o", "out", type=OUT,
-                 help="The frame file (default: NAME.frame.npz in this folder), or what of it "
-                 ".npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold."),
+                 help="The frame file (default: NAME.frame.npz in this folder), or a part of it "
+                      "as .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4."),
     click.option("--png", type=OUT, help="Also write a picture of the frame."),
     click.option("--keep", type=KEPT, default="",
-                 help="Also keep, comma separated: light,truth,shutter,codes."),
-    click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file."),
+                 help="Also store, comma-separated: light,truth,shutter,codes."),
+    click.option("--timings", type=OUT, help="Write the times in seconds to a JSON file."),
     click.option("--verbose", is_flag=True,
                  help="Print the plan's table: each effect, its error and why it was chosen."),
 )  # fmt: skip

@@ -49,7 +49,7 @@ class NumberRange(click.FloatRange):
         """The number; BadParameter for what is none."""
         found = float(super().convert(value, param, ctx))
         if found != found:
-            self.fail(f"{value!r} is no number.", param, ctx)
+            self.fail(f"{value!r} is not a number.", param, ctx)
         return found
 
 
@@ -139,7 +139,7 @@ def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
 def _denied(diagnostic: Diagnostic) -> Diagnostic:
     if diagnostic.severity is not Severity.WARNING:
         return diagnostic
-    notes = (*diagnostic.notes, "a warning, made an error by --deny-warnings")
+    notes = (*diagnostic.notes, "a warning, treated as an error because of --deny-warnings")
     return replace(diagnostic, severity=Severity.ERROR, notes=notes)
 
 
@@ -239,7 +239,7 @@ class Subcommands(CommonCommand, click.Group):
         """The same where there is no command of that name."""
         raise rejected(
             "NS0781",
-            f"nscc has no {self.unknown.format(name[:60])}",
+            f"unknown name: nscc has no {self.unknown.format(name[:60])}",
             helps=(
                 *meant(name, self.commands, written=f"nscc {self.name} {{}}"),
                 f"there is: {', '.join(self.commands)}",

@@ -25,16 +25,18 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
 @click.option("--out", required=True, metavar="DIR", type=OUT,
               help="The folder of the results.")  # fmt: skip
 @click.option("--part", "parts", multiple=True, metavar="PART",
-              help="Compute the points of this part of the grid alone, and the runs that they "
-              "name; may be repeated.")  # fmt: skip
-@click.option("--workers", type=click.IntRange(0, 1024), metavar="N", help="Processes on this "
-              "machine (default: one a processor; 0: none but this one).")  # fmt: skip
+              help="Compute only the points of this part of the grid, and the runs that they "
+                   "need; may be repeated.")  # fmt: skip
+@click.option("--workers", type=click.IntRange(0, 1024), metavar="N",
+              help="Processes on this machine (default: one per processor; 0: only "
+                   "this one).")  # fmt: skip
 @click.option("--threads", type=click.IntRange(1, 1024), default=1, show_default=True,
-              metavar="T", help="Of each of them: what training gives depends on it.")  # fmt: skip
+              metavar="T",
+              help="Threads of each process: results of training depend on it.")  # fmt: skip
 @click.option("--scheduler", metavar="tcp://HOST:PORT",
               help="The workers of a Dask scheduler instead.")  # fmt: skip
-@click.option("--again", is_flag=True, help="Compute points again that failed.")
-@click.option("--dry-run", is_flag=True, help="Say how many points there are, and stop.")
+@click.option("--again", is_flag=True, help="Compute failed points again.")
+@click.option("--dry-run", is_flag=True, help="Print the number of points and stop.")
 @click.option("--parquet", is_flag=True, help="Write the table as Parquet, too.")
 @click.option("--schema", type=click.Choice(_KINDS), is_eager=True, expose_value=False,
               callback=_print_part, metavar="KIND", help=f"Print a complete part of a kind "
@@ -59,7 +61,9 @@ def command(
     from nscc_training.sweep.run_sweep import How, failures, known, summary_lines, sweep
 
     if scheduler is not None and workers is not None:
-        raise click.UsageError("--workers starts processes here, --scheduler has its own")
+        raise click.UsageError(
+            "--workers starts processes on this machine, but --scheduler has its own workers"
+        )
     asked = read_grid(grid)
     how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:

@@ -29,9 +29,9 @@ def _checked_times(
     """The times as given, each once."""
     for value in values:
         if not _TIME.fullmatch(value):
-            raise click.BadParameter(f"'{value}' is no time: write 10us, 1.5ms, 800ns or 2s")
+            raise click.BadParameter(f"invalid time '{value}': write 10us, 1.5ms, 800ns or 2s")
         if not float(value.rstrip("nums")):
-            raise click.BadParameter("a slot lasts longer than nothing")
+            raise click.BadParameter("a slot must be longer than 0")
     return tuple(dict.fromkeys(values))
 
 
@@ -61,13 +61,13 @@ def command(
     """List the chips that nscc knows, or show all about one (NAME or FILE.toml)."""
     if compared is not None:
         if name is None or toml or limits or slots:
-            raise click.UsageError("--compare A B goes with a program alone: FILE.nsl")
+            raise click.UsageError("--compare A B needs a program: FILE.nsl")
         click.echo(_compared(Path(name), compared, level, as_json=as_json))
         return
     if limits and toml:
-        raise click.UsageError("--limits and --toml print different things: give one of them")
+        raise click.UsageError("--limits and --toml print different things: use only one of them")
     if not limits and (as_json or slots):
-        goes = "--json goes with --limits or --compare" if as_json else "--slot goes with --limits"
+        goes = "--json needs --limits or --compare" if as_json else "--slot needs --limits"
         raise click.UsageError(goes)
     if name is None and not toml and not limits:
         click.echo(listing())

@@ -36,7 +36,7 @@ _WORDS: dict[Count, str] = {"all": "words a frame", "logic": "logic words a fram
 class _Tradeoffs(Subcommands):
     """The tradeoffs that there are; any other name that may be one is a program or a run."""
 
-    unknown = "tradeoff '{}', and there is no such file or run"
+    unknown = "tradeoff '{}': there is no such command, file or run"
 
     def or_else(self) -> Sequence[str]:
         """See `Subcommands`."""
@@ -80,9 +80,9 @@ for each in (joint, emulator, sensor, decoder):
 @some_option("--levels", _LEVELS, "0,1,..", "Levels of -O.")
 @some_option("--lowerings", LOWERINGS, "NAME,..", "Lowerings.")
 @click.option("--repeats", type=COUNT, default=3, show_default=True,
-              help="How often everything is compiled: the median counts.")  # fmt: skip
+              help="How often everything is compiled: the median is used.")  # fmt: skip
 @click.option("--count", type=click.Choice(["all", "logic"]), default="all", show_default=True,
-              help="All words of a frame, or those that decode codes.")  # fmt: skip
+              help="All words of a frame, or only those that decode codes.")  # fmt: skip
 def synthesis(
     files: tuple[Path, ...], levels: tuple[str, ...], lowerings: tuple[Lowering, ...], repeats: int,
     count: Count, **places: Any,

@@ -96,9 +96,9 @@ def _refuse(container: Container) -> None:
     if container.machine is not None:
         raise rejected(
             "NS0828",
-            "nscc tradeoff emulator compares sums over slots, and pixels that look at the light "
-            "have none",
-            helps=("`nscc tradeoff FILE.nsl --scene S` compares what there is for such programs",),
+            "nscc tradeoff emulator uses sums over slots, which are undefined for pixels "
+            "that look at the light",
+            helps=("`nscc tradeoff FILE.nsl --scene S` supports such programs",),
         )
 
 

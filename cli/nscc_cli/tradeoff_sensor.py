@@ -26,7 +26,7 @@ def _counts(context: click.Context, option: click.Parameter, value: str) -> tupl
     parts = [part.strip() for part in value.split(",")]
     for part in parts:
         if not (part.isdecimal() and 2 <= int(part) <= _MOST_SLOTS):
-            message = f"{part[:40]!r} is no number of slots, 2 to {_MOST_SLOTS}"
+            message = f"invalid number of slots {part[:40]!r}: 2 to {_MOST_SLOTS} are allowed"
             raise click.BadParameter(message, context, option)
     return tuple(sorted({int(part) for part in parts}))
 
@@ -36,7 +36,9 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
     found = _counts(context, option, value)
     for count in found:
         if found[-1] % count:
-            message = f"{count} does not divide {found[-1]}: all are slots of the same clips"
+            message = (
+                f"{count} does not divide {found[-1]}: all numbers of slots use the same clips"
+            )
             raise click.BadParameter(message, context, option)
     return found
 
@@ -48,7 +50,9 @@ def _exposures(context: click.Context, option: click.Parameter, value: str) -> t
     parts = [part.strip() for part in value.split(",")]
     for part in parts:
         if not (part.isdecimal() and 2 <= int(part) <= _MOST_EXPOSURES):
-            message = f"{part[:40]!r} is no number of exposures, 2 to {_MOST_EXPOSURES}"
+            message = (
+                f"invalid number of exposures {part[:40]!r}: 2 to {_MOST_EXPOSURES} are allowed"
+            )
             raise click.BadParameter(message, context, option)
     return tuple(sorted({int(part) for part in parts}))
 

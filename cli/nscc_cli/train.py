@@ -27,7 +27,8 @@ def _print_schema(context: click.Context, _option: click.Parameter, value: bool)
               help="Change a setting: train.steps=100.")  # fmt: skip
 @click.option("--resume", type=OutPath(str), default="auto", show_default=True,
               metavar="auto|never|PATH",  # a checkpoint is replaced by the next
-              help="Go on from RUN's checkpoint, begin anew, or go on from another's.")  # fmt: skip
+              help="Resume from RUN's checkpoint, start again, or resume from "
+                   "another checkpoint.")  # fmt: skip
 @click.option("--schema", is_flag=True, is_eager=True, expose_value=False, callback=_print_schema,
               help="Print a complete configuration with every default, and exit.")  # fmt: skip
 def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> None:

@@ -57,7 +57,7 @@ def _scene_meant(context: click.Context | None, message: str) -> tuple[str, ...]
         return ()
     if extra[1].startswith("builtin:") or Path(extra[1]).suffix:
         return (did_you_mean(f"--scene {extra[1]}"),)
-    return ("a value with blanks in it stands in quotes",)
+    return ("put a value with blanks in quotation marks",)
 
 
 def _options(context: click.Context | None) -> list[str]:

@@ -67,14 +67,16 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
     if program.suffix.lower() == ".icw":
         raise rejected(
             "NS0743",
-            f"--gates cannot draw '{program}': it is compiled already",
-            notes=("a compiled program holds words, not the gates they come from",),
+            f"--gates cannot draw '{program}', which is compiled already",
+            notes=("a compiled program contains words, but not their gates",),
             helps=("give the .nsl file instead",),
         )
     compiled = compile_program(program, options)
     say(compiled.diagnostics)
     refuse_planes(
-        compiled.program.target, "--gates has nothing to draw", "without --gates it draws shutters"
+        compiled.program.target,
+        "--gates does not apply to this program",
+        "without --gates it draws shutters",
     )
     assert compiled.lowered is not None  # what does not fit is rejected
     from nscc.emit.looking_network import network_of

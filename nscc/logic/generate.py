@@ -150,8 +150,8 @@ class GeneratorFault:
         """NS0504, with the traceback in its data."""
         return Diagnostic(
             "NS0504",
-            f"the generator {self.generator[:60]!a} of gates failed at -O{self.level} and was left "
-            f"out: {self.error}",
+            f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
+            f"left out: {self.error}",
             severity=Severity.WARNING,
             notes=("the program was compiled with the other generators; its words are proved",),
             data={"generator": self.generator, "traceback": self.traceback},

@@ -77,7 +77,7 @@ def windows_of(
             yield exposed_window(path, number + 1 - count, clip, srgb, protocol)
             window = []
     if number + 1 < count:
-        yield Unusable(path.name, start, f"it has {number + 1} frames, a window {count}")
+        yield Unusable(path.name, start, f"it has {number + 1} frames, but a window has {count}")
 
 
 def exposed_window(

@@ -33,12 +33,14 @@ def _keys() -> tuple[Key, ...]:
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if "scene" not in values:
-        return PointFault("", "a point is designed for a scene", 'add scene = "builtin:hdr"')
+        return PointFault("", "a point needs a scene to design for", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):
-        message = "a point has looks, or else the criterion sve-risk"
+        message = "a point needs looks or the criterion sve-risk"
         return PointFault("looks" if "looks" in values else "", message, "for instance looks = 5")
     if values.get("looks", 0) > values["slots"]:
-        message = f"{values['looks']} exposures end at as many of {values['slots']} boundaries"
+        message = (
+            f"{values['looks']} exposures need {values['looks']} of {values['slots']} boundaries"
+        )
         return PointFault("looks", message, "ask for fewer looks, or for more slots")
     return None
 

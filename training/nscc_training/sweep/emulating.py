@@ -63,11 +63,11 @@ def _fault(values: Values, named: Collection[str]) -> PointFault | None:
     if ("scene" in values) == ("bench" in values):
         return PointFault(
             "bench" if "bench" in values else "",
-            "a point exposes a scene, or else a bench",
+            "a point needs a scene or a bench",
             'for instance scene = "builtin:hdr", or bench = "clips"',
         )
     if "bench" in values and "class" not in values:
-        return PointFault("bench", "a bench exposes a class, and here is none", 'add class = "d"')
+        return PointFault("bench", "a bench needs a class, but it is missing", 'add class = "d"')
     if values.get("bench") == "clips" and values["frames"] % values["slots"]:
         return PointFault(
             "frames",
@@ -77,12 +77,10 @@ def _fault(values: Values, named: Collection[str]) -> PointFault | None:
     if values.get("bench") == "stills" and values["class"] != "b":
         return PointFault("bench", "a bench of stills exposes class b", 'write class = "b"')
     if "bench" in values and not values["target"]:
-        return PointFault("bench", "a bench names the chip", 'add target = "scamp5"')
+        return PointFault("bench", "a bench needs a chip", 'add target = "scamp5"')
     changed = next((name for name in values if name.startswith("chip.")), None)
     if "bench" in values and changed:
-        return PointFault(
-            changed, "a bench takes the chip as it is", "name a target's file instead"
-        )
+        return PointFault(changed, "a bench cannot change the chip", "name a target's file instead")
     source = "bench" if "bench" in values else "scene"
     return silent(named, _SILENT[source], f"a {source}") or program_fault(values, named)
 

@@ -37,7 +37,7 @@ def _keys() -> tuple[Key, ...]:
 
 def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if (RUN in values) == ("subject" in values):
-        message = "a point evaluates a run of this grid, or else a subject"
+        message = "a point needs a run of this grid or a subject"
         return PointFault(
             "subject" if RUN in values else "", message, 'for instance subject = "quad"'
         )

@@ -86,11 +86,11 @@ def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
         have = " and ".join(sources) or "none of them"
         return PointFault(
             sources[-1] if sources else "",
-            f"a point compiles one of {', '.join(SOURCES)}, and here is {have}",
+            f"a point needs one of {', '.join(SOURCES)}, but has {have}",
             'for instance program = "hdr_2x2.nsl", or class = "d"',
         )
     if "class" in values and prod(values["tile"]) > _MOST_PLACES:
-        return PointFault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
+        return PointFault("tile", f"a tile has at most {_MOST_PLACES} places", "use a smaller tile")
     return silent(named, _SILENT[sources[0]], sources[0]) or target_fault(values)
 
 
@@ -99,7 +99,7 @@ def target_fault(values: Values) -> PointFault | None:
     name = next((name for name in values if name.startswith(_CHIP)), None)
     if name is None or values["target"]:
         return None
-    message = f"{name} changes a chip, and none is named"
+    message = f"{name} changes a chip, but target is missing"
     return PointFault(name, message, f'add target = "{DEFAULT_NAME}"')
 
 
@@ -110,7 +110,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
     if name is None:
         return None
     return PointFault(
-        name, f"{name} says nothing of a point with {point_text}", f"leave {name} out"
+        name, f"{name} has no effect on a point with {point_text}", f"leave {name} out"
     )
 
 
