@@ -13,7 +13,7 @@ from nscc.emit.summary import summary
 from nscc.program.problems import counted
 from nscc_cli.options import PATH, build_options
 from nscc_cli.programs import compile_program
-from nscc_cli.support import CommonCommand, done, say, session, show
+from nscc_cli.support import CommonCommand, say, say_done, session, show
 
 _MOST_ROUNDS = 20
 """Of mending: each ends at least one mistake."""
@@ -42,7 +42,7 @@ def command(files: tuple[Path, ...], fix: bool, watch: bool, **options: Any) -> 
 
 def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
     """Say what the programs are; Rejected with what is wrong with all of them."""
-    wrong: list[Diagnostic] = []
+    diagnostics: list[Diagnostic] = []
     status = 0
     for path in files:
         try:
@@ -51,12 +51,12 @@ def _check(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> None:
             compiled = compile_program(path, options, unproved_is_error=CHECK.unproved_is_error)
             say(compiled.diagnostics)
         except Rejected as rejected:
-            wrong.extend(rejected.diagnostics)
+            diagnostics.extend(rejected.diagnostics)
             status = max(status, rejected.status)
         else:
             click.echo(summary(path.as_posix(), compiled))
-    if wrong:
-        raise Rejected(wrong, status)
+    if diagnostics:
+        raise Rejected(diagnostics, status)
 
 
 def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
@@ -72,11 +72,11 @@ def _watch(files: tuple[Path, ...], fix: bool, options: dict[str, Any]) -> int:
     try:
         for names in rounds(lambda: set().union(*map(files_of, files))):
             if names:
-                done(f"\n--- {', '.join(names)} changed ---")
+                say_done(f"\n--- {', '.join(names)} changed ---")
             status = _shown(files, fix, options)
-            done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
+            say_done(f"watching {', '.join(path.as_posix() for path in files)}: Ctrl-C ends it")
     except KeyboardInterrupt:
-        done("")
+        say_done("")
     return status
 
 
@@ -110,4 +110,4 @@ def _mend(path: Path, options: dict[str, Any]) -> None:
         count += fixes
         write_back(path, better.text.encode())
     if count:
-        done(f"fixed {path.as_posix()}: {counted(count, 'change')}")
+        say_done(f"fixed {path.as_posix()}: {counted(count, 'change')}")

@@ -12,7 +12,7 @@ from nscc_cli import options as shared
 from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
-from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
+from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
 
 if TYPE_CHECKING:
     import numpy as np
@@ -119,7 +119,7 @@ def command(
     click.echo(f"wrote {path.as_posix()}")
     for label, text in made.lines:
         click.echo(f"  {label:<9} {text}")
-    done(cost_text(made.compiled))
+    say_done(cost_text(made.compiled))
 
 
 def _seen(

@@ -15,7 +15,7 @@ from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, NumberRange, Subcommands, done, progress, say
+from nscc_cli.support import CommonCommand, NumberRange, Subcommands, progress, say, say_done
 
 _LONGEST_S = 1e6
 _MOST_FRAMES = 1_000_000
@@ -75,10 +75,10 @@ def serve(**options: Any) -> None:
     )  # fmt: skip
     support.say_compiling(expose_block, "the emulator's loops")
     expose_block.load()
-    with stand_in.loaded(options["machine"], target, chip, done) as running:
+    with stand_in.loaded(options["machine"], target, chip, say_done) as running:
         stand_in.serve(
             running, faults, opened=click.echo,
-            moved=lambda port: done(f"the port is {port} now: its old name was taken"),
+            moved=lambda port: say_done(f"the port is {port} now: its old name was taken"),
             once=options["once"], seconds=options["seconds"],
         )  # fmt: skip
 
@@ -103,9 +103,11 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     from nscc_runtime.device.link import SerialLink
 
     with SerialLink(port, baud=baud, patience_s=patience) as link:
-        found = DeviceChip(link).info()
+        device_info = DeviceChip(link).info()
         status = link.run(link.host.status)
-    click.echo(info_json(found, status) if as_json else info_text(found, status), nl=False)
+    click.echo(
+        info_json(device_info, status) if as_json else info_text(device_info, status), nl=False
+    )
 
 
 @command.command("upload", cls=CommonCommand)
@@ -123,7 +125,7 @@ def upload(port: str, program: Path, **options: Any) -> None:
     say(list(messages))
     with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
         sent = DeviceChip(link, progress=progress).upload(container)
-    done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
+    say_done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
 
 @command.command("capture", cls=CommonCommand)
@@ -189,7 +191,7 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
         paths = [out] if out else numbered_paths(folder, options["count"], options["every"])
         for path in paths:
             capture_to(path, chip, target, sensor, container)
-            done(f"wrote {path}")
+            say_done(f"wrote {path}")
 
 
 @command.command("calibrate", cls=CommonCommand)
@@ -215,7 +217,7 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
         target = target_of(DeviceChip(link), options["target"])
         times = measured(link, target)
     write_whole(out, target_toml(times.of(target)).encode())
-    done(
+    say_done(
         f"wrote {out}: a launch {times.launch_us:g} us, an analog word "
         f"{times.analog_word_us:g} us, a digital one {times.digital_word_us:g} us, the loop at a "
         f"boundary {times.wait_us:g} us, a readout {times.readout_us:g} us"

@@ -52,22 +52,22 @@ def command(
 
         click.echo(plan_of(plan))
         return
-    found = sensor_of(load_target(target, Path()), options)
+    sensor = sensor_of(load_target(target, Path()), options)
     if cost:
         click.echo(costs())
     elif toml:
-        click.echo(sensor_toml(found), nl=False)
+        click.echo(sensor_toml(sensor), nl=False)
     elif as_json:
-        click.echo(json.dumps({"effects": effects_json(found)}, indent=2))
+        click.echo(json.dumps({"effects": effects_json(sensor)}, indent=2))
     else:
-        click.echo(listing() if name is None else details(name, found))
+        click.echo(listing() if name is None else details(name, sensor))
 
 
 def listing() -> str:
     """One line an effect."""
     from nscc_runtime.effects import registered
 
-    return columns([(each.name, each.kind, each.title) for each in registered()]) + (
+    return columns([(effect.name, effect.kind, effect.title) for effect in registered()]) + (
         "\n\nfixed: the same in every frame; random: new in every frame; after: in the readout\n"
         "`nscc effects NAME` shows one, --toml prints a sensor file"
     )
@@ -99,9 +99,9 @@ def details(name: str, sensor: Sensor) -> str:
     effect = named(name)
     lines = [f"{effect.name}: {effect.title} ({effect.kind})"]
     for heading in ("model", "size", "cost", "applied"):
-        first, rest = f"  {heading:<11}", " " * 13
+        first, indent = f"  {heading:<11}", " " * 13
         text = getattr(effect, heading)
-        lines += textwrap.wrap(text, _WIDTH, initial_indent=first, subsequent_indent=rest)
+        lines += textwrap.wrap(text, _WIDTH, initial_indent=first, subsequent_indent=indent)
     for row in effect.parameters:
         value = f"{getattr(sensor, row.name):.10g} {row.kind.unit}"
         lines.append(f"  {row.name} = {value}, {row.kind.range}: {row.meaning} ({row.source})")

@@ -15,9 +15,9 @@ from nscc_cli.support import (
     CommonCommand,
     NumberRange,
     Subcommands,
-    done,
     progress,
     say_compiling,
+    say_done,
 )
 
 if TYPE_CHECKING:
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 class _Evaluations(Subcommands):
     """What can be evaluated; any other name is a run folder or a baseline."""
 
-    def other(
+    def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """`nscc evaluate of` such a name."""
@@ -131,11 +131,11 @@ def of(
         return _of_scenes(*evaluate_validation(folder), **outputs)
     from nscc_training.evaluation.subjects import evaluate
 
-    found = evaluate(
+    evaluation = evaluate(
         subject, data, protocol, seed, codes=shutter, effects=effects, skip_seen=skip_seen,
         trust_code=trust_code,
     )  # fmt: skip
-    _of_scenes(*found, **outputs)
+    _of_scenes(*evaluation, **outputs)
 
 
 @command.command("looks", cls=CommonCommand)
@@ -202,11 +202,11 @@ def figures(data: Path | None, effects: str, seed: int, out: Path) -> None:
     """
     from nscc_training.evaluation.figures import figures as drawn
 
-    made = drawn(data, effects, seed)
+    drawings = drawn(data, effects, seed)
     out.mkdir(parents=True, exist_ok=True)
-    files = {out / name: png for name, png in made.items()}
+    files = {out / name: png for name, png in drawings.items()}
     write_together(files)
-    done("\n".join(f"wrote {path.as_posix()}" for path in files))
+    say_done("\n".join(f"wrote {path.as_posix()}" for path in files))
 
 
 @command.command("compare", cls=CommonCommand)
@@ -227,26 +227,26 @@ def compare(results: tuple[Path, ...], metric: str, **outputs: Any) -> None:
     from nscc_training.evaluation.results import read_result
 
     read = [read_result(path) for path in results]
-    found = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
-    _finish(found, comparison_text(found, metric) + "\n", {}, **outputs)
+    comparison = compared(list(zip(read[::2], read[1::2], strict=True)), metric)
+    _finish(comparison, comparison_text(comparison, metric) + "\n", {}, **outputs)
 
 
 def _of_scenes(
-    found: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
+    evaluation: dict[str, Any], arrays: dict[str, NDArray[Any]], save: Path | None, **outputs: Any
 ) -> None:
     """Write and print what was scored."""
     from nscc_training.evaluation.result_text import arrays_in, result_text
 
     products = {} if save is None else arrays_in(save, arrays)
-    _finish(found, result_text(found), products, **outputs)
+    _finish(evaluation, result_text(evaluation), products, **outputs)
 
 
 def _finish(
-    found: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
+    result: Any, human: str, products: Mapping[Path, Product], as_json: bool, out: Path | None
 ) -> None:
     """Write and print a result."""
     from nscc_training.evaluation.result_text import result_json
 
-    text = result_json(found)
+    text = result_json(result)
     write_together({**({out: text.encode()} if out else {}), **products})
     click.echo(text if as_json else human, nl=False)

@@ -41,9 +41,9 @@ def explain_exception(error: Exception, arguments: Sequence[str]) -> tuple[Diagn
     if isinstance(error, ModuleNotFoundError) and not (error.name or "nscc").startswith("nscc"):
         return _missing_package(error), WRONG_USAGE
     if isinstance(error, OSError) and error.errno is not None and not _of_nscc(error.filename):
-        where = f" '{error.filename}'" if error.filename else ""
+        file_text = f" '{error.filename}'" if error.filename else ""
         reason = error.strerror or str(error)
-        return Diagnostic("NS0784", f"cannot read or write{where}: {reason}"), WRONG_USAGE
+        return Diagnostic("NS0784", f"cannot read or write{file_text}: {reason}"), WRONG_USAGE
     return _fault(error, arguments), FAULT
 
 
@@ -78,7 +78,7 @@ _LESS = {
 
 
 def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
-    said = " ".join(str(error).split())[:200]
+    error_text = " ".join(str(error).split())[:200]
     on_gpu = type(error).__name__ == "OutOfMemoryError"
     less = "use fewer slots, codes or repeats, a smaller array, or leave `--keep` out"
     processor = (
@@ -87,7 +87,7 @@ def _out_of_memory(error: Exception, arguments: Sequence[str]) -> Diagnostic:
     return Diagnostic(
         "NS0902",
         f"there is not enough memory {'on the GPU ' if on_gpu else ''}for this",
-        notes=(said,) if said else (),
+        notes=(error_text,) if error_text else (),
         helps=(_LESS.get(arguments[0] if arguments else "", less), *([processor] * on_gpu)),
     )
 
@@ -100,10 +100,13 @@ def _of_nscc(filename: object) -> bool:
 
 def _fault(error: Exception, arguments: Sequence[str]) -> Diagnostic:
     trace = "".join(traceback.format_exception(error))
-    said = " ".join(str(error).split())[:200]
+    error_text = " ".join(str(error).split())[:200]
     notes, hint = save_reproducer(trace, arguments)
     return Diagnostic(
-        "NS0901", f"nscc itself failed: {type(error).__name__}: {said}", notes=notes, helps=(hint,)
+        "NS0901",
+        f"nscc itself failed: {type(error).__name__}: {error_text}",
+        notes=notes,
+        helps=(hint,),
     )
 
 
@@ -155,12 +158,12 @@ def _packed(trace: str, arguments: Sequence[str]) -> bytes:
 def _inputs(arguments: Sequence[str]) -> list[Path]:
     """The files that the command line names, and those that programs among them read."""
     named = [Path(argument) for argument in arguments if _is_file(Path(argument))]
-    found = list(named)
+    input_files = list(named)
     for program in named:
         if program.suffix == ".nsl":
             quoted = re.findall(r'"([^"\n]{1,255})"', _content(program).decode(errors="replace"))
-            found.extend(path for name in quoted if _is_file(path := program.parent / name))
-    return list(dict.fromkeys(found))
+            input_files.extend(path for name in quoted if _is_file(path := program.parent / name))
+    return list(dict.fromkeys(input_files))
 
 
 def _is_file(path: Path) -> bool:

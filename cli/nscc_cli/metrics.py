@@ -35,8 +35,8 @@ def command(as_json: bool, out: Path | None, **pair: Any) -> None:
     """
     from nscc_training.measures import measure_files, measures_text
 
-    found = measure_files(**pair)
-    text = json.dumps(found, indent=2, allow_nan=False) + "\n"
+    scores = measure_files(**pair)
+    text = json.dumps(scores, indent=2, allow_nan=False) + "\n"
     if out is not None:
         write_whole(out, text.encode())
-    click.echo(text if as_json else measures_text(found), nl=False)
+    click.echo(text if as_json else measures_text(scores), nl=False)

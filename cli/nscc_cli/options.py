@@ -29,8 +29,8 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     """Several options as one decorator; `--help` lists them in this order."""
 
     def add(function: Command) -> Command:
-        for each in reversed(options):
-            function = each(function)
+        for decorator in reversed(options):
+            function = decorator(function)
         return function
 
     return add
@@ -54,14 +54,16 @@ SCENE, EFFECTS, COMPILE, DEVICE, OUTPUT = "Scene", "Sensor effects", "Compile", 
 """Titles of sections, in the order in which commands list them."""
 
 
-def some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
+def chosen_names(
+    names: Sequence[str],
+) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
     """Reads an option's value: some of the names, separated by commas; in the order given here."""
 
     def chosen(context: click.Context, option: click.Parameter, value: str) -> tuple[str, ...]:
-        given = {part.strip() for part in value.split(",")}
-        for name in sorted(given.difference(names)):
+        chosen_set = {item.strip() for item in value.split(",")}
+        for name in sorted(chosen_set.difference(names)):
             raise click.BadParameter(f"{name!r} is not one of {', '.join(names)}", context, option)
-        return tuple(name for name in names if name in given)
+        return tuple(name for name in names if name in chosen_set)
 
     return chosen
 
@@ -70,8 +72,10 @@ def some_option(
     name: str, names: Sequence[str], metavar: str, text: str, default: str | None = None
 ) -> Callable[..., Any]:
     """An option that takes some of the names, by default all."""
-    return option(name, callback=some(names), metavar=metavar, default=default or ",".join(names),
-                  show_default=True, help=text)  # fmt: skip
+    return option(
+        name, callback=chosen_names(names), metavar=metavar, default=default or ",".join(names),
+        show_default=True, help=text,
+    )  # fmt: skip
 
 
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)

@@ -12,7 +12,7 @@ from nscc.files import refuse_same, write_together
 from nscc.requirements import line_for
 from nscc_cli.completion import RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
-from nscc_cli.support import CommonCommand, done, say
+from nscc_cli.support import CommonCommand, say, say_done
 
 if TYPE_CHECKING:
     from nscc_training.reconstruction import Reconstruction
@@ -81,8 +81,8 @@ def command(
         raise click.UsageError("--force applies to runs: `any` accepts every frame")
     from nscc_runtime.formats import FORMATS, Content, check_ending, endings, file_of
 
-    what = "a reconstruction"
-    ending = check_ending(out, endings(), what)
+    product_name = "a reconstruction"
+    ending = check_ending(out, endings(), product_name)
     if png is not None:
         check_ending(png, (".png",), "a picture")
         refuse_same([out, png], "-o and --png")
@@ -99,43 +99,48 @@ def command(
         say([*overexposed(run, frame_arrays(Path(run)).saturated)])
         content = Content({"image": image}, image)
     elif run == "any" and (
-        made := _of_measurement(frame, mask, noise, method, kind, program, dark)
+        reconstruction := _of_measurement(frame, mask, noise, method, kind, program, dark)
     ):
-        _say_method(made, method)
-        content = made.content
+        _say_method(reconstruction, method)
+        content = reconstruction.content
     elif run == "any":
         from nscc_training.reconstruct_any import reconstruct_any
 
-        made = reconstruct_any(frame, program, kind, dark, method)
-        say(made.messages)
-        _say_method(made, method)
-        content = made.content
+        reconstruction = reconstruct_any(frame, program, kind, dark, method)
+        say(reconstruction.messages)
+        _say_method(reconstruction, method)
+        content = reconstruction.content
     else:
         from nscc_training.reconstruct import reconstruct
 
-        made = reconstruct(Path(run), frame, force=force, dark=dark, trust_code=trust_code)
-        say(made.messages)
-        content = made.content
+        reconstruction = reconstruct(
+            Path(run), frame, force=force, dark=dark, trust_code=trust_code
+        )
+        say(reconstruction.messages)
+        content = reconstruction.content
     content = replace(content, tone=tone)
     named = Path(run).name
     title = named if frame is None else f"{frame.name}  ·  {named}"
-    products = {out: file_of(out, content, what)}
+    products = {out: file_of(out, content, product_name)}
     if png is not None:
         from nscc_runtime.formats.content_sheet import content_sheet
         from nscc_runtime.pictures.sheet import png_of
 
         products[png] = png_of(content_sheet, content, title)
     write_together(products)
-    done("\n".join(f"wrote {path.as_posix()}" for path in products))
+    say_done("\n".join(f"wrote {path.as_posix()}" for path in products))
     if png is not None or FORMATS[ending].shown:
-        done(f"shown with the {content.tone_text}")
+        say_done(f"shown with the {content.tone_text}")
 
 
-def _say_method(made: Reconstruction, asked: Method | None) -> None:
+def _say_method(reconstruction: Reconstruction, method: Method | None) -> None:
     """Say how the light was found where torch is missing and nobody named the method."""
-    if asked is None and made.method != "network":
-        what = "neighbours were merged" if made.still else "GAP-TV found the clip"
-        done(f"without torch {what} (method {made.method}); {line_for('torch')} brings the network")
+    if method is None and reconstruction.method != "network":
+        method_text = "neighbours were merged" if reconstruction.still else "GAP-TV found the clip"
+        say_done(
+            f"without torch {method_text} (method {reconstruction.method}); {line_for('torch')} "
+            "brings the network"
+        )
 
 
 def _of_measurement(
@@ -162,5 +167,5 @@ def _of_measurement(
         raise click.UsageError("--method merge makes pictures, and own measurements are of clips")
     model = NoiseModel.parse(noise or "0")
     measurement = read_measurement(path, mask)
-    done(f"measurement: {measurement.axes}\nnoise model: {model}")
+    say_done(f"measurement: {measurement.axes}\nnoise model: {model}")
     return reconstruct_measurement(measurement, model, method)

@@ -21,7 +21,7 @@ from nscc_cli.frames import (
 )
 from nscc_cli.options import OUT, PATH, SEED
 from nscc_cli.programs import load_program
-from nscc_cli.support import CommonCommand, done, progress, say
+from nscc_cli.support import CommonCommand, progress, say, say_done
 
 if TYPE_CHECKING:
     from nscc_runtime.simulate import Request
@@ -124,7 +124,7 @@ def _run_on_emulator(
     from nscc_runtime.simulate import Listener
 
     request, out = _request(options), frame_path(program, options)
-    listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
+    listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     timings = listener.timings
     with timings.part("compile_s"):
         container, messages = load_program(program, options)
@@ -134,38 +134,38 @@ def _run_on_emulator(
         of_run.check(container, program)
     sensor = sensor_of(converter_of(container), options)
     with timings.part("scene_s"):
-        scene, said = scene_of(options), list(messages)
-        laid = scene.laid(container.slot_us, container.target, said.append, progress)
-        say(said)
+        scene, messages_so_far = scene_of(options), list(messages)
+        laid = scene.laid(container.slot_us, container.target, messages_so_far.append, progress)
+        say(messages_so_far)
     exposed = simulate_scene(container, laid, sensor, request, listener)
-    taken, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
-    about = meta(container, exposed.light, frame, taken.origin) | exposed.laid
+    simulated, frame, container = exposed.simulated, exposed.simulated.frame, exposed.container
+    about = meta(container, exposed.light, frame, simulated.origin) | exposed.laid
     files = write_frame(
         out, options, keep, container, exposed.light, frame, about,
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
-        lambda: exposed.response(sensor), taken.plan_file,
+        lambda: exposed.response(sensor), simulated.plan_file,
     )  # fmt: skip
-    if taken.plan is not None and options["verbose"]:
+    if simulated.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
 
-        table = plan_table(taken.plan, taken.audit)
+        table = plan_table(simulated.plan, simulated.audit)
         if exposed.pieces > 1:
             table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
-        done(table + "\n")
-    elif taken.plan is not None:
-        done(f"{taken.plan.line}; {timings.emulation_s:.2g} s")
-        if taken.audit is not None:
-            done(str(taken.audit))
+        say_done(table + "\n")
+    elif simulated.plan is not None:
+        say_done(f"{simulated.plan.line}; {timings.emulation_s:.2g} s")
+        if simulated.audit is not None:
+            say_done(str(simulated.audit))
     alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
     colours = "colours" in exposed.laid
-    done(summary(container, frame, files, alike=alike, colours=colours))
-    if taken.broken is not None:
-        raise taken.broken
+    say_done(summary(container, frame, files, alike=alike, colours=colours))
+    if simulated.broken is not None:
+        raise simulated.broken
 
 
 def _request(options: dict[str, Any]) -> Request:
     """What the options say about effects; NS0739 (status 2) where they contradict each other."""
     from nscc_runtime.simulate import Request
 
-    given = {name: options[name] for name in _SIMULATION if options[name] is not None}
-    return Request.of(**given, mark="--")
+    simulation_options = {name: options[name] for name in _SIMULATION if options[name] is not None}
+    return Request.of(**simulation_options, mark="--")

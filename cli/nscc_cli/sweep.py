@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from nscc_cli.options import OUT, PATH
-from nscc_cli.support import CommonCommand, done, progress
+from nscc_cli.support import CommonCommand, progress, say_done
 
 _KINDS = ("compile", "limits", "emulate", "train", "evaluate", "design")
 
@@ -64,15 +64,17 @@ def command(
         raise click.UsageError(
             "--workers starts processes on this machine, but --scheduler has its own workers"
         )
-    asked = read_grid(grid)
+    read_in = read_grid(grid)
     how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:
-        count, here = known(of_parts(asked, parts), out, how)
-        click.echo(f"{count} points: {here} known, {count - here} to compute")
+        count, known_count = known(of_parts(read_in, parts), out, how)
+        click.echo(f"{count} points: {known_count} known, {count - known_count} to compute")
         return 0
-    found = sweep(asked, out, how, grid_parts=parts, parquet=parquet, track=progress, report=done)
-    for line in summary_lines(found):
-        done(line)
-    if found.failed:
-        raise failures(found)
-    return 1 if found.misfits == len(found.table) else 0
+    swept = sweep(
+        read_in, out, how, grid_parts=parts, parquet=parquet, track=progress, report=say_done
+    )
+    for line in summary_lines(swept):
+        say_done(line)
+    if swept.failed:
+        raise failures(swept)
+    return 1 if swept.misfits == len(swept.table) else 0

@@ -85,16 +85,16 @@ def _limits(target: Target, level: int, slots: tuple[str, ...], *, as_json: bool
     from nscc.limits.table import limits_json, limits_text
     from nscc.pipeline import Options
 
-    found: list[Limit] = []
+    limits: list[Limit] = []
 
     def trials() -> Iterator[object]:
-        found.extend((yield from survey(target, Options(level=level), slots)))
+        limits.extend((yield from survey(target, Options(level=level), slots)))
 
     for _ in progress(trials(), "compiling programs"):
         pass
     if as_json:
-        return json.dumps(limits_json(target, level, found), indent=2)
-    return limits_text(target, level, found)
+        return json.dumps(limits_json(target, level, limits), indent=2)
+    return limits_text(target, level, limits)
 
 
 def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: bool) -> str:
@@ -103,8 +103,8 @@ def _compared(program: Path, chips: tuple[str, str], level: int, *, as_json: boo
     from nscc_runtime.expected import expected_noise
 
     targets = [load_target(chip, Path()) for chip in chips]
-    found = compare(program, targets, level, expected_noise)
-    return json.dumps(compared_json(found), indent=2) if as_json else compared_text(found)
+    comparison = compare(program, targets, level, expected_noise)
+    return json.dumps(compared_json(comparison), indent=2) if as_json else compared_text(comparison)
 
 
 def listing() -> str:
@@ -112,8 +112,8 @@ def listing() -> str:
     rows: list[tuple[str, ...]] = [("name", "array", "digital", "analog", "")]
     for name in target_names():
         chip = load_target(name, Path())
-        held = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
-        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else held
+        register_counts = (str(len(r)) for r in (chip.digital_registers, chip.analog_registers))
+        holds = ("none", f"{len(chip.taps)} taps") if chip.streamed else register_counts
         rows.append((name, f"{chip.rows} x {chip.cols}", *holds, chip.description))
     return columns(rows)
 

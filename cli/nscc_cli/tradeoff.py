@@ -46,13 +46,13 @@ class _Tradeoffs(Subcommands):
             f"or name a program (FILE.nsl, FILE.icw) or a run: RUN, {', '.join(shipped_runs())}",
         )
 
-    def other(
+    def resolve_unknown(
         self, name: str, args: list[str]
     ) -> tuple[str | None, click.Command | None, list[str]]:
         """`nscc tradeoff of` such a program or run; other names are rejected (NS0781)."""
         if _may_be_program(Path(name)):
             return "of", self.commands["of"], args
-        return super().other(name, args)
+        return super().resolve_unknown(name, args)
 
 
 def _may_be_program(path: Path) -> bool:
@@ -70,8 +70,8 @@ def command() -> None:
     """
 
 
-for each in (joint, emulator, sensor, decoder):
-    command.add_command(each)
+for subcommand in (joint, emulator, sensor, decoder):
+    command.add_command(subcommand)
 
 
 @command.command("synthesis", cls=CommonCommand)
@@ -97,10 +97,10 @@ def synthesis(
     cases = cases_of(files) or builtin_cases()
     ways = list(every_way(cases, lowerings, [int(level) for level in levels]))
     with kept_rows(outputs, {"files": files, "count": count}) as rows:
-        found = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"), rows)
-        points, device = found.points, processor_name()
+        measured = measure(ways, repeats, count, lambda turns: progress(turns, "compiling"), rows)
+        points, device = measured.points, processor_name()
         click.echo(table_text(points, ("lowering", "level", _WORDS[count])))
-        for line in refusals_text(found.refused):
+        for line in refusals_text(measured.refused):
             click.echo(line)
         if not points:
             rows.done()

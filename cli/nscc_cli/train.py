@@ -7,7 +7,7 @@ from pathlib import Path
 import click
 
 from nscc_cli.options import OUT, PATH
-from nscc_cli.support import CommonCommand, OutPath, done, progress
+from nscc_cli.support import CommonCommand, OutPath, progress, say_done
 
 
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
@@ -42,4 +42,4 @@ def command(config: Path, out: Path, changes: tuple[str, ...], resume: str) -> N
     settings = load_config(config, changes)
     from nscc_training.loop.train import train
 
-    train(settings, out, resume=resume, track=progress, report=done)
+    train(settings, out, resume=resume, track=progress, report=say_done)

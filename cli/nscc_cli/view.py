@@ -12,7 +12,7 @@ from nscc.files import write_whole
 from nscc.words.legality import refuse_planes
 from nscc_cli.options import OUT, PATH, build_options, tone_option
 from nscc_cli.programs import compile_program, load_program
-from nscc_cli.support import CommonCommand, done, say
+from nscc_cli.support import CommonCommand, say, say_done
 
 _PROGRAMS = (".nsl", ".icw")
 
@@ -46,7 +46,7 @@ def command(program: Path, out: Path | None, gates: bool, tone: str | None, **op
 
         data = view_of(program, tone)
     write_whole(out, data)
-    done(f"wrote {out.as_posix()}")
+    say_done(f"wrote {out.as_posix()}")
 
 
 def _shutters(program: Path, options: dict[str, Any]) -> bytes:
