@@ -155,8 +155,8 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
     """
     from nscc_training.sweep.looks_table import looks_table
 
-    found, text = looks_table(data, results, seed, progress)
-    _finish(found, text, {}, **outputs)
+    rows, text = looks_table(data, results, seed, progress)
+    _finish(rows, text, {}, **outputs)
 
 
 @command.command("tables", cls=CommonCommand)

@@ -71,14 +71,16 @@ class Server(LanguageServer):
                 message_params = types.PublishDiagnosticsParams(uri, diagnostics, version)
                 self.text_document_publish_diagnostics(message_params)
 
-        def found() -> list[types.Diagnostic] | None:
+        def checked_diagnostics() -> list[types.Diagnostic] | None:
             if self.documents.get(uri) is not document:
                 return None
             return [
                 values.diagnostic(diagnostic, document, uri) for diagnostic in _checked(document)
             ]
 
-        asyncio.get_running_loop().run_in_executor(self.worker, found).add_done_callback(publish)
+        asyncio.get_running_loop().run_in_executor(
+            self.worker, checked_diagnostics
+        ).add_done_callback(publish)
 
     async def ask(
         self, uri: str, question: Callable[[Document, Positions], Answer]
@@ -153,14 +155,14 @@ def _answers(server: Server) -> None:
 
     @server.feature(types.TEXT_DOCUMENT_HOVER)
     async def hovered(params: types.HoverParams) -> types.Hover | None:
-        def told(document: Document, positions: Positions) -> types.Hover | None:
+        def hover_of(document: Document, positions: Positions) -> types.Hover | None:
             hover_text = hover(document, positions.offset(params.position))
             if hover_text is None:
                 return None
             text = types.MarkupContent(types.MarkupKind.Markdown, hover_text.text)
             return types.Hover(text, positions.range(hover_text.span))
 
-        return await server.ask(params.text_document.uri, told)
+        return await server.ask(params.text_document.uri, hover_of)
 
     @server.feature(
         types.TEXT_DOCUMENT_COMPLETION, types.CompletionOptions(trigger_characters=['"', "/"])
@@ -278,7 +280,7 @@ def _changes(server: Server) -> None:
 
 
 def _is_of(kind: str | None, kinds: Sequence[str]) -> bool:
-    """Whether a kind of action is one of those wanted: `source` stands for `source.fixAll`."""
+    """Whether a kind of action is one of `kinds`: `source` stands for `source.fixAll`."""
     return kind is not None and any(
         (kind + ".").startswith(known_kind + ".") for known_kind in kinds
     )

@@ -26,9 +26,9 @@ _SPELLED = {
 
 
 def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) -> Compiled:
-    """Compiles a program as a command's options say; Rejected where it does not compile.
+    """Compile a program with the options of a command; Rejected if it does not compile.
 
-    `more` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
+    `overrides` are further fields of `nscc.pipeline.Options`, and `see`, an observer of its passes.
     """
     from nscc.compiler import compile_file
 
@@ -39,7 +39,7 @@ def compile_program(path: Path, options: Mapping[str, Any], **overrides: Any) ->
 
 
 def compile_options(options: Mapping[str, Any], **overrides: Any) -> Options:
-    """The compiler's options where a command's options give some, its defaults elsewhere."""
+    """Return the compiler's options: those that the command has, else the defaults."""
     from nscc.pipeline import Options
 
     return Options(**_values_of(options, *_SPELLED, "cache"), **overrides)

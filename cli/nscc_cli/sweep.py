@@ -24,7 +24,7 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
 @click.argument("grid", metavar="GRID.toml", type=PATH)
 @click.option("--out", required=True, metavar="DIR", type=OUT,
               help="The folder of the results.")  # fmt: skip
-@click.option("--part", "parts", multiple=True, metavar="PART",
+@click.option("--part", "grid_parts", multiple=True, metavar="PART",
               help="Compute only the points of this part of the grid, and the runs that they "
                    "need; may be repeated.")  # fmt: skip
 @click.option("--workers", type=click.IntRange(0, 1024), metavar="N",
@@ -42,7 +42,7 @@ def _print_part(context: click.Context, _option: click.Parameter, kind: str | No
               callback=_print_part, metavar="KIND", help=f"Print a complete part of a kind "
               f"({', '.join(_KINDS)}), and exit.")  # fmt: skip
 def command(
-    grid: Path, out: Path, parts: tuple[str, ...], workers: int | None, threads: int,
+    grid: Path, out: Path, grid_parts: tuple[str, ...], workers: int | None, threads: int,
     scheduler: str | None, again: bool, dry_run: bool, parquet: bool,
 ) -> int:  # fmt: skip
     """Compute every point of a grid: programs compiled, scenes exposed, runs trained and scored.
@@ -64,14 +64,20 @@ def command(
         raise click.UsageError(
             "--workers starts processes on this machine, but --scheduler has its own workers"
         )
-    read_in = read_grid(grid)
+    whole_grid = read_grid(grid)
     how = How(processors() if workers is None else workers, threads, scheduler, again)
     if dry_run:
-        count, known_count = known(of_parts(read_in, parts), out, how)
+        count, known_count = known(of_parts(whole_grid, grid_parts), out, how)
         click.echo(f"{count} points: {known_count} known, {count - known_count} to compute")
         return 0
     swept = sweep(
-        read_in, out, how, grid_parts=parts, parquet=parquet, track=progress, report=say_done
+        whole_grid,
+        out,
+        how,
+        grid_parts=grid_parts,
+        parquet=parquet,
+        track=progress,
+        report=say_done,
     )
     for line in summary_lines(swept):
         say_done(line)

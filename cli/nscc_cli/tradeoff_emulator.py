@@ -156,10 +156,10 @@ def _scenes(
     say(messages)
     scenes = []
     for name, spec in zip(names, specs, strict=True):
-        said: list[Diagnostic] = []
+        scene_messages: list[Diagnostic] = []
         scene = scene_of({**options, "scene": spec})
-        light = scene.light(container.slot_us, container.target, said.append, progress)
-        say(said)
+        light = scene.light(container.slot_us, container.target, scene_messages.append, progress)
+        say(scene_messages)
         scenes.append(NamedLight(name, light))
     return scenes
 

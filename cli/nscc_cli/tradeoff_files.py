@@ -24,8 +24,10 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
-    """The products that have a place, by name: `csv`, `png`, and those of `more` that belong to
-    `-o`; NS0745 where two would be one file, NS0786 for a picture that is not called one."""
+    """Return the path of each product by name: `csv`, `png`, and with `-o` those of `further_names`.
+
+    Raises NS0745 if two products have one path, NS0786 for a picture with another ending.
+    """
     places: dict[str, Path | None] = {"csv": options["csv_path"], "png": options["png_path"]}
     out = options["out"]
     if out is not None:
