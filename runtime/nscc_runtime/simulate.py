@@ -241,21 +241,19 @@ def _looking(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Iterable[Frame]:
     """The frames of a program whose pixels look: kept states go on from one to the next."""
-    from nscc_runtime.looked_frames import frames, looking_frames
+    from nscc_runtime.looked_frames import frames
     from nscc_runtime.looking.way_loop import run_ways
     from nscc_runtime.noise.noise_loops import fill_normals
 
-    seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
-    if request.effects.noiseless:
+    noiseless = request.effects.noiseless
+    if noiseless:
         _say_compiling(listener, run_ways, "emulator")
-        return frames(
-            container, light, sensor, request.effects,
-            seed=seed, device_seed=device_seed, count=count, threads=request.threads,
-        )  # fmt: skip
-    _say_compiling(listener, fill_normals, "noise")
-    return looking_frames(
-        container, light, sensor, request.effects,
-        seed=seed, device_seed=device_seed, count=count, threads=request.threads,
+    else:
+        _say_compiling(listener, fill_normals, "noise")
+    return frames(
+        container, light, sensor, request.effects, seed=request.seed,
+        device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
+        by_words=not noiseless,
     )  # fmt: skip
 
 

@@ -65,10 +65,9 @@ class CannotHave:
 class InLoop:
     """The fields of the loops over words that an effect sets, by name.
 
-    Names are those of `nscc_runtime.execution.layout` for single pixels, and of
-    `nscc_runtime.looking.layout` for programs that look. `switch` turns the effect on, `numbers`
-    are its values, `device_key` is the key of its stream on the device, `draws_key` that of its
-    draws at words if it has no `Errors`, `function` is called by the loop.
+    Names are those of the records in `nscc_runtime.execution.layout`. `switch` turns the effect on,
+    `numbers` are its values, `device_key` is the key of its stream on the device, `draws_key` that
+    of its draws at words if it has no `Errors`, `function` is called by the loop.
     """
 
     switch: str | None = None

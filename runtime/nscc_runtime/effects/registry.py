@@ -13,8 +13,7 @@ from nscc_runtime.effects.adc import ADC
 from nscc_runtime.effects.adc_noise import ADC_NOISE
 from nscc_runtime.effects.analog import ANALOG
 from nscc_runtime.effects.black_sun import BLACK_SUN
-from nscc_runtime.effects.comparator_noise import COMPARATOR_NOISE
-from nscc_runtime.effects.comparator_offset import COMPARATOR_OFFSET
+from nscc_runtime.effects.comparator import COMPARATOR_NOISE, COMPARATOR_OFFSET
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.dead_time import DEAD_TIME
