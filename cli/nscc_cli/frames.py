@@ -178,7 +178,9 @@ def summary(
 
     lines = frame_lines(container, frame)
     if frame.frame.ndim == 4:
-        frames_text = "all alike: there are no effects" if alike else "the first is described"
+        frames_text = (
+            "all identical, because no effects are simulated" if alike else "the first is described"
+        )
         if colours:
             frames_text = "of red, green and blue light; that of red is described"
         lines.append(f"{len(frame.frame)} frames, {frames_text}")

@@ -39,8 +39,8 @@ if TYPE_CHECKING:
 @click.option("--budget", metavar="T", default="5e", show_default=True,
               help="The tolerance whose plans are shown effect by effect.")  # fmt: skip
 @click.option("--frames", type=click.IntRange(2, 1000), default=2, show_default=True,
-              help="Frames of which errors are measured; more where they have few "
-              "pixels.")  # fmt: skip
+              help="Number of frames for measuring errors; more if they have few "
+                   "pixels.")  # fmt: skip
 @shared.repeats_option(5)
 @click.option("--seed", type=SEED, default=0, help="Seed of the frames' noise.")
 @click.option("--device-seed", type=SEED, default=0, help="Seed of fixed patterns.")

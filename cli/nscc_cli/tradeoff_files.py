@@ -24,7 +24,7 @@ _DISTRIBUTIONS = ("lark", "networkx", "numba", "scipy", "torch")
 
 
 def output_files(options: Mapping[str, Any], *further_names: str) -> dict[str, Path]:
-    """Return the path of each product by name: `csv`, `png`, and with `-o` those of `further_names`.
+    """Return the path of each product by name: `csv`, `png`, with `-o` also `further_names`.
 
     Raises NS0745 if two products have one path, NS0786 for a picture with another ending.
     """

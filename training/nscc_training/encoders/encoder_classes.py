@@ -51,7 +51,7 @@ def make_encoder(
         For a start or a relaxation that the class does not support.
     """
     if spec.kind not in CLASSES:
-        raise ValueError(f"{spec.kind!r} is none of {', '.join(CLASSES)}")
+        raise ValueError(f"{spec.kind!r} is not one of {', '.join(CLASSES)}")
     if spec.slots < 1 or min(spec.tile) < 1:
         raise ValueError(f"{spec.slots} slots, a tile of {spec.tile}")
     encoder = CLASSES[spec.kind](spec, relaxation)
@@ -60,7 +60,7 @@ def make_encoder(
     if relaxation == "search" and spec.kind == LOOKS:
         raise ValueError("a search changes the codes of places, but pixels that look have levels")
     if start not in STARTS:
-        raise ValueError(f"{start!r} is none of {', '.join(STARTS)}")
+        raise ValueError(f"{start!r} is not one of {', '.join(STARTS)}")
     if start in SCATTERED:
         _scatter(encoder, start, np.random.default_rng(seed))
     elif start in ORDERED:

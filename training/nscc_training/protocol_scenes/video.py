@@ -86,7 +86,9 @@ def exposed_window(
     """Return the window scaled so that the percentile of its all-open sum is a full well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
-        return Unusable(path.name, {"frame": first}, "it is dark where it should fill a well")
+        return Unusable(
+            path.name, {"frame": first}, "it is dark at the percentile that should fill a well"
+        )
     # In a film of several coded frames, each frame fills a well on average.
     scale_e = float(protocol["full_well_e"]) / level * int(protocol.values.get("film", 1))
     return ClipWindow(path, None, first, light * scale_e, protocol, scale_e, srgb)

@@ -21,8 +21,8 @@ def _keys() -> tuple[Key, ...]:
     return (
         *scene_keys(),
         axis("looks", Integer(2, 32), "exposures of pixels that look, the last the whole frame"),
-        axis("criterion", Text(_CRITERIA), "the curve on which the error is least; sve-risk: a "
-             "fixed 2 x 2 tile instead of looks", "mu"),
+        axis("criterion", Text(_CRITERIA), "the curve on which the error is minimised; "
+                                           "sve-risk: a fixed 2 x 2 tile instead of looks", "mu"),
         axis("slots", Integer(2, 4096), "slots of a frame", 256),
         axis("slot_us", Number(0.01, 1e6), "their length in microseconds", 125.0),
         axis("target", Text(), "the chip, by name or file", DEFAULT_NAME),

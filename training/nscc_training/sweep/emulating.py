@@ -44,17 +44,19 @@ def _keys() -> tuple[Key, ...]:
     return (
         *program_keys(),
         *scene_keys(),
-        axis("bench", Text(_BENCHES), "instead: scenes of a protocol, decoded without training"),
-        axis("data", Text(), "a bench's folder of scenes; empty: made ones", ""),
-        axis("scenes", Integer(1, 1000), "how many of them", 1),
-        axis("frames", Integer(1, 4096), "frames of a bench's clips, a multiple of the slots", 16),
-        axis("at_us", Number(0.01, 1e6, automatic=True), "slots that a bench is captured with; "
-             "auto: the shortest", None),
-        axis("effects", Text(), "of the sensor, as --effects", "auto"),
-        axis("tolerance", Text(), "the error that a plan may make, as --tolerance", "5e"),
+        axis("bench", Text(_BENCHES),
+             "instead of scene: scenes of a protocol, decoded without training"),
+        axis("data", Text(), "the bench's folder of scenes; empty: synthetic scenes", ""),
+        axis("scenes", Integer(1, 1000), "the number of scenes", 1),
+        axis("frames", Integer(1, 4096),
+             "number of frames of the bench's clips, a multiple of the slots", 16),
+        axis("at_us", Number(0.01, 1e6, automatic=True), "slot length of the bench; auto: the "
+                                                         "shortest", None),
+        axis("effects", Text(), "sensor effects, as in --effects", "auto"),
+        axis("tolerance", Text(), "the tolerance of the plan, as in --tolerance", "5e"),
         axis("fidelity", Text(("planned", "reference")), "how words are executed", "planned"),
         axis("audit", Flag(), "measure how far the plan is from the reference", False),
-        axis("device_seed", Integer(0, 2**31 - 1), "of fixed patterns", 0),
+        axis("device_seed", Integer(0, 2**31 - 1), "seed of fixed patterns", 0),
         *sensor_keys(),
     )  # fmt: skip
 

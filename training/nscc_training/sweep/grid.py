@@ -52,10 +52,22 @@ _LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has n
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
 _PLOT_KEYS = (
-    Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
-    Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
-    Key(_PLOT, "line", Several(Text(), said="a list of axes"), "those whose values have lines", ()),
-    Key(_PLOT, "panel", Text(), "the axis of which each value has a panel", ""),
+    Key(_PLOT, "x", Text(), "the horizontal axis; by default the first numeric axis", ""),
+    Key(
+        _PLOT,
+        "y",
+        Several(Text(), said="a list of results"),
+        "the results on the vertical axis",
+        (),
+    ),
+    Key(
+        _PLOT,
+        "line",
+        Several(Text(), said="a list of axes"),
+        "the axes with one line per value",
+        (),
+    ),
+    Key(_PLOT, "panel", Text(), "the axis with one panel per value", ""),
 )
 
 
