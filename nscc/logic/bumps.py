@@ -54,24 +54,24 @@ def bumps_of(problem: Problem) -> Bumps:
         raise GaveUp("the demands are events")
     if problem.shutters * len(problem.demands) > _MOST_CELLS:
         raise GaveUp("too many shutters and demands to look at")
-    wanted: list[int] = []
+    predicates: list[int] = []
     step: list[int] = []
     for demand in problem.demands:
-        if not wanted or demand.predicate != wanted[-1]:
-            wanted.append(demand.predicate)
-        step.append(len(wanted) - 1)
-    held = rows(wanted, problem.shutters)
-    start = held.argmax(axis=1).astype(np.int64)
-    count = held.sum(axis=1).astype(np.int64)
+        if not predicates or demand.predicate != predicates[-1]:
+            predicates.append(demand.predicate)
+        step.append(len(predicates) - 1)
+    open_in_step = rows(predicates, problem.shutters)
+    start = open_in_step.argmax(axis=1).astype(np.int64)
+    count = open_in_step.sum(axis=1).astype(np.int64)
     stop = start + count
     # argmax of booleans is the first 1. A row has one bump if as many are 1 as lie between its
     # ends.
-    last = held.shape[1] - held[:, ::-1].argmax(axis=1)
+    last = open_in_step.shape[1] - open_in_step[:, ::-1].argmax(axis=1)
     if np.any((count > 0) & (last != stop)):
         raise GaveUp("some shutter opens more than once")
     start[count == 0] = 0
     stop[count == 0] = 0
-    return Bumps(start, stop, tuple(step), len(wanted))
+    return Bumps(start, stop, tuple(step), len(predicates))
 
 
 def two_ended(problem: Problem) -> Bumps:

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.cascade_search import MOST_POINTS, Cascade, Search
 from nscc.logic.cubes import Budget
-from nscc.logic.encodings import asked
+from nscc.logic.encodings import describe_demand
 from nscc.logic.gates import Gates
 from nscc.logic.point_sets import Planes, Points, packed
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
@@ -172,8 +172,8 @@ class _Finder:
         tasks: list[_Task | None] = []
         for i, demand in enumerate(problem.demands):
             before = problem.demands[i - 1].predicate if demand.flag_kept else None
-            held = -1 if before is None else number[before]
-            tasks.append(None if problem.answered(i) else (number[demand.predicate], held))
+            flag_predicate = -1 if before is None else number[before]
+            tasks.append(None if problem.answered(i) else (number[demand.predicate], flag_predicate))
         return tasks
 
     def _quick_width(self) -> int:
@@ -190,9 +190,9 @@ class _Finder:
     def _first_choices(self, width: int) -> Iterator[_Choice]:
         """Planes to begin with: first what is no demand's (levels make edges), then demands."""
         numbers = range(len(self._points.bits))
-        others = numbers[self._points.demanded :]
-        if others:
-            yield tuple((number, False) for number in (*others, *numbers)[:width])
+        undemanded = numbers[self._points.demanded :]
+        if undemanded:
+            yield tuple((number, False) for number in (*undemanded, *numbers)[:width])
         yield tuple((number, False) for number in numbers[:width])
 
     def _quick(self, choice: _Choice, scratch: int, width: int, most: int) -> _Plan | None:
@@ -200,10 +200,10 @@ class _Finder:
         planes = _separating(self._points.bits, choice)
         times = self._times
         repeats = times.total() - len(times)
-        found = self._search(planes, scratch).find(
-            *self._wanted(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
+        optional_cascades = self._search(planes, scratch).find(
+            *self._predicates_and_flag(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
         )
-        cascades = {task: one for task, one in zip(times, found, strict=True) if one is not None}
+        cascades = {task: cascade for task, cascade in zip(times, optional_cascades, strict=True) if cascade is not None}
         if len(cascades) < len(times):
             return None
         words = sum(count * cascades[task].words for task, count in times.items())
@@ -215,10 +215,10 @@ class _Finder:
         table = Planes(sets, planes.shape[1], self._machine)
         return Search(table, self._machine, scratch, self._budget)
 
-    def _wanted(self, tasks: list[_Task]) -> tuple[Points, Points]:
+    def _predicates_and_flag(self, tasks: list[_Task]) -> tuple[Points, Points]:
         """The predicate of every task and what FLAG holds before (nothing where unknown)."""
-        predicates, held = np.array(tasks).T
-        known = np.where((held >= 0)[:, None], self._sets[held], np.uint64(0))
+        predicates, flag_predicates = np.array(tasks).T
+        known = np.where((flag_predicates >= 0)[:, None], self._sets[flag_predicates], np.uint64(0))
         return self._sets[predicates], known
 
     def _chosen(self, best: _Plan, until: int, width: int) -> Iterator[_Plan]:
@@ -228,19 +228,19 @@ class _Finder:
         current = best
         span = max(1, self._budget.left - until)
         while self._budget.left > until:
-            near = list(current.choice)
-            place = choose.randrange(len(near))
-            number, turned = near[place]
-            held = dict(near)
-            others = [number for number in everyone if number not in held]
-            if others and choose.random() < _EXCHANGED:
-                near[place] = choose.choice(others), False
+            neighbour = list(current.choice)
+            place = choose.randrange(len(neighbour))
+            number, turned = neighbour[place]
+            chosen_planes = dict(neighbour)
+            unchosen_planes = [number for number in everyone if number not in chosen_planes]
+            if unchosen_planes and choose.random() < _EXCHANGED:
+                neighbour[place] = choose.choice(unchosen_planes), False
             else:
-                near[place] = number, not turned
+                neighbour[place] = number, not turned
             # A little worse is allowed at first, less and less (threshold accepting; Dueck and
             # Scheuer, 1990): most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
-            plan = self._quick(tuple(near), current.scratch, width, current.words + slack)
+            plan = self._quick(tuple(neighbour), current.scratch, width, current.words + slack)
             if plan is not None:
                 current = plan
                 if plan.words < best.words:
@@ -252,10 +252,10 @@ class _Finder:
         search = self._search(best.planes, best.scratch)
         for task, times in sorted(self._times.items(), key=lambda t: -best.cascades[t[0]].words):
             old = best.cascades[task].words
-            (found,) = search.find(*self._wanted([task]), [old - 1], width, _LONGEST)
-            if found is not None:
-                cascades = {**best.cascades, task: found}
-                words = best.words - times * (old - found.words)
+            (shorter,) = search.find(*self._predicates_and_flag([task]), [old - 1], width, _LONGEST)
+            if shorter is not None:
+                cascades = {**best.cascades, task: shorter}
+                words = best.words - times * (old - shorter.words)
                 best = replace(best, cascades=cascades, words=words)
                 yield best
 
@@ -264,7 +264,7 @@ def _points(problem: Problem) -> _Points:
     """The points of a problem, with the open slots of its buckets as further planes."""
     names: dict[int, str] = {}
     for demand in problem.demands:
-        names.setdefault(demand.predicate, asked(demand))
+        names.setdefault(demand.predicate, describe_demand(demand))
     demanded = len(names)
     for bucket in problem.opens:
         for slot, level in enumerate(bucket):
@@ -297,19 +297,19 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     return planes
 
 
-def _write(gates: Gates, found: Cascade, scratch: int) -> None:
+def _write(gates: Gates, cascade: Cascade, scratch: int) -> None:
     """The gates of a cascade, the innermost link first. Values in scratch stand in t0."""
     registers = [*(f"t{i}" for i in range(1, scratch)), "t0"]
     inner: list[str] = []
-    for link in reversed(found.links):
-        sources = inner + ["FLAG"] * link.held
+    for link in reversed(cascade.links):
+        sources = inner + ["FLAG"] * link.reads_flag
         free = [register for register in registers if register not in sources]
         for register, mask in zip(free[: len(link.cubes)], link.cubes, strict=True):
             gates.nor(register, _names(set_bits(mask)))
             sources.append(register)
         sources += _names(link.planes)
         if link.to_flag:
-            gates.where(sources, None)
+            gates.load_flag(sources, None)
         elif link.negated:
             gates.nor("t0", sources)
         else:

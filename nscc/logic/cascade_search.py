@@ -53,7 +53,7 @@ class Link:
     negated: bool
     cubes: tuple[int, ...]
     planes: tuple[int, ...]
-    held: bool
+    reads_flag: bool
 
 
 @dataclass(frozen=True)
@@ -96,14 +96,14 @@ class _Values:
     def __len__(self) -> int:
         return len(self.on)
 
-    def take(self, which: Indices | NDArray[np.bool_]) -> _Values:
-        return _Values(*(part[which] for part in vars(self).values()))
+    def take(self, indices: Indices | NDArray[np.bool_]) -> _Values:
+        return _Values(*(array[indices] for array in vars(self).values()))
 
     def swapped(self) -> _Values:
         """The values as complements."""
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
-    def left(self) -> NDArray[np.float64]:
+    def undecided_bits(self) -> NDArray[np.float64]:
         """What each value leaves to decide, in bits, more or less."""
         ones, zeros = sizes(self.on), sizes(self.off)
         bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
@@ -111,11 +111,11 @@ class _Values:
 
     def best(self, width: int) -> _Values:
         """For every task the `width` values that leave the least to decide, each once."""
-        left = self.left()
+        undecided = self.undecided_bits()
         # Equal values have equal digests; two that share one by chance are no loss.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
         digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
-        order = np.lexsort((digest, left, self.task))
+        order = np.lexsort((digest, undecided, self.task))
         task, digest = self.task[order], digest[order]
         new = np.ones(len(order), dtype=np.bool_)
         new[1:] = (digest[1:] != digest[:-1]) | (task[1:] != task[:-1])
@@ -124,11 +124,11 @@ class _Values:
         return self.take(order[rank < width])
 
     @staticmethod
-    def joined(parts: Sequence[_Values]) -> _Values:
-        if len(parts) == 1:
-            return parts[0]
-        alike = zip(*(vars(part).values() for part in parts), strict=True)
-        return _Values(*(np.concatenate(part) for part in alike))
+    def joined(groups: Sequence[_Values]) -> _Values:
+        if len(groups) == 1:
+            return groups[0]
+        alike = zip(*(vars(group).values() for group in groups), strict=True)
+        return _Values(*(np.concatenate(group) for group in alike))
 
 
 _Way = tuple[int, bool, tuple[int, ...], bool]
@@ -148,7 +148,7 @@ class Search:
         self._where_limit = machine.where_sources or 1 << 30
 
     def find(
-        self, on: Points, held: Points, most_words: Sequence[int], width: int, most_total: int
+        self, on: Points, flag_before: Points, most_words: Sequence[int], width: int, most_total: int
     ) -> list[Cascade | None]:
         """For every predicate of `on` (n, W) a cascade of at most `most_words` words that leaves it
         in FLAG; None where a beam of `width` finds none.
@@ -163,41 +163,41 @@ class Search:
             np.zeros((count, self._scratch), dtype=np.int64),
         )  # fmt: skip
         self._recorded: list[tuple[int, _Values, bool]] = []
-        self._held = held
+        self._flag_before = flag_before
         self._ends: list[tuple[int, _Way] | None] = [None] * count
         self._most = np.array(most_words, dtype=np.int64)
         waiting: dict[tuple[int, bool], list[_Values]] = defaultdict(list)
         waiting[0, True].append(start)
         words = 0
-        left = np.zeros(count)
+        undecided = np.zeros(count)
         while waiting and (self._most > words).any():
             open_still = self._most > words
-            done = sum(
+            finished_words = sum(
                 end[0]
-                for end, more in zip(self._ends, open_still, strict=True)
-                if end is not None and not more
+                for end, link_words in zip(self._ends, open_still, strict=True)
+                if end is not None and not link_words
             )
             # Words that the open tasks will end at: a bound that is seldom passed, not a proof.
-            ahead = words + 1 + np.maximum(left - _LAST_BITS, 0) / _MOST_BITS_A_WORD
-            if done + float(ahead[open_still].sum()) > most_total:
+            ahead = words + 1 + np.maximum(undecided - _LAST_BITS, 0) / _MOST_BITS_A_WORD
+            if finished_words + float(ahead[open_still].sum()) > most_total:
                 break
-            left = np.full(count, np.inf)
+            undecided = np.full(count, np.inf)
             for in_flag in (True, False):
-                parts = waiting.pop((words, in_flag), None)
-                if parts is None:
+                groups = waiting.pop((words, in_flag), None)
+                if groups is None:
                     continue
-                joined = _Values.joined(parts)
+                joined = _Values.joined(groups)
                 joined = joined.take(open_still[joined.task])
                 if len(joined):
                     values = joined.best(width)
-                    np.minimum.at(left, values.task, values.left())
+                    np.minimum.at(undecided, values.task, values.undecided_bits())
                     values = self._numbered(values, in_flag)
                     # WHERE only ORs; a register takes a NOR as well as an OR.
                     forms = (values,) if in_flag else (values, values.swapped())
                     for form in forms:
-                        for more, inner_in_flag, inner in self._links(form, in_flag, words, width):
-                            waiting[words + more, inner_in_flag].append(inner)
-            left[np.isinf(left)] = 0.0
+                        for link_words, inner_in_flag, inner in self._links(form, in_flag, words, width):
+                            waiting[words + link_words, inner_in_flag].append(inner)
+            undecided[np.isinf(undecided)] = 0.0
             words += 1
         return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
 
@@ -232,18 +232,18 @@ class Search:
                 if used:
                     current = current.best(2 * width)
                 # In place, that is with every scratch register holding a cube, is a word more.
-                more = spent + 1 + (not in_flag and used == scratch)
+                link_words = spent + 1 + (not in_flag and used == scratch)
                 if used:
-                    self._finish(current, in_flag, words + more, inner=False)
+                    self._finish(current, in_flag, words + link_words, inner=False)
                     if not in_flag or used < self._where_limit:
-                        self._finish(current, in_flag, words + more, inner=True)
+                        self._finish(current, in_flag, words + link_words, inner=True)
                     if not in_flag:
-                        yield more, True, current
+                        yield link_words, True, current
                     else:
                         if used < scratch and used < self._where_limit:
-                            yield more, False, current
+                            yield link_words, False, current
                         if self._reads_flag and used < self._where_limit:
-                            yield more, True, current
+                            yield link_words, True, current
                 if used < most:
                     for price, wider in self._with_cube(current, used):
                         grown[used + 1, spent + price].append(wider)
@@ -273,11 +273,11 @@ class Search:
             read = np.where(pure[..., None], planes[None], np.uint64(0))
             on = on & ~np.bitwise_or.reduce(read, axis=1)
         else:
-            each = np.arange(len(on))
+            value_numbers = np.arange(len(on))
             for _ in range(room):
                 gain = np.where(pure, sizes(planes[None] & on[:, None]), 0)
                 choice = gain.argmax(axis=1)
-                useful = (gain[each, choice] > 0)[:, None]
+                useful = (gain[value_numbers, choice] > 0)[:, None]
                 on = np.where(useful, on & ~planes[choice], on)
         return replace(values, on=on)
 
@@ -287,9 +287,9 @@ class Search:
         for price, cubes, masks in self._table.groups:
             batch = max(1, _BATCH // cubes.size)
             for start in range(0, len(values), batch):
-                part = values.take(np.arange(start, min(len(values), start + batch)))
-                self._budget.spend(_STEPS_A_BATCH + len(part) * cubes.size // _WORDS_A_STEP)
-                gain = gains(cubes, part.on, part.off)
+                batch_values = values.take(np.arange(start, min(len(values), start + batch)))
+                self._budget.spend(_STEPS_A_BATCH + len(batch_values) * cubes.size // _WORDS_A_STEP)
+                gain = gains(cubes, batch_values.on, batch_values.off)
                 most = min(top, len(cubes))
                 # Ties go to the first, whatever the processor's way of partitioning: gains differ
                 # by one, so they are made wider than all places together.
@@ -298,7 +298,7 @@ class Search:
                 rows, columns = np.nonzero(np.take_along_axis(gain, best, 1) > 0)
                 if len(rows):
                     chosen = best[rows, columns]
-                    wider = part.take(rows)
+                    wider = batch_values.take(rows)
                     wider.cubes[:, used] = masks[chosen]
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
@@ -307,15 +307,15 @@ class Search:
 
         With `inner`, what FLAG held before the cascade may decide the rest.
         """
-        left = values.on
+        undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
                 return
-            held = self._held[values.task]
-            pure = disjoint(held, values.off)
-            left = np.where(pure[:, None], left & ~held, left)
-        done = np.flatnonzero(~left.any(axis=1) & (self._most[values.task] >= words))
-        for i, task in zip(done.tolist(), values.task[done].tolist(), strict=True):
+            flag_before = self._flag_before[values.task]
+            pure = disjoint(flag_before, values.off)
+            undecided = np.where(pure[:, None], undecided & ~flag_before, undecided)
+        decided = np.flatnonzero(~undecided.any(axis=1) & (self._most[values.task] >= words))
+        for i, task in zip(decided.tolist(), values.task[decided].tolist(), strict=True):
             if words <= self._most[task]:
                 cubes = tuple(c for c in values.cubes[i].tolist() if c)
                 way = (int(values.via[i]), bool(values.negated[i]), cubes, inner)
@@ -332,14 +332,14 @@ class Search:
             ways.append(way)
         off = self._table.everything & ~on
         links = []
-        for i, (via, negated, cubes, held) in reversed(list(enumerate(ways))):
+        for i, (via, negated, cubes, reads_flag) in reversed(list(enumerate(ways))):
             to_flag = self._way(via)[3]
-            held = held and i == 0
+            reads_flag = reads_flag and i == 0
             if negated:
                 on, off = off, on
-            room = self._room(to_flag, cubes=bool(cubes), inner=held or i > 0)
+            room = self._room(to_flag, cubes=bool(cubes), inner=reads_flag or i > 0)
             planes, on = self._read(on, off, cubes, room)
-            links.append(Link(to_flag, negated, cubes, planes, held))
+            links.append(Link(to_flag, negated, cubes, planes, reads_flag))
         return Cascade(tuple(links), words)
 
     def _way(self, number: int) -> _Way:
@@ -353,7 +353,7 @@ class Search:
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
         """The planes that a link reads beside its cubes, no more than needed, and what is left."""
-        wanted = on
+        target = on
         table = self._table.planes
         pure = disjoint(table, off[None])
         picked: list[int] = []
@@ -370,10 +370,10 @@ class Search:
             covered |= self._table.everything & ~np.bitwise_or.reduce(read, axis=0)
         planes = []
         for choice in picked:
-            if (table[choice] & wanted & ~covered).any():
+            if (table[choice] & target & ~covered).any():
                 planes.append(choice)
                 covered |= table[choice]
-        return tuple(sorted(planes)), wanted & ~covered
+        return tuple(sorted(planes)), target & ~covered
 
 
 @cache

@@ -74,34 +74,34 @@ class Covers:
         `ahead` are the predicates wanted now and by the demands to come, everything on which is
         outside must stay outside.
         """
-        wanted = ahead[0]
-        positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~wanted]
-        rest = wanted & ~union(values[i] for i in positive)
-        if not rest:
-            return Cover(_irredundant(positive, values, wanted), (), 0.0)
+        predicate = ahead[0]
+        positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
+        uncovered = predicate & ~union(values[i] for i in positive)
+        if not uncovered:
+            return Cover(_irredundant(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
         # A single register is not kept for cubes that live on.
-        cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], rest)
-        chosen = cubes and _select(cubes, rest, most_cubes, self.budget)
+        cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
+        chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)
         if not chosen:
             return None
-        left = wanted & ~union(cube.vector for cube in chosen)
+        uncovered_by_cubes = predicate & ~union(cube.vector for cube in chosen)
         cost = sum(cube.cost for cube in chosen)
-        return Cover(_irredundant(positive, values, left), tuple(chosen), cost)
+        return Cover(_irredundant(positive, values, uncovered_by_cubes), tuple(chosen), cost)
 
     def _candidates(
-        self, values: Sequence[int], ahead: Sequence[int], rest: int
+        self, values: Sequence[int], ahead: Sequence[int], uncovered: int
     ) -> list[Nor] | None:
         """Cubes inside ahead[0] that reach all of `rest`; None if a shutter cannot be reached."""
-        found: dict[int, Nor] = {}
-        unreached = rest
+        nor_by_vector: dict[int, Nor] = {}
+        unreached = uncovered
         outside = [self.everything & ~ahead[0]]
         for predicate in ahead[1 : _HORIZONS[-1]]:
             outside.append(outside[-1] | (self.everything & ~predicate))
         for _ in range(_MOST_SEEDS):
             if not unreached:
-                return list(found.values())
+                return list(nor_by_vector.values())
             # A cube that reaches `seed` can only read values that are 0 there.
             seed = unreached & -unreached
             zeros = [i for i, v in enumerate(values) if not v & seed]
@@ -109,22 +109,22 @@ class Covers:
             for horizon in _HORIZONS:
                 if horizon > len(outside) or outside[horizon - 1] & seed:
                     break
-                cube = self._prime(zeros, values, outside[horizon - 1], rest)
+                cube = self._prime(zeros, values, outside[horizon - 1], uncovered)
                 if cube is None:
                     break
                 sources, vector = cube
                 unreached &= ~vector
-                known = found.get(vector)
+                known = nor_by_vector.get(vector)
                 if known is None or len(sources) < len(known.sources):
                     served = max(1, life(vector, ahead))
                     words = words_of(len(sources), self.fan_in)
-                    found[vector] = Nor(sources, vector, served, words)
+                    nor_by_vector[vector] = Nor(sources, vector, served, words)
             if unreached == before:
                 return None
         return None
 
     def _prime(
-        self, zeros: Sequence[int], values: Sequence[int], outside: int, rest: int
+        self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
         """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
 
@@ -135,10 +135,10 @@ class Covers:
             return None
         # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
         free, once, twice = [(values[i], i) for i in zeros], 0, 0
-        kept: list[int] = []
+        required: list[int] = []
         steps = 1 + self.everything.bit_length() // 512
         while True:
-            self.budget.spend((len(free) + len(kept)) * steps)
+            self.budget.spend((len(free) + len(required)) * steps)
             covered, again = once, twice  # by at least one literal, by at least two
             for v, _ in free:
                 again |= covered & v
@@ -149,14 +149,14 @@ class Covers:
             for literal in free:
                 v = literal[0]
                 if v & needed:
-                    kept.append(literal[1])
+                    required.append(literal[1])
                     twice |= once & v
                     once |= v
                 else:
                     may_go.append(literal)
             if not may_go:
-                return tuple(sorted(kept)), self.everything & ~covered
-            gained, most, gone = alone & rest, -1, 0
+                return tuple(sorted(required)), self.everything & ~covered
+            gained, most, gone = alone & uncovered, -1, 0
             for place, (v, _) in enumerate(may_go):
                 count = (v & gained).bit_count()
                 if count > most:
@@ -167,32 +167,32 @@ class Covers:
 
 def life(vector: int, ahead: Sequence[int]) -> int:
     """How many of the predicates `ahead`, from the first one on, contain `vector`."""
-    for count, wanted in enumerate(ahead):
-        if vector & ~wanted:
+    for count, predicate in enumerate(ahead):
+        if vector & ~predicate:
             return count
     return len(ahead)
 
 
-def _irredundant(positive: Sequence[int], values: Sequence[int], wanted: int) -> tuple[int, ...]:
+def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
     """Values, as few as a greedy choice finds, whose OR contains `wanted`."""
     chosen: list[int] = []
-    while wanted:
-        best = max(positive, key=lambda i: (values[i] & wanted).bit_count())
+    while uncovered:
+        best = max(positive, key=lambda i: (values[i] & uncovered).bit_count())
         chosen.append(best)
-        wanted &= ~values[best]
+        uncovered &= ~values[best]
     return tuple(sorted(chosen))
 
 
-def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[Nor] | None:
+def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
     """The cheapest choice of at most `most` cubes that contains `rest`, by branch and bound."""
-    ordered = sorted(cubes, key=lambda c: (-(c.vector & rest).bit_count(), len(c.sources)))
+    ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")
     visits = 0
 
-    def descend(left: int, chosen: list[Nor], cost: float) -> None:
+    def descend(remaining: int, chosen: list[Nor], cost: float) -> None:
         nonlocal best, best_cost, visits
-        if not left:
+        if not remaining:
             if cost < best_cost - 1e-9:
                 best, best_cost = list(chosen), cost
             return
@@ -201,13 +201,13 @@ def _select(cubes: Sequence[Nor], rest: int, most: int, budget: Budget) -> list[
         visits += 1
         if len(chosen) == most or visits > 2000:
             return
-        seed = left & -left
+        seed = remaining & -remaining
         for cube in ordered:
             if cube.vector & seed and cost + cube.cost < best_cost - 1e-9:
                 chosen.append(cube)
-                descend(left & ~cube.vector, chosen, cost + cube.cost)
+                descend(remaining & ~cube.vector, chosen, cost + cube.cost)
                 chosen.pop()
 
-    descend(rest, [], 0.0)
+    descend(uncovered, [], 0.0)
     budget.spend(visits)
     return best

@@ -57,62 +57,62 @@ def cover(on: int, off: int, planes: Sequence[int], everything: int, budget: Bud
     choices by what is still to be covered (as Espresso does, Brayton et al., 1984).
     """
     literals = [(everything & ~plane, plane) for plane in planes]
-    found: list[Cube] = []
-    rest = on
-    while rest:
-        seed = rest & -rest
-        kept = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]
-        kept = _expand(kept, literals, rest, off, everything, budget)
+    cubes: list[Cube] = []
+    uncovered = on
+    while uncovered:
+        seed = uncovered & -uncovered
+        cube = [(i, 1 if plane & seed else 0) for i, plane in enumerate(planes)]
+        cube = _expand(cube, literals, uncovered, off, everything, budget)
         covered = everything
-        for i, value in kept:
+        for i, value in cube:
             covered &= literals[i][value]
         if covered & off:
             raise GaveUp("two shutters have the same code in these planes")
-        found.append(tuple(kept))
-        rest &= ~covered
-    return found
+        cubes.append(tuple(cube))
+        uncovered &= ~covered
+    return cubes
 
 
 def _expand(
-    kept: list[tuple[int, int]],
+    cube: list[tuple[int, int]],
     literals: list[tuple[int, int]],
-    rest: int,
+    uncovered: int,
     off: int,
     everything: int,
     budget: Budget,
 ) -> list[tuple[int, int]]:
     """Drops literals while no off-shutter gets in, each time the one that covers most."""
-    while kept:
-        budget.spend(len(kept) * (1 + everything.bit_length() // 512))
+    while cube:
+        budget.spend(len(cube) * (1 + everything.bit_length() // 512))
         # The cube without one literal, for each one: the literals before it and those after it.
-        after = [everything] * (len(kept) + 1)
-        for i in range(len(kept) - 1, -1, -1):
-            plane, value = kept[i]
+        after = [everything] * (len(cube) + 1)
+        for i in range(len(cube) - 1, -1, -1):
+            plane, value = cube[i]
             after[i] = after[i + 1] & literals[plane][value]
         before, best, choice = everything, -1, -1
-        for i, (plane, value) in enumerate(kept):
+        for i, (plane, value) in enumerate(cube):
             without = before & after[i + 1]
             if not without & off:
-                gain = (without & rest).bit_count()
+                gain = (without & uncovered).bit_count()
                 if gain > best:
                     best, choice = gain, i
             before &= literals[plane][value]
         if choice < 0:
-            return kept
-        del kept[choice]
-    return kept
+            return cube
+        del cube[choice]
+    return cube
 
 
 def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
     """The gates for an encoding. Raises GaveUp where no register is left to compute with."""
     planes = len(encoding.planes)
-    left = machine.registers - planes
-    if left < 0:
+    free_registers = machine.registers - planes
+    if free_registers < 0:
         raise GaveUp(f"{planes} code planes are more than {machine.registers} registers")
-    solution = _emit_with(problem, machine, encoding, left)
-    if machine.masked and left > 1 and solution.scratch == left and all(solution.writes()):
+    solution = _emit_with(problem, machine, encoding, free_registers)
+    if machine.masked and free_registers > 1 and solution.scratch == free_registers and all(solution.writes()):
         # Only a plane that never changes may live in the masked register; there is none.
-        solution = _emit_with(problem, machine, encoding, left - 1)
+        solution = _emit_with(problem, machine, encoding, free_registers - 1)
     return solution
 
 
@@ -240,19 +240,19 @@ class _Emitter:
 
     def _make_room(self, terms: list[str]) -> list[str]:
         """Gathers the terms so far when every scratch register holds one."""
-        held = [name for name in terms if name in self._scratch]
-        if len(held) < len(self._scratch):
+        scratch_terms = [name for name in terms if name in self._scratch]
+        if len(scratch_terms) < len(self._scratch):
             return terms
-        if not held:
+        if not scratch_terms:
             raise GaveUp("no register is left to compute with")
-        others = [name for name in terms if name not in held and name != "FLAG"]
+        stored_terms = [name for name in terms if name not in scratch_terms and name != "FLAG"]
         flag = ["FLAG"] if "FLAG" in terms else []
-        if len(held) == 1:
+        if len(scratch_terms) == 1:
             # One scratch register: the sum so far waits in FLAG.
-            self._load_flag([*flag, held[0]])
-            return ["FLAG", *others]
-        self._gates.or_(held[0], [*flag, *held])
-        return [held[0], *others]
+            self._load_flag([*flag, scratch_terms[0]])
+            return ["FLAG", *stored_terms]
+        self._gates.or_(scratch_terms[0], [*flag, *scratch_terms])
+        return [scratch_terms[0], *stored_terms]
 
     def _negate(self, plane: int, terms: list[str], segments: list[Segment]) -> list[str]:
         name = f"p{plane}"
@@ -274,18 +274,18 @@ class _Emitter:
         if spare is None and limit is not None and len(terms) > limit:
             spare = self._free(terms)
         if "FLAG" in terms and not self._machine.where_reads_flag:
-            held = [name for name in terms if name in self._scratch]
-            into = held[0] if held else self._free(terms)
-            self._gates.or_(into, ["FLAG", into] if held else ["FLAG"])
+            scratch_terms = [name for name in terms if name in self._scratch]
+            into = scratch_terms[0] if scratch_terms else self._free(terms)
+            self._gates.or_(into, ["FLAG", into] if scratch_terms else ["FLAG"])
             terms = [into, *(name for name in terms if name not in ("FLAG", into))]
             spare = into
-        self._gates.where(terms, spare)
+        self._gates.load_flag(terms, spare)
 
     def _finish(self, terms: list[str], inverted: bool) -> None:
         if not inverted:
             self._load_flag(terms)
             return
-        held = [name for name in terms if name in self._scratch]
-        target = held[0] if held and len(held) == len(self._scratch) else self._free(terms)
+        scratch_terms = [name for name in terms if name in self._scratch]
+        target = scratch_terms[0] if scratch_terms and len(scratch_terms) == len(self._scratch) else self._free(terms)
         self._gates.nor(target, terms)
-        self._gates.where([target], None)
+        self._gates.load_flag([target], None)

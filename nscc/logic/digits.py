@@ -29,21 +29,21 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
     thermometer and a register for a cube of its own (`nested`), or a plane for each of r values
     (`events`).
     """
-    found: list[tuple[int, ...]] = []
+    choices: list[tuple[int, ...]] = []
 
-    def extend(chosen: tuple[int, ...], total: int, left: int) -> None:
-        if left <= 1:
-            found.append(chosen)
+    def extend(chosen: tuple[int, ...], total: int, remaining: int) -> None:
+        if remaining <= 1:
+            choices.append(chosen)
             return
-        for radix in range(2, min(left, most - total) + 1):
+        for radix in range(2, min(remaining, most - total) + 1):
             # Rising only: which place a radix has changes neither sum nor product.
             if not chosen or radix >= chosen[-1]:
-                extend((*chosen, radix), total + radix, -(-left // radix))
+                extend((*chosen, radix), total + radix, -(-remaining // radix))
 
     if least <= 1:
         return ((1,),)
     extend((), 0, least)
-    return tuple(sorted(found, key=lambda r: (sum(r), len(r), int(np.prod(r))))[:6])
+    return tuple(sorted(choices, key=lambda r: (sum(r), len(r), int(np.prod(r))))[:6])
 
 
 def binary_planes(name: str, numbers: NDArray[np.int64], bits: int) -> Planes:
@@ -55,12 +55,12 @@ def digits_of(
     numbers: NDArray[np.int64], radices: Sequence[int]
 ) -> list[tuple[str, NDArray[np.int64], int]]:
     """For each digit, the highest first: its name, its values (shutters,) and its radix."""
-    found = []
+    digits = []
     size = int(np.prod(radices))
     for place, radix in enumerate(radices):
         size //= radix
-        found.append((f"digit {len(radices) - 1 - place}", numbers // size % radix, radix))
-    return found
+        digits.append((f"digit {len(radices) - 1 - place}", numbers // size % radix, radix))
+    return digits
 
 
 def thermometers(

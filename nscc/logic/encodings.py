@@ -26,12 +26,12 @@ def stored_predicates(problem: Problem, machine: Machine, budget: Budget) -> Enc
         raise GaveUp(f"{len(distinct)} different predicates, {machine.registers} registers")
     place = {predicate: i for i, predicate in enumerate(distinct)}
     cubes = tuple((((place[d.predicate], 1),),) for d in problem.demands)
-    first = {d.predicate: asked(d) for d in reversed(problem.demands)}
+    first = {d.predicate: describe_demand(d) for d in reversed(problem.demands)}
     planes = [(predicate, first[predicate]) for predicate in distinct]
     return Encoding("one register for each predicate", planes, cubes)
 
 
-def asked(demand: Demand) -> str:
+def describe_demand(demand: Demand) -> str:
     """What a demand asks, in words."""
     if demand.edge == "open":
         return f"open in slot {demand.boundary - 1}"
@@ -75,14 +75,14 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         planes += binary_planes(f"{label}, Gray bit", gray(numbers), width)
         for number, (demand, _) in enumerate(events):
             cubes[demand].append(_equality(gray(number), base, width))
-    return Encoding("event times in Gray code", planes, tuple(tuple(each) for each in cubes))
+    return Encoding("event times in Gray code", planes, tuple(tuple(demand_cubes) for demand_cubes in cubes))
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
     """`fall time`, with its rank and bucket where there are several."""
-    which = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
-    where = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
-    return f"{edge} time{which}{where}"
+    rank_text = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
+    bucket_text = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
+    return f"{edge} time{rank_text}{bucket_text}"
 
 
 def _equality(code: int, base: int, width: int) -> Cube:
@@ -99,17 +99,17 @@ def event_fields(problem: Problem, most: int) -> Events:
     Demands that find FLAG as they want it are nobody's event. Raises GaveUp where there are more
     than `most` such fields.
     """
-    seen: dict[tuple[str, int], NDArray[np.int64]] = {}
+    event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
         if problem.answered(i):
             continue
         kind = (demand.edge, demand.bucket)
-        if kind not in seen:
-            seen[kind] = np.zeros(problem.shutters, dtype=np.int64)
+        if kind not in event_counts:
+            event_counts[kind] = np.zeros(problem.shutters, dtype=np.int64)
         shutters = members(demand.predicate, problem.shutters)
-        ranks = seen[kind][shutters]
-        seen[kind][shutters] += 1
+        ranks = event_counts[kind][shutters]
+        event_counts[kind][shutters] += 1
         for rank in sorted(set(ranks.tolist())):
             fields.setdefault((*kind, rank), []).append((i, shutters[ranks == rank]))
         if len(fields) > most:
@@ -222,10 +222,10 @@ def covered_levels(problem: Problem, machine: Machine, budget: Budget) -> Encodi
 
 
 def _covered(problem: Problem, name: str, planes: Planes, budget: Budget) -> Encoding:
-    wanted = [demand.predicate for demand in problem.demands]
+    predicates = [demand.predicate for demand in problem.demands]
     vectors = [plane for plane, _ in planes]
-    covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(wanted)}
-    cubes, inverted = zip(*(covers[predicate] for predicate in wanted), strict=True)
+    covers = {p: _best_cover(problem, p, vectors, budget) for p in dict.fromkeys(predicates)}
+    cubes, inverted = zip(*(covers[predicate] for predicate in predicates), strict=True)
     return Encoding(name, planes, cubes, inverted)
 
 
@@ -236,7 +236,7 @@ def _best_cover(
     complement = problem.everything & ~predicate
     direct = cover(predicate, complement, planes, problem.everything, budget)
     if len(direct) > 1:
-        other = cover(complement, predicate, planes, problem.everything, budget)
-        if len(other) + 1 < len(direct):
-            return tuple(other), True
+        complement_cover = cover(complement, predicate, planes, problem.everything, budget)
+        if len(complement_cover) + 1 < len(direct):
+            return tuple(complement_cover), True
     return tuple(direct), False

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from nscc.logic.cube_tables import number_cubes
 from nscc.logic.cubes import Cube
 from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
-from nscc.logic.encodings import asked, event_fields, event_name
+from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import columns, members, union, vector
@@ -88,9 +88,9 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
     fitting.sort(key=lambda chosen: (sum(f.turns for f in chosen), sum(f.planes for f in chosen)))
     for chosen in fitting[:_MOST_TRIED]:
         stored = room - sum(form.planes for form in chosen)
-        for kept in {0, stored}:
+        for stored_demands in {0, stored}:
             with suppress(GaveUp):
-                yield from walk(problem, machine, _script(problem, events, chosen, kept), steps)
+                yield from walk(problem, machine, _script(problem, events, chosen, stored_demands), steps)
 
 
 _Events = list[tuple[int, int]]
@@ -102,13 +102,13 @@ def _events(problem: Problem) -> list[tuple[str, _Events]]:
     for several whose times tell each other."""
     kinds = event_fields(problem, _MOST_KINDS)
     merged: list[tuple[str, _Events]] = []
-    for key, found in kinds.items():
-        events = [(demand, vector(shutters)) for demand, shutters in found]
+    for key, demand_shutters in kinds.items():
+        events = [(demand, vector(shutters)) for demand, shutters in demand_shutters]
         name = event_name(*key, kinds)
-        for i, (other, known) in enumerate(merged):
+        for i, (known_name, known) in enumerate(merged):
             both = sorted([*known, *events])
             if _atoms([v for _, v in both]) is not None:
-                merged[i] = f"{other} and {name}", both
+                merged[i] = f"{known_name} and {name}", both
                 break
         else:
             merged.append((name, events))
@@ -148,15 +148,15 @@ def _atoms(vectors: Sequence[int]) -> list[int] | None:
 
 def _forms(field: _Field, room: int) -> list[_Form]:
     """Ways to hold a field, those with the fewest planes first."""
-    found: list[_Form] = []
+    forms: list[_Form] = []
     for bits in range(min((field.count - 1).bit_length() + 1, room), -1, -1):
         least = -(-field.count // (1 << bits))
         inner = radices_of(room - bits, least) if least > 1 else ((),)
         for radices in inner[:1]:
             form = _Form(radices, bits, 0)
             turned = sum(len(run) for run in _turns(field, form, 0).values())
-            found.append(replace(form, turns=turned))
-    return found
+            forms.append(replace(form, turns=turned))
+    return forms
 
 
 def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ...]]:
@@ -200,9 +200,9 @@ def _script(
         groups = codes[field.numbers // form.size]
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
         for digit_name, digit, radix in digits_of(field.numbers, form.radices):
-            held = columns(digit[:, None] != np.arange(radix))
-            planes += [(p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(held)]
-    planes += [(problem.demands[i].predicate, asked(problem.demands[i])) for i in raw]
+            digit_planes = columns(digit[:, None] != np.arange(radix))
+            planes += [(p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(digit_planes)]
+    planes += [(problem.demands[i].predicate, describe_demand(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
     name = "event times in digits " + " and ".join(form.name for form in chosen)
     return Script(name, planes, before=before, closing=closing)

@@ -44,20 +44,20 @@ def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
     """Ways to hold a field of values 0 .. max, each of at most `room` planes."""
     count = int(ranks.max()) + 1
     forms: list[Planes] = []
-    seen: set[int] = set()
+    sizes: set[int] = set()
     # A radix r takes r - 1 planes: up to four digits fit where their sum is four more than the
     # room.
     for radices in radices_of(room + 4, count):
         size = sum(radices) - len(radices)
-        if size > room or size in seen:
+        if size > room or size in sizes:
             continue
-        seen.add(size)
+        sizes.add(size)
         for negative in (False, True):
             planes = thermometers(ranks, radices, negative)
             forms.append([(plane, f"{name}, {digit}") for plane, digit in planes])
     if 2 < count <= room:
         equal = ranks[:, None] == np.arange(count)
-        for held, sign in ((equal, "is"), (~equal, "is not")):
-            planes = [(p, f"{name} {sign} value {v}") for v, p in enumerate(columns(held))]
+        for value_columns, sign in ((equal, "is"), (~equal, "is not")):
+            planes = [(p, f"{name} {sign} value {v}") for v, p in enumerate(columns(value_columns))]
             forms.append(planes)
     return forms

@@ -27,9 +27,9 @@ class Gates:
 
     def take(self) -> tuple[Gate, ...]:
         """The gates since the last call."""
-        taken = tuple(self._gates)
+        gates = tuple(self._gates)
         self._gates.clear()
-        return taken
+        return gates
 
     def add(self, gate: Gate) -> None:
         """A gate that is within the machine's fan-in."""
@@ -47,41 +47,41 @@ class Gates:
         """register := NOT register."""
         self._gates.append(Gate("NOT", register, (register,)))
 
-    def where(self, sources: Sequence[str], scratch: str | None) -> None:
+    def load_flag(self, sources: Sequence[str], scratch: str | None) -> None:
         """FLAG := OR(sources); `scratch` may be overwritten, also when it is a source."""
         limit = self._machine.where_sources
         if limit is not None and len(sources) > limit:
             if scratch is None:
                 raise ValueError("no scratch register to gather the sources of WHERE")
             # If `scratch` is a source itself, the others are gathered on top of it.
-            rest = [name for name in sources if name != scratch]
+            other_sources = [name for name in sources if name != scratch]
             head = [scratch] if scratch in sources else []
-            spill = len(rest) - (limit - 1)
-            self.or_(scratch, [*head, *rest[:spill]])
-            sources = [scratch, *rest[spill:]]
+            spill = len(other_sources) - (limit - 1)
+            self.or_(scratch, [*head, *other_sources[:spill]])
+            sources = [scratch, *other_sources[spill:]]
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
     def _gather(
-        self, many: str, single: str, destination: str, sources: Sequence[str], mask: str | None
+        self, name: str, single_name: str, destination: str, sources: Sequence[str], mask: str | None
     ) -> None:
         if not sources:
             self.add(Gate("SET" if many == "NOR" else "CLR", destination, (), mask))
             return
         limit = self._machine.or_sources
-        rest = [name for name in sources if name != destination]
-        in_place = len(rest) < len(sources)
+        other_sources = [name for name in sources if name != destination]
+        in_place = len(other_sources) < len(sources)
         # OR is associative, so what does not fit is gathered in the destination first. NOR is not:
         # only the last gate inverts. In place, the destination takes one of the sources' places.
         if limit is not None:
             room = limit - 1 if in_place else limit
-            while len(rest) > room:
-                head, rest = rest[:room], rest[room:]
+            while len(other_sources) > room:
+                head, other_sources = other_sources[:room], other_sources[room:]
                 self._append("OR", "MOV", destination, [destination] * in_place + head, mask)
                 in_place, room = True, limit - 1
-        self._append(many, single, destination, [destination] * in_place + rest, mask)
+        self._append(many, single_name, destination, [destination] * in_place + other_sources, mask)
 
     def _append(
-        self, many: str, single: str, destination: str, sources: Sequence[str], mask: str | None
+        self, many_name: str, single_name: str, destination: str, sources: Sequence[str], mask: str | None
     ) -> None:
-        name = many if len(sources) > 1 else single
+        name = many_name if len(sources) > 1 else single_name
         self._gates.append(Gate(name, destination, tuple(sources), mask))

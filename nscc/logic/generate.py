@@ -72,7 +72,7 @@ class Generator:
     from_level: int | None = None
 
 
-def _one(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
+def _generator_of(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> Generator:
     def solved(problem: Problem, machine: Machine, steps: int) -> tuple[Solution]:
         return (solve(problem, machine, Budget(steps)),)
 
@@ -80,7 +80,7 @@ def _one(kind: Kind, solve: Callable[[Problem, Machine, Budget], Solution]) -> G
 
 
 def _emitted(kind: Kind, encode: Callable[[Problem, Machine, Budget], Encoding]) -> Generator:
-    return _one(kind, lambda problem, machine, budget: emit(
+    return _generator_of(kind, lambda problem, machine, budget: emit(
         problem, machine, encode(problem, machine, budget)
     ))  # fmt: skip
 
@@ -99,9 +99,9 @@ GENERATORS: dict[str, Generator] = {
     "field_digits": Generator("family", field_digits.field_digits),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
-    "state_register": _one("equality", states.state_register),
-    "state_in_flag": _one("equality", states.state_in_flag),
-    "cascade": _one("cascade", cascade),
+    "state_register": _generator_of("equality", states.state_register),
+    "state_in_flag": _generator_of("equality", states.state_in_flag),
+    "cascade": _generator_of("cascade", cascade),
     "covered_fields": _emitted("cover", encodings.covered_fields),
     "covered_levels": _emitted("cover", encodings.covered_levels),
     "covered_both_polarities": _emitted("cover", encodings.covered_both_polarities),
@@ -123,17 +123,17 @@ def added_generators() -> dict[str, Generator]:
 
     Raises Rejected (NS0905) for one that is none, or whose declaration is not as it must be.
     """
-    found: dict[str, Generator] = added(_GROUP, GENERATORS)
-    for name, each in found.items():
-        if not isinstance(each, Generator):
-            raise unusable(_GROUP, name, f"it is no Generator but {type(each).__name__}")
-        if each.kind not in FROM_LEVEL:
+    generators: dict[str, Generator] = added(_GROUP, GENERATORS)
+    for name, generator in generators.items():
+        if not isinstance(generator, Generator):
+            raise unusable(_GROUP, name, f"it is no Generator but {type(generator).__name__}")
+        if generator.kind not in FROM_LEVEL:
             raise unusable(_GROUP, name, f"its kind is none of {', '.join(FROM_LEVEL)}")
-        if not callable(each.solve):
+        if not callable(generator.solve):
             raise unusable(_GROUP, name, "its `solve` cannot be called")
-        if each.from_level is not None and each.from_level not in range(LEAST_ADDED, 4):
+        if generator.from_level is not None and generator.from_level not in range(LEAST_ADDED, 4):
             raise unusable(_GROUP, name, f"its `from_level` is none of {LEAST_ADDED} to 3")
-    return found
+    return generators
 
 
 @dataclass(frozen=True)
@@ -164,8 +164,8 @@ def note_fault(
     where it is a diagnostic or a lack of memory."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
-    said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-    faults.append(GeneratorFault(name, level, said, "".join(traceback.format_exception(error))))
+    message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+    faults.append(GeneratorFault(name, level, message, "".join(traceback.format_exception(error))))
 
 
 def solutions(
@@ -181,76 +181,76 @@ def solutions(
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
         return
-    generators = _asked(level)
+    generators = _generators_at(level)
     steps = SEARCH_STEPS[level]
 
-    def made(*kinds: Kind, allowed: int = steps) -> Yields[Solution, None, bool]:
+    def solve_kinds(*kinds: Kind, allowed: int = steps) -> Yields[Solution, None, bool]:
         """Solutions of generators of these kinds; returns whether there were any."""
-        some = False
+        any_solution = False
         for kind in kinds:
-            for name, each in generators.items():
-                if each.kind == kind:
+            for name, generator in generators.items():
+                if generator.kind == kind:
                     try:
-                        for solution in _tried(name, each, problem, machine, allowed):
+                        for solution in _checked_solutions(name, generator, problem, machine, allowed):
                             yield solution
-                            some = True
+                            any_solution = True
                     except Exception as error:
                         note_fault(error, name, level, faults)
-        return some
+        return any_solution
 
-    direct = list(made("direct"))
+    direct = list(solve_kinds("direct"))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
     fewest = float("inf")
-    for solution in made("family"):
+    for solution in solve_kinds("family"):
         yield solution
         fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
     least = _fewest_words(problem, machine)
     close = fewest <= _CLOSE * least
-    found = yield from made("equality")
-    found |= fewest < float("inf")
+    any_found = yield from solve_kinds("equality")
+    any_found |= fewest < float("inf")
     if fewest > _WORTH_CASCADES.get(level, 0.0) * least:
-        found |= yield from made("cascade")
-    if found and (close or problem.shutters > MOST_COVERED):
+        any_found |= yield from solve_kinds("cascade")
+    if any_found and (close or problem.shutters > MOST_COVERED):
         return
-    found |= yield from made("cover")
-    if not found:
-        yield from made("cover", "last", allowed=PATIENT_STEPS)
+    any_found |= yield from solve_kinds("cover")
+    if not any_found:
+        yield from solve_kinds("cover", "last", allowed=PATIENT_STEPS)
 
 
-def _asked(level: int) -> dict[str, Generator]:
+def _generators_at(level: int) -> dict[str, Generator]:
     """The generators, by name, that are worth trying at a level of effort."""
     known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
     return {
-        name: each
-        for name, each in known.items()
-        if level >= (FROM_LEVEL[each.kind] if each.from_level is None else each.from_level)
+        name: generator
+        for name, generator in known.items()
+        if level >= (FROM_LEVEL[generator.kind] if generator.from_level is None else generator.from_level)
     }
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:
     """Words that every solution needs: one a demand, two for what cannot be stored as well."""
-    asked = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
-    return len(asked) + max(0, len(set(asked)) - machine.registers)
+    unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
+    return len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
 
 
-def _tried(
+def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
     """A generator's solutions, until it gives up. Raises NS0905 where one from outside is wrong."""
-    own = name in GENERATORS
+    built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
-            wrong = None if own else _wrong(problem, machine, solution)
-            if wrong is not None:
-                raise unusable(_GROUP, name, f"its solution does not meet its demands: {wrong}")
+            fault_text = None if built_in else _solution_fault(problem, machine, solution)
+            if fault_text is not None:
+                raise unusable(_GROUP, name, f"its solution does not meet its demands: {fault_text}")
             yield solution
     except GaveUp:
         return
 
 
-def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:
+def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
     """What is wrong with a solution of somebody else's."""
     if not isinstance(solution, Solution):
         return f"it is no Solution but {type(solution).__name__}"

@@ -33,9 +33,9 @@ def cycle(groups: int, bits: int) -> tuple[int, ...]:
     # There on the codes without the top bit and back on those with it: a circle. If the number is
     # odd, one more follows on the last.
     half = groups // 2
-    there = [gray(i) for i in range(half)]
+    ascending = [gray(i) for i in range(half)]
     top = 1 << bits - 1
-    codes = there + [top | code for code in reversed(there)]
+    codes = ascending + [top | code for code in reversed(ascending)]
     if groups % 2:
         codes.append(codes[-1] ^ max(top >> 1, 1) if half else 0)
     return tuple(codes)

@@ -38,19 +38,19 @@ def nest_of(problem: Problem) -> Nest:
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
-    rising = {kind: any(b & ~a for a, b in pairwise(wanted)) for kind, wanted in kinds.items()}
+    rising = {kind: any(b & ~a for a, b in pairwise(predicates)) for kind, predicates in kinds.items()}
     flips = tuple(rising[d.edge, d.bucket] for d in problem.demands)
     everything = problem.everything
-    wanted = [
+    predicates = [
         everything & ~d.predicate if flip else d.predicate
         for d, flip in zip(problem.demands, flips, strict=True)
     ]
-    if len(wanted) < 2 or any(b & ~a for a, b in pairwise(wanted)):
+    if len(predicates) < 2 or any(b & ~a for a, b in pairwise(predicates)):
         raise GaveUp("the demands are not nested")
-    distinct = list(dict.fromkeys(wanted))
+    distinct = list(dict.fromkeys(predicates))
     number = {predicate: i for i, predicate in enumerate(distinct)}
     ranks = rows(distinct, problem.shutters).sum(axis=1).astype(np.int64)
-    return Nest(ranks, tuple(number[p] for p in wanted), flips, len(distinct))
+    return Nest(ranks, tuple(number[p] for p in predicates), flips, len(distinct))
 
 
 def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
@@ -65,7 +65,7 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
     for bits in range(4):
         flips, most_cubes = _turns(bits)
         room = machine.registers - bits - most_cubes
-        tried = 0
+        stored_tries = 0
         for stored in range(min(room, nest.steps), -1, -1):
             values = nest.steps + 1 - stored
             if bits and values <= 1 << bits:
@@ -78,8 +78,8 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
                         continue
                     script = _digit_script(nest, stored, radices, bits, flips, negative)
                     yield from walk(problem, machine, script, steps)
-            tried += bool(inner)
-            if tried == _MOST_STORED:
+            stored_tries += bool(inner)
+            if stored_tries == _MOST_STORED:
                 break
 
 
@@ -139,7 +139,7 @@ def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
         return None
     # "Above" is an OR: planes that lie inside it are free, cubes are a word each, taken greedily.
     above = {c for c in groups if c > h}
-    left = above.difference(*(p for p in planes if p <= above)) if planes else set()
+    uncovered = above.difference(*(p for p in planes if p <= above)) if planes else set()
     cubes = []
     for size in range(1, bits + 1):
         for chosen in combinations(planes, size):
@@ -147,11 +147,11 @@ def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
             if cube and cube <= above:
                 cubes.append(cube)
     count = 0
-    while left:
-        cube = max(cubes, key=lambda c: len(c & left), default=set())
-        if not cube & left:
+    while uncovered:
+        cube = max(cubes, key=lambda c: len(c & uncovered), default=set())
+        if not cube & uncovered:
             return None
-        left = left - cube
+        uncovered = uncovered - cube
         count += 1
     return count
 
@@ -168,12 +168,12 @@ def _digit_script(
     planes += [(columns((nest.ranks > d)[:, None])[0], f"rank > {d}") for d in last]
     before: dict[int, tuple[Segment, ...]] = {}
     turned: list[int] = []
-    done = 0
+    current_group = 0
     for i, step in enumerate(nest.step):
-        while done < min(step, nest.steps - stored) // per_group:
-            done += 1
-            turned += flips[done]
-            before[i] = (*before.get(i, ()), *turned_over(flips[done]))
+        while current_group < min(step, nest.steps - stored) // per_group:
+            current_group += 1
+            turned += flips[current_group]
+            before[i] = (*before.get(i, ()), *turned_over(flips[current_group]))
     closing = _back(turned)
     name = "digits " + " x ".join(str(r) for r in ([1 << bits] if bits else []) + list(radices))
     if stored:
@@ -247,17 +247,17 @@ def _counted_script(
     opening: tuple[Segment, ...] = ((Gate("SET", "s0", ()),),) if states else ()
     before: dict[int, tuple[Segment, ...]] = {}
     turned: list[int] = []
-    done = -1
+    current_group = -1
     for i, step in enumerate(nest.step):
-        while done < step // per_group:
-            done += 1
+        while current_group < step // per_group:
+            current_group += 1
             run: list[Segment] = []
-            if done and not done & (1 << low) - 1:
+            if current_group and not current_group & (1 << low) - 1:
                 # The Gray code of k differs from that of k - 1 in the lowest 1 of k.
-                flip = ((done >> low) & -(done >> low)).bit_length() - 1 + low
+                flip = ((current_group >> low) & -(current_group >> low)).bit_length() - 1 + low
                 turned.append(flip)
                 run += turned_over([flip])
-            equal = [f"p{b}" for b in range(bits) if b >= low or not done >> b & 1]
+            equal = [f"p{b}" for b in range(bits) if b >= low or not current_group >> b & 1]
             before[i] = (*before.get(i, ()), *run, *_advance(form, equal, bits))
         if form is _Form.PAIR and step % 2 and i not in before:
             before[i] = ((Gate("WHERE", "FLAG", ("t1",)),),)
@@ -273,11 +273,11 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
     # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
     # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
-        rest = "s1" if form is _Form.DIGITS else "t1"
-        turn = Gate("NOT", rest, ("s0",))
+        inverse = "s1" if form is _Form.DIGITS else "t1"
+        turn = Gate("NOT", inverse, ("s0",))
         if not equal:
             return ((turn, Gate("CLR", "s0", ())),)
-        return (turn,), nor("t0", equal), (Gate("NOR", "s0", (rest, "t0")),)
+        return (turn,), nor("t0", equal), (Gate("NOR", "s0", (inverse, "t0")),)
     if form is _Form.TIGHT:
         # One scratch register: the cube goes where the state was, which waits inverted.
         if not equal:
@@ -287,12 +287,12 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
     if form is _Form.PAIR:
         # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
         # first; t1, "greater" alone, waits for the second and is the state from then on.
-        left = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
+        narrow = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
         both = Gate("NOR", "t0", ("t0", f"p{bits}")), Gate("WHERE", "FLAG", ("t0", "t1"))
         cubes = (nor("t1", equal),) if equal else ()
-        return (Gate("NOT", "t0", ("FLAG",)),), *cubes, (left, *both)
+        return (Gate("NOT", "t0", ("FLAG",)),), *cubes, (narrow, *both)
     load = Gate("WHERE", "FLAG", ("t0",))
     if not equal:
         return ((Gate("CLR", "t0", ()), load),)
-    turn, left = Gate("NOT", "t0", ("FLAG",)), Gate("NOR", "t0", ("t0", "FLAG"))
-    return (turn, load), nor("t0", equal), (left, load)
+    turn, narrow = Gate("NOT", "t0", ("FLAG",)), Gate("NOR", "t0", ("t0", "FLAG"))
+    return (turn, load), nor("t0", equal), (narrow, load)

@@ -105,9 +105,9 @@ class _Writer:
         falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
         segments: list[Segment] = []
         place = [] if second else [self.start_place]
-        for more in rises[:-1]:
-            segments += self.planes.turn(more)
-            self.gates.nor("t0", [*self.planes.read_by(more), *place])
+        for rise in rises[:-1]:
+            segments += self.planes.turn(rise)
+            self.gates.nor("t0", [*self.planes.read_by(rise), *place])
             self.gates.nor(self.on, [], "t0")
         segments += self.planes.turn(rises[-1])
         self.gates.nor(self.scratch, [*self.planes.read_by(rises[-1]), *place])
@@ -122,7 +122,7 @@ class _Writer:
     def _first(self, step: int) -> None:
         """In the first slot of a group, what goes on and what starts in the slot is open."""
         gates = self.gates
-        gates.where([self.on, self.scratch] if step else [self.scratch], self.scratch)
+        gates.load_flag([self.on, self.scratch] if step else [self.scratch], self.scratch)
         if step == self.bumps.steps - 1 and self.form is not _Form.FLAG:
             if self.masked:
                 gates.nor("t0", [])
@@ -142,7 +142,7 @@ class _Writer:
                 gates.nor("t1", [self.on, self.scratch])
             case _Form.FLAG:
                 gates.nor("t1", ["FLAG", self.scratch])
-                gates.where(["t1"], None)
+                gates.load_flag(["t1"], None)
 
     def _end(self, ends: list[str]) -> None:
         """In the second slot, what is active is open unless it ended in the first; then it leaves
@@ -150,11 +150,11 @@ class _Writer:
         gates, on, place, scratch = self.gates, self.on, self.last_place, self.scratch
         if self.masked:
             gates.or_(on, [*ends, place], "t0")
-            gates.where([on], None)
+            gates.load_flag([on], None)
             gates.or_(on, ends, "t0")
             return
         idle = "t1" if self.form is _Form.REGISTER else "FLAG"
         gates.nor(scratch, ends)
         gates.nor(on, [idle, scratch])
         gates.nor(scratch, [idle, *ends, place])
-        gates.where([on, scratch], scratch)
+        gates.load_flag([on, scratch], scratch)

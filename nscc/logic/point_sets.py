@@ -60,19 +60,19 @@ def sizes(sets: Points) -> Indices:
     return counts
 
 
-def disjoint(some: Points, others: Points) -> NDArray[np.bool_]:
+def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
     """Which sets of `some` (.., W) have no point of their counterpart in `others`."""
-    none: NDArray[np.bool_] = ~np.any(some & others, axis=-1)
+    none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
     return none
 
 
 def gains(cubes: Points, on: Points, off: Points) -> NDArray[np.int32]:
     """(n, M): how many points of `on` each cube decides, 0 if it holds one of `off`."""
     gain = np.zeros((len(on), len(cubes)), dtype=np.int32)
-    wrong = np.zeros(gain.shape, dtype=np.bool_)
+    excluded = np.zeros(gain.shape, dtype=np.bool_)
     for word in range(cubes.shape[1]):
         row = cubes[:, word][None]
-        wrong |= (row & off[:, word, None]) != 0
+        excluded |= (row & off[:, word, None]) != 0
         gain += np.bitwise_count(row & on[:, word, None])
-    gain[wrong] = 0
+    gain[excluded] = 0
     return gain

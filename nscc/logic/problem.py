@@ -37,8 +37,8 @@ class Gate:
     mask: str | None = None
 
     def __str__(self) -> str:
-        where = f" where {self.mask}" if self.mask is not None else ""
-        return f"{self.destination} = {self.name}({', '.join(self.sources)}){where}"
+        mask_text = f" where {self.mask}" if self.mask is not None else ""
+        return f"{self.destination} = {self.name}({', '.join(self.sources)}){mask_text}"
 
     @property
     def words(self) -> int:

@@ -62,12 +62,12 @@ def _names(kind: str, count: int) -> list[str]:
 def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
     if gate.name not in _SOURCES:
         return False
-    where = gate.name == "WHERE"
+    is_where = gate.name == "WHERE"
     least, most = _SOURCES[gate.name]
     if most is None:
-        most = (machine.where_sources if where else machine.or_sources) or len(registers) + 1
-    destinations = {"FLAG"} if where else registers
-    readable = registers if where and not machine.where_reads_flag else registers | {"FLAG"}
+        most = (machine.where_sources if is_where else machine.or_sources) or len(registers) + 1
+    destinations = {"FLAG"} if is_where else registers
+    readable = registers if is_where and not machine.where_reads_flag else registers | {"FLAG"}
     return (
         gate.destination in destinations
         and readable.issuperset(gate.sources)
@@ -89,17 +89,17 @@ def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> 
 
 
 class _Frame:
-    """One frame of a solution; `held` is what each register holds, None where nobody knows."""
+    """One frame of a solution; `contents` is what each register holds, None where nobody knows."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
         self.problem = problem
         self.solution = solution
         self.scratch = _names("t", solution.scratch)
-        self.held: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
-        self.held |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
+        self.contents: dict[str, int | None] = dict.fromkeys(_names("s", solution.states))
+        self.contents |= dict(zip(_names("p", len(solution.planes)), solution.planes, strict=True))
         self.masked = _masked(machine, solution)
         self._forget(self.scratch)
-        self.held["FLAG"] = problem.everything if solution.state_in_flag else None
+        self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
 
     def replay(self) -> None:
         """Raises _Wrong at the first demand that is not met."""
@@ -108,12 +108,12 @@ class _Frame:
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
             self._wait(demand.flag_kept, demand.scratch_kept)
             self._run(answer)
-            if self.held["FLAG"] != demand.predicate:
+            if self.contents["FLAG"] != demand.predicate:
                 raise _Wrong(f"FLAG does not hold what demand {index} asks for")
         self._wait(flag_kept=False, scratch_kept=self.problem.flag_lasts)
         self._run(solution.closing)
         for name, plane in zip(_names("p", len(solution.planes)), solution.planes, strict=True):
-            if self.held[name] != plane:
+            if self.contents[name] != plane:
                 raise _Wrong(f"{name} does not hold its code when the frame ends")
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
@@ -126,29 +126,29 @@ class _Frame:
             self._forget(self.scratch)
 
     def _forget(self, registers: Sequence[str]) -> None:
-        self.held |= dict.fromkeys(registers)
+        self.contents |= dict.fromkeys(registers)
 
     def _known(self, name: str, gate: Gate) -> int:
-        content = self.held[name]
+        content = self.contents[name]
         if content is None:
             raise _Wrong(f"{gate} reads {name}, of which nothing is known")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:
-        held, everything, masked = self.held, self.problem.everything, self.masked
+        contents, everything, masked = self.contents, self.problem.everything, self.masked
         for segment in segments:
             for gate in segment:
-                some = 0
+                disjunction = 0
                 for name in gate.sources:
-                    some |= self._known(name, gate)
-                value = some ^ everything if gate.name in _INVERTED else some
+                    disjunction |= self._known(name, gate)
+                value = disjunction ^ everything if gate.name in _INVERTED else disjunction
                 if gate.mask is not None and (mask := self._known(gate.mask, gate)) != everything:
                     value = value & mask | self._known(gate.destination, gate) & ~mask
-                held[gate.destination] = value
+                contents[gate.destination] = value
                 if gate.destination == masked:
                     if not self.scratch:
                         raise _Wrong(f"{gate} writes the register that needs a free mask")
-                    held["t0"] = None
+                    contents["t0"] = None
 
 
 def _masked(machine: Machine, solution: Solution) -> str | None:

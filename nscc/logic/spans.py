@@ -31,8 +31,8 @@ def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
         first, start = _split(bumps.start, size, longer)
         last, stop = _split(np.maximum(bumps.stop - 1, 0), size, longer)
         active = [(first <= k) & (k <= last) & ~bumps.never for k in range(groups)]
-        held = columns(np.stack(active, axis=1))
-        planes = [(plane, f"active in group {k}") for k, plane in enumerate(held)]
+        active_planes = columns(np.stack(active, axis=1))
+        planes = [(plane, f"active in group {k}") for k, plane in enumerate(active_planes)]
         planes += _offsets(bumps, start, stop, size)
         name = f"active groups of {size} and fewer, offsets of both ends"
         yield from walk(problem, machine, Script(name, planes), steps)

@@ -42,12 +42,12 @@ def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool)
     states = 0 if in_flag else len(problem.opens)
     encoding = _times(inner, machine, budget, machine.registers - 1 - states)
     planes = len(encoding.planes)
-    left = machine.registers - planes - states
-    if machine.masked and left > 1:
-        left -= 1  # every plane changes in the frame, so the masked register stays empty
-    if left < 1:
+    free_registers = machine.registers - planes - states
+    if machine.masked and free_registers > 1:
+        free_registers -= 1  # every plane changes in the frame, so the masked register stays empty
+    if free_registers < 1:
         raise GaveUp(f"{planes} planes and {states} states leave no register to compute with")
-    walker = _Walker(machine, planes, min(left, 2), in_flag)
+    walker = _Walker(machine, planes, min(free_registers, 2), in_flag)
     opening = walker.start(from_open)
     answers = []
     for demand, (first, end) in zip(problem.demands, pairwise((0, *needed_before)), strict=True):
@@ -146,12 +146,12 @@ class _Walker:
         if event.edge == "rise":
             self._gates.nor("t0", equal)
             if self._machine.where_reads_flag:
-                self._gates.where(["FLAG", "t0"], "t0")
+                self._gates.load_flag(["FLAG", "t0"], "t0")
                 return
             self._gates.or_("t0", ["t0", "FLAG"])
         else:
             self._gates.nor("t0", ["FLAG"])
-            self._gates.where(["t0"], None)
+            self._gates.load_flag(["t0"], None)
             self._gates.nor("t0", equal)
             self._gates.nor("t0", ["t0", "FLAG"])
-        self._gates.where(["t0"], None)
+        self._gates.load_flag(["t0"], None)

@@ -226,11 +226,11 @@ class _Walker:
             values.append(self.problem.everything & ~self.values[turned])
             scratch -= 1
         extra = turned is not None
-        for inverted, wanted in ((False, ahead), (True, against)):
+        for inverted, predicates in ((False, ahead), (True, against)):
             if inverted and not scratch:
                 continue
             usable = [inverted or n != "FLAG" or self.machine.where_reads_flag for n in names]
-            cover = self.covers.find(values, usable, wanted, scratch)
+            cover = self.covers.find(values, usable, predicates, scratch)
             if cover is not None:
                 full = inverted and len(cover.cubes) >= scratch
                 yield _Choice(
@@ -255,7 +255,7 @@ class _Walker:
             self._gate("NOR", place, [choice.turned])
             names[-1] = place
             positive = [place if n == _TURNED else n for n in positive]
-            waiting = [{place if n == _TURNED else n for n in each} for each in waiting]
+            waiting = [{place if n == _TURNED else n for n in needed_names} for needed_names in waiting]
         terms = positive
         for n, cube in enumerate(cubes):
             needed = set().union(*waiting[n + 1 :])
@@ -270,12 +270,12 @@ class _Walker:
             self._gate("NOR", target, sources)
             terms = [*terms, target]
         if not choice.inverted:
-            self._where(terms)
+            self._load_flag(terms)
             return
         free = self._free(set(terms), ahead)
         free = free or next(t for t in reversed(terms) if t[0] == "t")
         self._gate("NOR", free, terms)
-        self._where([free])
+        self._load_flag([free])
 
     def _gather(self, terms: Sequence[str], needed: set[str]) -> tuple[list[str], str]:
         """Brings two terms together: the terms that are left, and the register that is free."""
@@ -304,20 +304,20 @@ class _Walker:
         self._use(destination)
 
     def _or(self, sources: Sequence[str], inverted: bool) -> int:
-        some = union(self.values[name] for name in sources)
-        return self.problem.everything & ~some if inverted else some
+        value = union(self.values[name] for name in sources)
+        return self.problem.everything & ~value if inverted else value
 
-    def _where(self, sources: Sequence[str]) -> None:
+    def _load_flag(self, sources: Sequence[str]) -> None:
         limit = self.machine.where_sources
         spare = None
         if limit is not None and len(sources) > limit:
-            held = [s for s in sources if s.startswith("t")]
-            spare = held[0] if held else self._free(set(sources), [])
+            scratch_sources = [s for s in sources if s.startswith("t")]
+            spare = scratch_sources[0] if scratch_sources else self._free(set(sources), [])
             if spare is None:
                 raise GaveUp("no register to gather the sources of WHERE")
-        some = self._or(sources, False)
-        self.gates.where(sources, spare)
+        value = self._or(sources, False)
+        self.gates.load_flag(sources, spare)
         if spare is not None:
             self.values.pop(spare, None)
             self._use(spare)
-        self.values["FLAG"] = some
+        self.values["FLAG"] = value

@@ -33,21 +33,21 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     # the free register, one word, as `improve.recolour` will do.
     orders = [codes for codes in (cycle(groups, bits), rotation(groups, bits)) if codes]
     room = machine.registers - 1 - bits
-    tried = 0
+    solution_count = 0
     choices = radices_of(room + length.bit_length(), length)
     for chosen in sorted(choices, key=lambda r: (len(r), sum(r))):
-        held = sum(chosen) - len(chosen)
+        offset_planes = sum(chosen) - len(chosen)
         for doubled, low in product((False, True), range(bits, -1, -1)):
-            if held * (1 + doubled) + low > room:
+            if offset_planes * (1 + doubled) + low > room:
                 continue
             for turns in _Turns if low < bits else (_Turns.WITH,):
                 for codes in orders:
                     script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
                     for solution in walk(problem, machine, script, steps):
                         yield solution
-                        tried += 1
+                        solution_count += 1
             # A walk takes as long as the frame has steps.
-            if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
+            if solution_count >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
 
 
@@ -90,9 +90,9 @@ def _toggle_script(
     standing = 0
     for step, i in bumps.groups():
         now, place = divmod(step, length)
-        wanted = gray(now) << low | gray(place)
-        flips = turned_over(set_bits(standing ^ wanted))
-        standing = wanted
+        target = gray(now) << low | gray(place)
+        flips = turned_over(set_bits(standing ^ target))
+        standing = target
         # A NOR that leaves out the bit in which this group's code differs from the last one's holds
         # for both groups: those that open now and those that opened one length ago.
         apart = (now & -now).bit_length() - 1 + low if now else -1
@@ -133,8 +133,8 @@ def _turn_state(state: str, roomy: bool) -> Segment:
 def _length(bumps: Bumps) -> int:
     length = bumps.length
     # A bump that the end of the frame cuts is a whole one as far as the frame goes.
-    whole = np.minimum(bumps.start + length, bumps.steps)
-    if length < 2 or np.any((bumps.stop != whole) & ~bumps.never):
+    expected_stop = np.minimum(bumps.start + length, bumps.steps)
+    if length < 2 or np.any((bumps.stop != expected_stop) & ~bumps.never):
         raise GaveUp("bumps of different lengths")
     if 2 * length > bumps.steps:
         raise GaveUp("bumps longer than half of the frame")
@@ -175,9 +175,9 @@ def _script(
     standing = 0
     for now, i in bumps.groups(length)[1:]:
         behind = turns is _Turns.AFTER or (turns is _Turns.EVEN and now % 2 == 1)
-        asked = codes[now - behind]
-        before[i] = turned_over(place[b] for b in set_bits(asked ^ standing) if b >= low)
-        standing = asked
+        code = codes[now - behind]
+        before[i] = turned_over(place[b] for b in set_bits(code ^ standing) if b >= low)
+        standing = code
     closing = turned_over(place[b] for b in set_bits(standing) if b >= low)
     radices = " x ".join(str(r) for r in chosen)
     name = f"groups of {length} in Gray code, offset in digits {radices}"

@@ -23,7 +23,7 @@ def balance(
     problem: Problem,
     machine: Machine,
     budget: Budget,
-    others: Sequence[int],
+    other_words: Sequence[int],
     limit: int = 0,
 ) -> Solution:
     """The solution with gates moved to earlier boundaries, in no more words a frame.
@@ -37,7 +37,7 @@ def balance(
         run = Run(frame, items, budget)
     except Illegal:
         return solution
-    loads = _Loads(frame, items, others)
+    loads = _Loads(frame, items, other_words)
     with suppress(GaveUp):
         while max(loads.words) > limit and _flatten_one(run, loads, max(loads.words)):
             pass
@@ -55,21 +55,21 @@ def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int)
 class _Loads:
     """Words at each boundary."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], others: Sequence[int]) -> None:
+    def __init__(self, frame: Frame, items: Sequence[Item], other_words: Sequence[int]) -> None:
         self._frame = frame
         self._boundaries = [demand.boundary for demand in frame.problem.demands]
-        self._others = others
+        self._other_words = other_words
         self.words = self.counted(items)
 
     def boundary(self, place: int) -> int:
         """The boundary at which a place runs."""
         if place == OPENING:
             return 0
-        return len(self._others) - 1 if place == CLOSING else self._boundaries[place]
+        return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
 
     def counted(self, items: Sequence[Item]) -> list[int]:
         """Words at each boundary with these items."""
-        words = list(self._others)
+        words = list(self._other_words)
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
         return words
@@ -91,35 +91,35 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
         for start, place, segment in _earlier(run, k, loads, most):
             for target in (item.destination, *run.free(start, {item.destination})):
                 moved = replace(item, destination=target, place=place, segment=segment)
-                done = rewrite(run, start, (moved,), (k,), least=0)
-                if done is not None and _take(run, loads, done, boundary, most):
+                rewriting = rewrite(run, start, (moved,), (k,), least=0)
+                if rewriting is not None and _take(run, loads, rewriting, boundary, most):
                     return True
     return False
 
 
 def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
     """(item, place, segment) at the ends of earlier answers with room for another word."""
-    found = []
-    own = loads.boundary(run.items[k].place)
+    places = []
+    own_boundary = loads.boundary(run.items[k].place)
     checks = (at for at in range(k - 1, -1, -1) if isinstance(run.items[at], Check))
     for at in islice(checks, REACH):
         item = run.items[at]
         boundary = loads.boundary(item.place)
-        if boundary == own or loads.words[boundary] + 1 >= most:
+        if boundary == own_boundary or loads.words[boundary] + 1 >= most:
             continue
         before = run.items[at - 1] if at else item
         segment = before.segment if isinstance(before, Op) else 0
-        found.append((at, item.place, segment))
-    return found
+        places.append((at, item.place, segment))
+    return places
 
 
-def _take(run: Run, loads: _Loads, done: Rewrite, boundary: int, most: int) -> bool:
+def _take(run: Run, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
     """Accepts a rewriting that leaves the boundary below `most` and fills no other up to it."""
-    words = loads.counted([*run.items[: done.start], *done.items, *run.items[done.end :]])
+    words = loads.counted([*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]])
     if words[boundary] >= most or any(
         now >= most and now > was for now, was in zip(words, loads.words, strict=True)
     ):
         return False
-    run.splice(done.start, done.end, done.items)
+    run.splice(rewriting.start, rewriting.end, rewriting.items)
     loads.words = loads.counted(run.items)
     return True

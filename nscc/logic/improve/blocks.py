@@ -33,13 +33,13 @@ Block = list[tuple[Token, ...]]
 
 def tokens_of(items: Sequence[Item]) -> list[Token]:
     """The segments and checks of a run."""
-    found = []
+    tokens = []
     k = 0
     while k < len(items):
         first = items[k]
         end = k + 1
         if isinstance(first, Check):
-            found.append(Token(k, end, (first.need is None, first.forgets)))
+            tokens.append(Token(k, end, (first.need is None, first.forgets)))
         else:
             while end < len(items):
                 item = items[end]
@@ -47,9 +47,9 @@ def tokens_of(items: Sequence[Item]) -> list[Token]:
                     break
                 end += 1
             key = tuple(item.function for item in items[k:end] if not isinstance(item, Check))
-            found.append(Token(k, end, key))
+            tokens.append(Token(k, end, key))
         k = end
-    return found
+    return tokens
 
 
 def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
@@ -89,15 +89,15 @@ class _Merger:
         pairs = self._pairs()
         counts = Counter(self.sequence)
         stored = sum(self.words[symbol] for symbol in counts)
-        for (left, right), times in pairs.most_common():
+        for (first, second), times in pairs.most_common():
             if times < FEWEST:
                 return False
-            merged = self.words[left] + self.words[right]
-            each = 2 if left == right else 1
+            merged = self.words[first] + self.words[second]
+            uses_per_pair = 2 if first == second else 1
             # A symbol that comes only in this pair needs no words of its own any more.
-            gone = sum(self.words[s] for s in {left, right} if counts[s] == times * each)
+            gone = sum(self.words[s] for s in {first, second} if counts[s] == times * uses_per_pair)
             if stored + merged - gone <= room:
-                self._replace(left, right, merged)
+                self._replace(first, second, merged)
                 return True
         return False
 
@@ -105,19 +105,19 @@ class _Merger:
         """How often each pair of neighbours comes, of equal ones those that do not overlap."""
         pairs: Counter[tuple[int, int]] = Counter()
         run = 1
-        for left, right in pairwise(self.sequence):
-            run = run + 1 if left == right else 1
-            if run % 2 == 0 or left != right:
-                pairs[left, right] += 1
+        for first, second in pairwise(self.sequence):
+            run = run + 1 if first == second else 1
+            if run % 2 == 0 or first != second:
+                pairs[first, second] += 1
         return pairs
 
-    def _replace(self, left: int, right: int, words: int) -> None:
+    def _replace(self, first: int, second: int, words: int) -> None:
         symbol = len(self.words)
         self.words.append(words)
-        self.lengths.append(self.lengths[left] + self.lengths[right])
+        self.lengths.append(self.lengths[first] + self.lengths[second])
         out: list[int] = []
         for following in self.sequence:
-            if out and (out[-1], following) == (left, right):
+            if out and (out[-1], following) == (first, second):
                 out[-1] = symbol
             else:
                 out.append(following)

@@ -120,19 +120,19 @@ class Frame:
 
     def value(self, item: Op, state: Sequence[Content]) -> Content:
         """What the destination holds after an operation in a state; None if that is unknown."""
-        some = 0
+        disjunction = 0
         for source in item.sources:
             content = state[source]
             if content is None:
                 return None
-            some |= content
-        result = some ^ self.everything if item.inverted else some
+            disjunction |= content
+        result = disjunction ^ self.everything if item.inverted else disjunction
         if item.destination != self.masked or self.mask is None:
             return result
-        mask, kept = state[self.mask], state[item.destination]
+        mask, previous = state[self.mask], state[item.destination]
         if mask == self.everything:
             return result
-        return None if mask is None or kept is None else result & mask | kept & ~mask
+        return None if mask is None or previous is None else result & mask | previous & ~mask
 
     def legal(self, item: Op) -> bool:
         """Whether the machine has a word, or a pair, for an operation."""
@@ -240,8 +240,8 @@ def _forgotten(frame: Frame, coming: int) -> int:
         forgets |= 1 << frame.flag
     # Only planes and states are refreshed in a frame that is longer than memory lasts.
     last = coming == len(demands)
-    kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
-    return forgets if kept else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
+    scratch_kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
+    return forgets if scratch_kept else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
 
 
 def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
@@ -249,13 +249,13 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
-    parts: dict[int, list[list[Gate]]] = {place: [[] for _ in run] for place, run in runs.items()}
+    segments_at: dict[int, list[list[Gate]]] = {place: [[] for _ in run] for place, run in runs.items()}
     names = frame.names()
     used = 0
     for item in items:
         if isinstance(item, Check):
             continue
-        segments = parts[item.place]
+        segments = segments_at[item.place]
         # An operation that moved stays behind those that it follows now.
         last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
@@ -266,13 +266,13 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
     return replace(
         solution,
         scratch=max(spare.bit_length(), 1 if solution.state_in_flag else 0),
-        opening=_kept(parts[OPENING]),
-        answers=tuple(_kept(parts[i]) for i in range(len(solution.answers))),
-        closing=_kept(parts[CLOSING]),
+        opening=_without_empty(segments_at[OPENING]),
+        answers=tuple(_without_empty(segments_at[i]) for i in range(len(solution.answers))),
+        closing=_without_empty(segments_at[CLOSING]),
     )
 
 
-def _kept(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
+def _without_empty(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
     return tuple(tuple(segment) for segment in segments if segment)
 
 
@@ -289,9 +289,9 @@ def _gate(item: Op, names: Sequence[str], frame: Frame) -> Gate:
 def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ...]]:
     """The state before every item, and after the last; raises Illegal on anything wrong."""
     state = list(frame.start)
-    found = []
+    states = []
     for item in items:
-        found.append(tuple(state))
+        states.append(tuple(state))
         if isinstance(item, Check):
             if item.need is not None and state[frame.flag] != item.need:
                 raise Illegal("FLAG is not what the demand asks for")
@@ -300,9 +300,9 @@ def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ..
         frame.apply(item, state)
         if isinstance(item, Op) and state[item.destination] is None:
             raise Illegal("an operation reads what nobody knows")
-    found.append(tuple(state))
+    states.append(tuple(state))
     if frame.ends is not None:
-        return found
+        return states
     if state[: frame.planes] != list(frame.start[: frame.planes]):
         raise Illegal("the planes are not as they were")
-    return found
+    return states

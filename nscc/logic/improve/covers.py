@@ -16,7 +16,7 @@ from nscc.truth import union
 
 
 def cover(
-    wanted: int, sources: Sequence[tuple[int, int]], limit: int | None
+    target: int, sources: Sequence[tuple[int, int]], limit: int | None
 ) -> tuple[int, ...] | None:
     """Few of `sources` (register, content) that cover `wanted`; None if they cannot.
 
@@ -25,53 +25,53 @@ def cover(
     reachable = 0
     for _, content in sources:
         reachable |= content
-    if wanted & ~reachable:
+    if target & ~reachable:
         return None
-    rest = wanted
+    uncovered = target
     chosen: list[tuple[int, int]] = []
-    while rest:
+    while uncovered:
         gain = 0
         best = sources[0]
         for source in sources:
-            covered = (source[1] & rest).bit_count()
+            covered = (source[1] & uncovered).bit_count()
             if covered > gain:
                 gain, best = covered, source
         chosen.append(best)
-        rest &= ~best[1]
+        uncovered &= ~best[1]
     if len(chosen) > 2:
-        chosen = _irredundant(wanted, chosen)
+        chosen = _irredundant(target, chosen)
     if limit is not None and len(chosen) > limit:
-        exact = _within(wanted, sources, limit)
+        exact = _within(target, sources, limit)
         return None if exact is None else tuple(sorted(exact))
     return tuple(sorted(register for register, _ in chosen))
 
 
-def _irredundant(wanted: int, chosen: list[tuple[int, int]]) -> list[tuple[int, int]]:
+def _irredundant(target: int, chosen: list[tuple[int, int]]) -> list[tuple[int, int]]:
     for source in list(chosen):
-        if not wanted & ~union(content for other, content in chosen if other != source[0]):
+        if not target & ~union(content for register, content in chosen if register != source[0]):
             chosen.remove(source)
     return chosen
 
 
-def _within(wanted: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
+def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
     """At most `limit` sources that cover `wanted`, found by trying all: those that have the first
     shutter left, one of which must be taken, so the limit is the depth of the search."""
-    if not wanted:
+    if not target:
         return ()
     if limit == 0:
         return None
-    low = wanted & -wanted
+    low = target & -target
     for register, content in sources:
         if content & low:
-            more = _within(wanted & ~content, sources, limit - 1)
-            if more is not None:
-                return (register, *more)
+            deeper = _within(target & ~content, sources, limit - 1)
+            if deeper is not None:
+                return (register, *deeper)
     return None
 
 
 def gate(
-    one: int,
-    zero: int,
+    ones: int,
+    zeros: int,
     state: Sequence[Content],
     readable: Sequence[int],
     limit: int | None,
@@ -85,23 +85,23 @@ def gate(
     """
     best: tuple[bool, tuple[int, ...]] | None = None
     for invert in inverted:
-        avoid, wanted = (one, zero) if invert else (zero, one)
+        avoid, target = (ones, zeros) if invert else (zeros, ones)
         allowed = _avoiding(avoid, state, readable)
-        found = cover(wanted, allowed, limit)
-        if found is None:
+        chosen = cover(target, allowed, limit)
+        if chosen is None:
             continue
-        if len(found) < fewest:
+        if len(chosen) < fewest:
             if not allowed:
                 continue
-            found = (allowed[0][0],)
-        if best is None or len(found) < len(best[1]):
-            best = invert, found
+            chosen = (allowed[0][0],)
+        if best is None or len(chosen) < len(best[1]):
+            best = invert, chosen
     return best
 
 
 def inner(
-    one: int,
-    zero: int,
+    ones: int,
+    zeros: int,
     state: Sequence[Content],
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
@@ -113,10 +113,10 @@ def inner(
     """
     ways = []
     for invert in inverted:
-        avoid, wanted = (one, zero) if invert else (zero, one)
+        avoid, target = (ones, zeros) if invert else (zeros, ones)
         for _, content in _avoiding(avoid, state, readable):
-            wanted &= ~content
-        ways.append((invert, wanted, avoid))
+            target &= ~content
+        ways.append((invert, target, avoid))
     return ways
 
 

@@ -50,13 +50,13 @@ def _richer(
         planes = (*slim.planes, vector)
         wider = replace(slim, planes=planes, holders=(*slim.holders, HOLDER))
         try:
-            found, words = _shortened(wider, problem, machine, budget)
+            shorter, words = _shortened(wider, problem, machine, budget)
         except GaveUp:
             break
         except Illegal:
             continue
         if words < least:
-            best, least = found, words
+            best, least = shorter, words
     return best
 
 
@@ -66,10 +66,10 @@ def _shortened(
     """A shorter solution, and its words."""
     run = Run(*flatten(solution, problem, machine), budget)
     shrink(run, NEAR)
-    found = unflatten(run.frame, run.items)
-    frame, items = flatten(found, problem, machine)
+    shorter = unflatten(run.frame, run.items)
+    frame, items = flatten(shorter, problem, machine)
     states_before(frame, items)
-    return found, frame.total(items)
+    return shorter, frame.total(items)
 
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
@@ -90,9 +90,9 @@ def _promising(run: Run) -> list[int]:
     """Truth vectors, those first that would save most words if they were there from the start."""
     frame = run.frame
     makers, feeds, readers = _flow(run)
-    held = set(frame.start[: frame.planes])
+    stored = set(frame.start[: frame.planes])
     gains = {
-        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in held
+        v: _saved(run, numbers, feeds, readers) for v, numbers in makers.items() if v not in stored
     }
     worth = [vector for vector, gain in gains.items() if gain > REFRESH_WORDS]
     return sorted(worth, key=lambda vector: -gains[vector])
@@ -127,18 +127,18 @@ def _saved(
 
     These are the items' fan-out-free cone: what feeds nothing else falls away with them.
     """
-    left: dict[int, int] = {}
+    readers_left: dict[int, int] = {}
     # FLAG must be loaded all the same.
     written = [item.destination for k in numbers if isinstance(item := run.items[k], Op)]
     saved = -written.count(run.frame.flag)
     gone = list(numbers)
-    seen = set(gone)
+    visited = set(gone)
     while gone:
         k = gone.pop()
         saved += run.frame.words(run.items[k])
         for source in feeds[k]:
-            left[source] = left.get(source, readers[source]) - 1
-            if left[source] == 0 and source not in seen:
-                seen.add(source)
+            readers_left[source] = readers_left.get(source, readers[source]) - 1
+            if readers_left[source] == 0 and source not in visited:
+                visited.add(source)
                 gone.append(source)
     return saved

@@ -30,15 +30,15 @@ def improve_kernels(
     """
     run = Run(frame, items, budget)
     # Where each item of the run has gone: rewriting a block replaces its items by others.
-    parts: list[list[Item]] = [[item] for item in run.items]
+    replacements: list[list[Item]] = [[item] for item in run.items]
     for block in blocks_of(frame, run.items, room):
         new = _shortened(frame, run, block, budget, shorten)
         if new is None:
             continue
         for tokens in block:
             start, end = tokens[0].start, tokens[-1].end
-            parts[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
-    return list(chain.from_iterable(parts))
+            replacements[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
+    return list(chain.from_iterable(replacements))
 
 
 def _shortened(
@@ -53,7 +53,7 @@ def _shortened(
     start = tuple(_joined(contents, size) for contents in states)
     everything = _joined([frame.everything] * len(starts), size)
     assert everything is not None
-    part = replace(frame, everything=everything, start=start, ends=live)
+    block_frame = replace(frame, everything=everything, start=start, ends=live)
     items = run.items[starts[0] : starts[0] + length]
     for offset, item in enumerate(items):
         if isinstance(item, Check) and item.need is not None:
@@ -61,10 +61,10 @@ def _shortened(
             needs = [check.need for check in checks if isinstance(check, Check)]
             items[offset] = replace(item, need=_joined(needs, size))
     try:
-        found = shorten(part, items, budget)
+        shorter = shorten(block_frame, items, budget)
     except Illegal:
         return None
-    return found if part.total(found) < part.total(items) else None
+    return shorter if block_frame.total(shorter) < block_frame.total(items) else None
 
 
 def _joined(contents: Sequence[Content], size: int) -> Content:
@@ -74,13 +74,13 @@ def _joined(contents: Sequence[Content], size: int) -> Content:
 
 
 def _moved(
-    items: Sequence[Item], first: Sequence[Token], here: Sequence[Token], new: Sequence[Item]
+    items: Sequence[Item], first: Sequence[Token], target_tokens: Sequence[Token], new: Sequence[Item]
 ) -> list[Item]:
     """Items written for the block's first place, in another one."""
     segments: dict[tuple[int, int], tuple[int, int]] = {}
     checks = []
-    for one, other in zip(first, here, strict=True):
-        a, b = items[one.start], items[other.start]
+    for token, target_token in zip(first, target_tokens, strict=True):
+        a, b = items[token.start], items[target_token.start]
         if isinstance(a, Check) or isinstance(b, Check):
             checks.append(b)
         else:

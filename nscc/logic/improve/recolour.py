@@ -180,12 +180,12 @@ class _Painter:
         no such order are plain circles; of each, one plane waits in a free register.
         """
         frame = self.frame
-        where = {
+        current_place = {
             value.home: self.place[number]
             for number, value in enumerate(self.values)
             if value.home >= 0
         }
-        astray = {plane: at for plane, at in where.items() if plane != at}
+        astray = {plane: at for plane, at in current_place.items() if plane != at}
         if not astray:
             return out
         if frame.ends is not None:
@@ -208,12 +208,12 @@ class _Painter:
         waits.remove_nodes_from([plane for circle in circles for plane in circle])
         for plane in nx.lexicographical_topological_sort(waits, rank.__getitem__):
             copy(plane, astray[plane])
-        free = [r for r in range(frame.flag) if r not in where and r != frame.masked]
+        free = [r for r in range(frame.flag) if r not in current_place and r != frame.masked]
         if circles and not free:
             return None
-        for first, *others in sorted(circles, key=lambda circle: rank[circle[0]]):
+        for first, *followers in sorted(circles, key=lambda circle: rank[circle[0]]):
             copy(free[0], astray[first])
-            for plane in others:
+            for plane in followers:
                 copy(plane, astray[plane])
             copy(first, free[0])
         return out

@@ -86,8 +86,8 @@ class _Refinery(Generic[P]):
         steps = FIRST_STEPS[self.level]
         first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
         first.sort(key=lambda pair: pair[0].price)
-        more = [self._more(found, kept) for found, kept in first[: BEST[self.level]]]
-        best = min([*more, *(found for found, _ in first), *candidates], key=_PRICE)
+        refined = [self._improve_further(improved, keep_kernels) for improved, keep_kernels in first[: BEST[self.level]]]
+        best = min([*refined, *(improved for improved, _ in first), *candidates], key=_PRICE)
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
@@ -96,19 +96,19 @@ class _Refinery(Generic[P]):
         Unless `patient`, they are not: what does not fit then is given up.
         """
         if self.scarce:
-            return self._kept(candidate.solution, steps), True
-        found = self._form(self._improved(candidate.solution, steps))
-        if found.price[0] and patient:
+            return self._improve_keeping_kernels(candidate.solution, steps), True
+        improved = self._form(self._improved(candidate.solution, steps))
+        if improved.price[0] and patient:
             # Rewritten freely, segments share no kernels any more.
-            other = self._kept(candidate.solution, KERNEL_SHARE * steps)
-            if other.price < found.price:
-                return other, True
-        return found, False
+            with_kernels = self._improve_keeping_kernels(candidate.solution, KERNEL_SHARE * steps)
+            if with_kernels.price < improved.price:
+                return with_kernels, True
+        return improved, False
 
-    def _more(self, candidate: P, kept: bool) -> P:
+    def _improve_further(self, candidate: P, keep_kernels: bool) -> P:
         steps = MORE_STEPS[self.level]
-        if kept:
-            return self._kept(candidate.solution, steps)
+        if keep_kernels:
+            return self._improve_keeping_kernels(candidate.solution, steps)
         solution = self._improved(candidate.solution, steps // 2)
         budget = Budget(ENRICH_STEPS[self.level])
         richer = enrich(solution, self.problem, self.machine, budget)
@@ -117,33 +117,33 @@ class _Refinery(Generic[P]):
     def _improved(self, solution: Solution, steps: int) -> Solution:
         return improve(solution, self.problem, self.machine, Budget(steps))
 
-    def _kept(self, solution: Solution, steps: int) -> P:
+    def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
         """The solution improved with equal segments kept equal: with room for more of them than
         there are now, and without."""
-        found = []
+        priced_solutions = []
         for room in sorted({self.room, 0}, reverse=True):
             budget = Budget(steps)
             shorter = improve(
                 solution, self.problem, self.machine, budget, keep_kernels=True, room=room
             )
-            found.append(self._form(shorter))
-            if not found[-1].price[0]:
+            priced_solutions.append(self._form(shorter))
+            if not priced_solutions[-1].price[0]:
                 break
-        return min(found, key=_PRICE)
+        return min(priced_solutions, key=_PRICE)
 
     def _form(self, solution: Solution) -> P:
         """The solution priced; if its words do not fit, with gates and analog words apart."""
-        found = self.priced(solution)
-        return min(found, self.priced(apart(solution)), key=_PRICE) if found.price[0] else found
+        priced = self.priced(solution)
+        return min(priced, self.priced(apart(solution)), key=_PRICE) if priced.price[0] else priced
 
     def _balanced(self, candidate: P) -> P:
         """The candidate with its largest boundary made smaller."""
         solution = candidate.solution
-        others = list(candidate.words_per_boundary)
-        gates = words_at(solution, self.problem, self.machine, len(others) - 1)
-        others = [all_ - own for all_, own in zip(others, gates, strict=True)]
+        other_words = list(candidate.words_per_boundary)
+        gates = words_at(solution, self.problem, self.machine, len(other_words) - 1)
+        other_words = [all_ - gate_words for all_, gate_words in zip(other_words, gates, strict=True)]
         budget = Budget(FIRST_STEPS[self.level])
-        return self._form(balance(solution, self.problem, self.machine, budget, others))
+        return self._form(balance(solution, self.problem, self.machine, budget, other_words))
 
 
 def apart(solution: Solution) -> Solution:

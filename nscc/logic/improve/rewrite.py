@@ -70,7 +70,7 @@ class _Walk:
         self.gain = sum(frame.words(items[k]) for k in dropped)
         last = max(dropped, default=self.start - 1)
         for new in lead:
-            if not frame.legal(new) or not self._put(new):
+            if not frame.legal(new) or not self._insert(new):
                 return None
         self._compare(run.before[self.start], -1)
         k = self.start
@@ -108,7 +108,7 @@ class _Walk:
         else:
             self.changed |= 1 << register
 
-    def _put(self, item: Op) -> bool:
+    def _insert(self, item: Op) -> bool:
         value = self.frame.value(item, self.state)
         if value is None:
             return False
@@ -125,34 +125,34 @@ class _Walk:
         target = item.destination
         # In this order: nothing to do any more; as before; what it would overwrite is as good; its
         # own new result is as good; other sources.
-        wanted = self.run.before[k + 1][target]
-        assert wanted is not None
-        held = self.state[target]
-        value = self.frame.value(item, self.state) if item.reads & self.changed else wanted
-        if held == wanted and self.changed >> target & 1:
+        required = self.run.before[k + 1][target]
+        assert required is not None
+        current = self.state[target]
+        value = self.frame.value(item, self.state) if item.reads & self.changed else required
+        if current == required and self.changed >> target & 1:
             self.gain += self.frame.words(item)
             return True
-        if value == wanted:
+        if value == required:
             self._store(item, value)
             return True
         matters = self.run.care(k)
-        if held is not None and not (held ^ wanted) & matters:
+        if current is not None and not (current ^ required) & matters:
             self.gain += self.frame.words(item)
             return True
-        if value is not None and not (value ^ wanted) & matters:
+        if value is not None and not (value ^ required) & matters:
             self._store(item, value)
             return True
         self.gain += self.frame.words(item)
-        return self._repair(k, item, wanted & matters, matters & ~wanted)
+        return self._repair(k, item, required & matters, matters & ~required)
 
-    def _repair(self, k: int, item: Op, one: int, zero: int) -> bool:
+    def _repair(self, k: int, item: Op, ones: int, zeros: int) -> bool:
         """Other sources for operation k, or another gate before it; `gain` is kept up to date."""
         self.run.budget.spend(self.run.step)
-        new = self._single(item, one, zero, in_place=False)
+        new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:
             return False
-        new = new or self._single(item, one, zero, in_place=True)
-        return self._put(new) if new else self.deepen and self._double(k, item, one, zero)
+        new = new or self._single(item, ones, zeros, in_place=True)
+        return self._insert(new) if new else self.deepen and self._double(k, item, ones, zeros)
 
     def _readable(self, target: int) -> list[int]:
         frame = self.frame
@@ -161,62 +161,62 @@ class _Walk:
             banned = frame.flag
         return [r for r in self.order if self.state[r] is not None and r != banned]
 
-    def _written(self, target: int, one: int, zero: int) -> tuple[int, int] | None:
+    def _written(self, target: int, ones: int, zeros: int) -> tuple[int, int] | None:
         """What a gate must write into `target` for (one, zero) to stand there; None if a mask keeps
         it from doing so."""
         frame = self.frame
         if target != frame.masked or frame.mask is None:
-            return one, zero
-        mask, kept = self.state[frame.mask], self.state[target]
-        if mask is None or (kept is None and mask != frame.everything):
+            return ones, zeros
+        mask, previous = self.state[frame.mask], self.state[target]
+        if mask is None or (previous is None and mask != frame.everything):
             return None
-        wrong = ((kept or 0) & zero | ~(kept or 0) & one) & ~mask
-        return None if wrong else (one & mask, zero & mask)
+        conflicts = ((previous or 0) & zeros | ~(previous or 0) & ones) & ~mask
+        return None if conflicts else (ones & mask, zeros & mask)
 
-    def _single(self, item: Op, one: int, zero: int, *, in_place: bool) -> Op | None:
+    def _single(self, item: Op, ones: int, zeros: int, *, in_place: bool) -> Op | None:
         frame, target = self.frame, item.destination
-        written = self._written(target, one, zero)
+        written = self._written(target, ones, zeros)
         if written is None:
             return None
-        one, zero = written
+        ones, zeros = written
         readable = self._readable(target)
         if target == frame.flag:
             if in_place:
                 return None
             limit = frame.machine.where_sources
-            found = gate(one, zero, self.state, readable, limit, inverted=(False,), fewest=1)
+            chosen = gate(ones, zeros, self.state, readable, limit, inverted=(False,), fewest=1)
         else:
             if not in_place:
                 readable = [r for r in readable if r != target]
-            found = gate(one, zero, self.state, readable, frame.machine.or_sources)
-        if found is None:
+            chosen = gate(ones, zeros, self.state, readable, frame.machine.or_sources)
+        if chosen is None:
             return None
-        new = frame.op(found[0], target, found[1], item.place, item.segment)
+        new = frame.op(chosen[0], target, chosen[1], item.place, item.segment)
         return new if frame.legal(new) else None
 
-    def _double(self, k: int, item: Op, one: int, zero: int) -> bool:
+    def _double(self, k: int, item: Op, ones: int, zeros: int) -> bool:
         """A new gate in a free register, then operation k with other sources."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]
-        written = self._written(target, one, zero)
+        written = self._written(target, ones, zeros)
         if written is None:
             return False
         busy = {target, frame.mask} if target == frame.masked else {target}
-        for _, one_, zero_ in inner(*written, self.state, readable, kinds):
+        for _, inner_ones, inner_zeros in inner(*written, self.state, readable, kinds):
             for spare in self.run.free(k + 1, busy):
                 sources = [r for r in self._readable(spare) if r != spare]
-                found = gate(one_, zero_, self.state, sources, frame.machine.or_sources)
-                if found is None:
+                chosen = gate(inner_ones, inner_zeros, self.state, sources, frame.machine.or_sources)
+                if chosen is None:
                     continue
-                new = frame.op(found[0], spare, found[1], item.place, item.segment)
+                new = frame.op(chosen[0], spare, chosen[1], item.place, item.segment)
                 value = frame.value(new, self.state)
-                held = self.state[spare]
+                previous = self.state[spare]
                 self.state[spare] = value
-                outer = self._single(item, one, zero, in_place=False)
-                self.state[spare] = held
+                outer = self._single(item, ones, zeros, in_place=False)
+                self.state[spare] = previous
                 if outer is not None and frame.legal(new):
-                    self._put(new)
+                    self._insert(new)
                     self._compare(self.run.before[k], spare)
-                    return self._put(outer)
+                    return self._insert(outer)
         return False

@@ -56,8 +56,8 @@ class Run:
 
     def free(self, k: int, besides: Collection[int | None]) -> list[int]:
         """Digital registers that nobody reads from item k on: no masked one, none of `besides`."""
-        taken = (*besides, self.frame.masked)
-        return [r for r in range(self.frame.flag) if r not in taken and not self.live[k] >> r & 1]
+        busy = (*besides, self.frame.masked)
+        return [r for r in range(self.frame.flag) if r not in busy and not self.live[k] >> r & 1]
 
     def refresh(self, old: Sequence[Item], new: Sequence[Item]) -> int:
         """Words more that refresh costs where `new` replaces `old`."""
@@ -70,7 +70,7 @@ class Run:
         """How often each plane is written once `new` has replaced `old`."""
         written = self.frame.writes
         changes = zip(self._writes, written(old), written(new), strict=True)
-        return [count - less + more for count, less, more in changes]
+        return [count - removed + added for count, removed, added in changes]
 
     def splice(self, start: int, end: int, new: Sequence[Item]) -> None:
         """Replaces items[start:end]; the state after them must stay as it is where it is read."""
@@ -139,40 +139,40 @@ class Run:
         assert not isinstance(source, Check)
         written = before[k + 1][source.destination]
         assert written is not None
-        other: dict[int, int] = {source.destination: written ^ everything}
+        flipped: dict[int, int] = {source.destination: written ^ everything}
         touched = 1 << source.destination
         matters = 0
         last = min(len(items), k + 1 + HORIZON)
         for at in range(k + 1, last):
             item = items[at]
             if isinstance(item, Check):
-                if item.need is not None and flag in other:
-                    matters |= other[flag] ^ item.need
-                for register in [r for r in other if item.forgets >> r & 1]:
-                    del other[register]
+                if item.need is not None and flag in flipped:
+                    matters |= flipped[flag] ^ item.need
+                for register in [r for r in flipped if item.forgets >> r & 1]:
+                    del flipped[register]
                     touched &= ~(1 << register)
             elif item.reads & touched:
-                some = 0
+                value = 0
                 state = before[at]
                 for register in item.sources:
-                    content = other[register] if register in other else state[register]
-                    some |= content  # type: ignore[operator]
+                    content = flipped[register] if register in flipped else state[register]
+                    value |= content  # type: ignore[operator]
                 if item.inverted:
-                    some ^= everything
+                    value ^= everything
                 if item.destination == frame.masked:
-                    mask, kept = (
-                        other[r] if r in other else state[r]  # type: ignore[index]
+                    mask, previous = (
+                        flipped[r] if r in flipped else state[r]  # type: ignore[index]
                         for r in (frame.mask, frame.masked)
                     )
-                    some = some & mask | (kept or 0) & ~mask  # type: ignore[operator]
-                if some == before[at + 1][item.destination]:
-                    other.pop(item.destination, None)
+                    value = value & mask | (previous or 0) & ~mask  # type: ignore[operator]
+                if value == before[at + 1][item.destination]:
+                    flipped.pop(item.destination, None)
                     touched &= ~(1 << item.destination)
                 else:
-                    other[item.destination] = some
+                    flipped[item.destination] = value
                     touched |= 1 << item.destination
             elif touched >> item.destination & 1:
-                del other[item.destination]
+                del flipped[item.destination]
                 touched &= ~(1 << item.destination)
             if not touched or matters == everything:
                 self.budget.spend(self.step * (1 + (at - k) // 8))
@@ -180,7 +180,7 @@ class Run:
         self.budget.spend(self.step * (1 + (last - k) // 8))
         if last < len(items):
             return everything, last - k
-        for register, content in other.items():
+        for register, content in flipped.items():
             if frame.unscathed >> register & 1:
                 matters |= content ^ before[-1][register]  # type: ignore[operator]
         return matters, last - k

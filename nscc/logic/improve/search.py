@@ -72,14 +72,14 @@ def settled(frame: Frame, items: list[Item], *, as_long: bool = False) -> Soluti
     or as many), which otherwise comes back itself."""
     solution = frame.solution
     try:
-        found = unflatten(frame, items)
-        checked, again = flatten(found, frame.problem, frame.machine)
+        candidate = unflatten(frame, items)
+        checked, again = flatten(candidate, frame.problem, frame.machine)
         states_before(checked, again)
     except Illegal:
         return solution
     before, gates = flatten(solution, frame.problem, frame.machine)
     gain = before.total(gates) - checked.total(again)
-    return found if gain > 0 or (as_long and gain == 0) else solution
+    return candidate if gain > 0 or (as_long and gain == 0) else solution
 
 
 def _exhausted(run: Run, steps: int, patience: int) -> list[Item]:

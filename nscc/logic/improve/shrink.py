@@ -29,7 +29,7 @@ def _drop(run: Run, *dropped: int) -> bool:
     """Does without items, the first of them first, if they are operations and words are gained."""
     if not all(isinstance(run.items[k], Op) for k in dropped):
         return False
-    done = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
-    if done is not None:
-        run.splice(done.start, done.end, done.items)
-    return done is not None
+    rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
+    if rewriting is not None:
+        run.splice(rewriting.start, rewriting.end, rewriting.items)
+    return rewriting is not None

@@ -27,10 +27,10 @@ def wander(run: Run, seed: int, steps: int) -> int:
     until = max(run.budget.left - steps, 0)
     gained = 0
     while run.budget.left > until and run.items:
-        done = _try(run, choose)
-        if done is not None:
-            run.splice(done.start, done.end, done.items)
-            gained += done.gain
+        rewriting = _try(run, choose)
+        if rewriting is not None:
+            run.splice(rewriting.start, rewriting.end, rewriting.items)
+            gained += rewriting.gain
     return gained
 
 
@@ -49,9 +49,9 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
     dropped = [k]
     start = k
     if kind <= 3:
-        others = _near(run, k)
-        choose.shuffle(others)
-        dropped += others[: choose.randrange(3)]
+        nearby = _nearby_operations(run, k)
+        choose.shuffle(nearby)
+        dropped += nearby[: choose.randrange(3)]
         start = min(dropped)
     elif kind <= 5:
         target = choose.choice(order)
@@ -74,25 +74,25 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         known = [r for r in order if run.before[k][r] is not None]
         sources = known[: choose.randrange(1, 4)]
         lead = (run.frame.op(True, target, sources, item.place, item.segment),)
-        dropped = _near(run, k)
+        dropped = _nearby_operations(run, k)
         choose.shuffle(dropped)
         dropped = dropped[: choose.randrange(1, 3)]
         start = min([k, *dropped])
-    done = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
-    if done is None or (done.gain == 0 and done.items == run.items[done.start : done.end]):
+    rewriting = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
+    if rewriting is None or (rewriting.gain == 0 and rewriting.items == run.items[rewriting.start : rewriting.end]):
         return None
-    return done
+    return rewriting
 
 
-def _near(run: Run, k: int) -> list[int]:
+def _nearby_operations(run: Run, k: int) -> list[int]:
     """Operations of the same answer around k, without k."""
-    found: list[int] = []
-    for way in (range(k - 1, max(-1, k - SPAN), -1), range(k + 1, min(len(run.items), k + SPAN))):
-        for j in way:
+    operations: list[int] = []
+    for indices in (range(k - 1, max(-1, k - SPAN), -1), range(k + 1, min(len(run.items), k + SPAN))):
+        for j in indices:
             if isinstance(run.items[j], Check):
                 break
-            found.append(j)
-    return found
+            operations.append(j)
+    return operations
 
 
 def _earlier(run: Run, k: int, choose: random.Random) -> int:
