@@ -45,14 +45,14 @@ class _Line(argparse.ArgumentParser):
 
 def _line() -> _Line:
     """The options of `nscc build`, as the first line of a cell has them."""
-    found = _Line("%%nsl", add_help=False, allow_abbrev=False)
-    found.add_argument("name", nargs="?", metavar="NAME")
-    found.add_argument("-O", dest="level", type=int, choices=LEVELS)
-    found.add_argument("--codes", choices=get_args(Codes))
-    found.add_argument("--lowering", choices=("auto", *LOWERINGS))
-    found.add_argument("--target")
-    found.add_argument("--max-words-per-slot", type=int)
-    return found
+    parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
+    parser.add_argument("name", nargs="?", metavar="NAME")
+    parser.add_argument("-O", dest="level", type=int, choices=LEVELS)
+    parser.add_argument("--codes", choices=get_args(Codes))
+    parser.add_argument("--lowering", choices=("auto", *LOWERINGS))
+    parser.add_argument("--target")
+    parser.add_argument("--max-words-per-slot", type=int)
+    return parser
 
 
 def load_ipython_extension(shell: Any) -> None:
@@ -66,15 +66,16 @@ def load_ipython_extension(shell: Any) -> None:
     def nsl(line: str, cell: str) -> ShutterProgram:
         """Compile the cell, show its shutters and costs; NAME, if given, becomes the program."""
         try:
-            given = vars(_line().parse_args(shlex.split(line)))
+            arguments = vars(_line().parse_args(shlex.split(line)))
         except ValueError as error:
             raise _Usage(f"%%nsl: {error}") from None
-        name = given.pop("name")
+        name = arguments.pop("name")
         if name is not None and not name.isidentifier():
             raise _Usage(f"%%nsl: {name!r} is no name of a variable")
         defaults = Options()
         options = {
-            key: getattr(defaults, key) if value is None else value for key, value in given.items()
+            key: getattr(defaults, key) if value is None else value
+            for key, value in arguments.items()
         }
         try:
             with warnings.catch_warnings(action="ignore"):  # the card shows them

@@ -81,25 +81,25 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
         case "latch":
             # The last copy is what stays, and holds the light of all slots before it.
             copied = 0
-            kept = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
-            return kept[::-1]
+            kept_by = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
+            return kept_by[::-1]
         case "edges":
             # PIX starts at the reset level: pixels open from slot 0 on need no rise.
             now = first
-            kept = []
+            kept_by = []
             for n in slots:
                 now = now & ~at.get((n, "fall"), 0) | at.get((n, "rise"), 0)
-                kept.append(now)
+                kept_by.append(now)
             _require(at.get((plan.slots, "fall"), 0) == now, "a shutter is never read")
-            return kept
+            return kept_by
 
 
 def check_gates(gated: Gated) -> None:
     """Every solution, replayed on truth vectors, meets its demands."""
     machine = Machine.of(gated.program.target)
-    for decoding in gated.tried:
-        wrong = fault(decoding.problem, machine, decoding.solution)
-        _require(wrong is None, f"{decoding.solution.encoding}: {wrong}")
+    for decoding in gated.decodings:
+        fault_text = fault(decoding.problem, machine, decoding.solution)
+        _require(fault_text is None, f"{decoding.solution.encoding}: {fault_text}")
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
@@ -126,26 +126,29 @@ def _check_moment(moment: Moment, machine: StateMachine) -> None:
         was = machine.opens[moment.before, bucket, boundary - 1]
         inside = boundary < machine.slots
         becomes = machine.opens[moment.after, bucket, boundary] if inside else np.zeros_like(was)
-        found = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
-        wanted = np.where(reset, False, becomes)
-        _require(np.array_equal(found, wanted), f"bucket {bucket} is open in other pixels")
+        computed = was & ~_lanes(falls, lanes) | _lanes(rises, lanes)
+        expected = np.where(reset, False, becomes)
+        _require(np.array_equal(computed, expected), f"bucket {bucket} is open in other pixels")
 
 
 def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
-    found = np.zeros(lanes, np.bool_)
-    found[members(vector, lanes)] = True
-    return found
+    flags = np.zeros(lanes, np.bool_)
+    flags[members(vector, lanes)] = True
+    return flags
 
 
-def check_looking_gates(tried: Sequence[LookingLowered]) -> None:
+def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
     """Codes and states can be told apart, and each comparison is made at its moment."""
-    for lowered in tried:
+    for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
         assert solution is not None
         assert machine is not None
-        for held in (solution.encoding.code, *solution.encoding.states):
-            rows = np.unique(held.bits, axis=0) if held.registers else held.bits
-            _require(len(rows) == len(held.bits), f"{held.name}: two values with the same bits")
+        for value_bits in (solution.encoding.code, *solution.encoding.states):
+            rows = np.unique(value_bits.bits, axis=0) if value_bits.registers else value_bits.bits
+            _require(
+                len(rows) == len(value_bits.bits),
+                f"{value_bits.name}: two values with the same bits",
+            )
         names = {
             *(f"p{i}" for i in range(len(solution.planes))),
             *solution.states,
@@ -157,19 +160,21 @@ def check_looking_gates(tried: Sequence[LookingLowered]) -> None:
             gates = [item for item in items if isinstance(item, Gate)]
             used = {name for gate in gates for name in (gate.destination, *gate.sources)}
             _require(names >= used, f"registers that nothing has: {sorted(used - names)}")
-            made = sum(
+            comparison_count = sum(
                 isinstance(item, Op) and item.operation.effect is Effect.FLAG_ANALOG
                 for item in items
             )
-            _require(made == len(machine.at(boundary)), "a comparison that nothing makes")
+            _require(
+                comparison_count == len(machine.at(boundary)), "a comparison that nothing makes"
+            )
 
 
 def check_route(sending: Sending) -> None:
     """The light of every slot goes to the tap of the bucket that is open, or to no bucket's."""
     route, shutters = sending.route, sending.program.table.shutters
     place = np.where(route.bits, route.ones, route.zeros)[:, None]
-    taken = place == np.arange(shutters.shape[1])[:, None]
-    _require(np.array_equal(taken, shutters), "light goes to the tap of another bucket")
+    collected = place == np.arange(shutters.shape[1])[:, None]
+    _require(np.array_equal(collected, shutters), "light goes to the tap of another bucket")
 
 
 def check_loadings(sending: Sending) -> None:
@@ -188,7 +193,7 @@ def check_loadings(sending: Sending) -> None:
 
 def check_schedule(choice: Choice) -> None:
     """Every layout launches its kernels in time and names registers that the chip has."""
-    for lowered in choice.tried:
+    for lowered in choice.lowerings:
         schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
         places = schedule.allocation.places
         _require(len(set(places.values())) == len(places), "two holders of one register")
@@ -197,9 +202,11 @@ def check_schedule(choice: Choice) -> None:
         _require(boundaries[0] == 0 and boundaries[-1] <= slots, "a launch out of time")
         used = {kernel for _, kernel in schedule.launches}
         _require(used == set(range(len(schedule.kernels))), "a kernel that is never launched")
-        own = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
+        registers = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
         for word in {word for kernel in schedule.kernels for word in kernel}:
-            _require(own.issuperset(word.destinations), f"a word that the chip has not: {word}")
+            _require(
+                registers.issuperset(word.destinations), f"a word that the chip has not: {word}"
+            )
 
 
 def check_words(container: Container) -> None:
@@ -209,7 +216,9 @@ def check_words(container: Container) -> None:
     read = [readout.bucket for readout in container.readouts]
     _require(sorted(read) == sorted(container.buckets), "a bucket that is not read out")
     kernels = range(len(container.kernels))
-    _require(all(each.kernel in kernels for each in container.launches), "a launch of no kernel")
+    _require(
+        all(launch.kernel in kernels for launch in container.launches), "a launch of no kernel"
+    )
 
 
 def check_proof(proof: Proof) -> None:

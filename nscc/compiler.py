@@ -35,16 +35,16 @@ def compile_source(
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:
-        wrong = _with_ways_out(unfit.diagnostics, unfit.program, base, options)
-        raise Rejected(wrong, unfit.status) from None
+        diagnostics = _with_ways_out(unfit.diagnostics, unfit.program, base, options)
+        raise Rejected(diagnostics, unfit.status) from None
 
 
 def _with_ways_out(
-    found: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
+    diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
     """The same diagnostics; nearby programs are compiled for those that ask for less."""
-    if not any(has_ways_out(d) for d in found):
-        return list(found)
+    if not any(has_ways_out(d) for d in diagnostics):
+        return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # only for what does not fit
 
     alike = replace(options, target=program.target, price_all=False, unproved_is_error=True)
@@ -59,5 +59,6 @@ def _with_ways_out(
     texts = tuple(way.text for way in ways)
     data = {key: value for way in ways for key, value in way.data.items()}
     return [
-        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d for d in found
+        replace(d, ways_out=texts, data={**d.data, **data}) if has_ways_out(d) else d
+        for d in diagnostics
     ]

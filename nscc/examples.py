@@ -50,8 +50,8 @@ def examples() -> Mapping[str, Path]:
 def example(name: str) -> Path:
     """The file of an example; Rejected (NS0787) where there is none of that name."""
     known = examples()
-    found = known.get(name.removesuffix(".nsl"))
-    if found is None:
+    path = known.get(name.removesuffix(".nsl"))
+    if path is None:
         raise rejected(
             "NS0787",
             f"there is no example '{name[:60]}'",
@@ -60,7 +60,7 @@ def example(name: str) -> Path:
                 "`nscc examples` lists them",
             ),
         )
-    return found
+    return path
 
 
 def about(path: Path) -> str:

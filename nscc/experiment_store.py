@@ -50,7 +50,7 @@ class Timing:
 class ExperimentStore:
     """Measurements of experiments, as JSON values, by name.
 
-    A measurement is on the disk when `put` returns. Several processes may use a store at once:
+    A measurement is on the disk when `keep` returns. Several processes may use a store at once:
     who has the claim of a name measures it, and the others wait for the result. The claims of a
     process end with it. The first value that is written of a name stays.
 
@@ -83,27 +83,27 @@ class ExperimentStore:
 
     def values(self, experiment: str) -> dict[str, Any]:
         """Return all measurements of an experiment by name, in the order in which they ended."""
-        found = self._database.execute(
+        rows = self._database.execute(
             "SELECT name, value FROM measurement WHERE experiment = ? ORDER BY rowid", (experiment,)
         )
-        return {name: json.loads(value) for name, value in found}
+        return {name: json.loads(value) for name, value in rows}
 
     def timings(self, experiment: str) -> list[Timing]:
         """Return the timings of an experiment, in the order in which its measurements ended."""
-        found = self._database.execute(
+        rows = self._database.execute(
             "SELECT name, label, seconds, ended, worker FROM measurement WHERE experiment = ? "
             "ORDER BY rowid", (experiment,),
         )  # fmt: skip
-        return [Timing(*row) for row in found]
+        return [Timing(*row) for row in rows]
 
     def get(self, experiment: str, name: str) -> Any | None:
         """Return a measurement; None if there is none."""
-        found = self._database.execute(
+        row = self._database.execute(
             "SELECT value FROM measurement WHERE experiment = ? AND name = ?", (experiment, name)
         ).fetchone()
-        return None if found is None else json.loads(found[0])
+        return None if row is None else json.loads(row[0])
 
-    def put(
+    def keep(
         self, experiment: str, name: str, value: Any, *, label: str = "", seconds: float = 0.0,
         worker: str = "",
     ) -> None:  # fmt: skip
@@ -133,7 +133,7 @@ class ExperimentStore:
                 continue
             try:
                 if self.get(experiment, name) is None:
-                    self.put(experiment, name, measure())
+                    self.keep(experiment, name, measure())
             finally:
                 self.release(experiment, name)
         return value

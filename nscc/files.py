@@ -42,11 +42,11 @@ def reads(*paths: Path) -> None:
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
-            found = path.stat()
+            status = path.stat()
         except (OSError, ValueError):  # it is read, if at all, by somebody who says what is wrong
             continue
-        if known is not None and stat.S_ISREG(found.st_mode):
-            known[found.st_dev, found.st_ino] = path
+        if known is not None and stat.S_ISREG(status.st_mode):
+            known[status.st_dev, status.st_ino] = path
 
 
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
@@ -110,7 +110,7 @@ def write_back(path: Path, data: Product) -> None:
     """As `write_whole`, of an input that its user asked to have changed."""
     known = _inputs.get()
     if known:
-        for identity in [each for each, name in known.items() if name == path]:
+        for identity in [key for key, name in known.items() if name == path]:
             del known[identity]
     write_whole(path, data)
 
@@ -149,15 +149,17 @@ def refuse_inputs(*paths: Path) -> None:
 
 def _refuse_input(path: Path, data: Product) -> None:
     try:
-        found = path.stat()
+        status = path.stat()
     except (OSError, ValueError):
         return
-    given = (_inputs.get() or {}).get((found.st_dev, found.st_ino))
-    if given is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
+    input_path = (_inputs.get() or {}).get((status.st_dev, status.st_ino))
+    if input_path is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
         raise rejected(
             "NS0785",
             f"'{path}' is an input of this command, and would be overwritten",
-            notes=() if given == path else (f"it is the file that was read as '{given}'",),
+            notes=()
+            if input_path == path
+            else (f"it is the file that was read as '{input_path}'",),
             helps=("give the product another name",),
         )
 
@@ -178,14 +180,14 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     temporary = _temporary_beside(final)
     # A process that was killed may have left it; in containers process numbers soon come again.
     temporary.unlink(missing_ok=True)
-    kept = final.stat().st_mode & 0o777 if final.exists() else None
-    asked = 0o666 if kept is None else kept
+    old_mode = final.stat().st_mode & 0o777 if final.exists() else None
+    mode = 0o666 if old_mode is None else old_mode
     try:
         # Not even for a moment may others read what they could not read before.
-        with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, asked)) as file:
+        with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             _fill(file, data)
-        if kept not in (None, temporary.stat().st_mode & 0o777):
-            temporary.chmod(asked)  # the umask took rights away
+        if old_mode not in (None, temporary.stat().st_mode & 0o777):
+            temporary.chmod(mode)  # the umask took rights away
     except BaseException:
         temporary.unlink(missing_ok=True)
         raise

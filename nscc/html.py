@@ -26,12 +26,14 @@ def text(value: object) -> Html:
     return value if isinstance(value, Html) else Html(escape(str(value)))
 
 
-def card(title: str, subtitle: str, *parts: Html) -> str:
-    """A box with a heading, what it is in a line, and the parts one below the other."""
+def card(title: str, subtitle: str, *sections: Html) -> str:
+    """A box with a title, a subtitle and the sections below each other."""
     head = (
         f"<div><strong>{text(title)}</strong> <span style='{_FAINT}'>{text(subtitle)}</span></div>"
     )
-    inside = "".join(f"<div style='margin-top:.5em'>{part}</div>" for part in parts if part)
+    inside = "".join(
+        f"<div style='margin-top:.5em'>{section}</div>" for section in sections if section
+    )
     return f"<div style='max-width:60em;line-height:1.4'>{head}{inside}</div>"
 
 
@@ -40,11 +42,11 @@ def table(rows: Iterable[Sequence[object]], head: Sequence[object] = ()) -> Html
     cell = "text-align:left;padding:.1em .8em .1em 0;border:none;background:none"
     lines = []
     if head:
-        lines.append("".join(f"<th style='{cell}'>{text(each)}</th>" for each in head))
-    for first, *others in rows:
+        lines.append("".join(f"<th style='{cell}'>{text(value)}</th>" for value in head))
+    for first, *cells in rows:
         faint = cell if head else f"{cell};{_FAINT}"
         named = f"<td style='{faint}'>{text(first)}</td>"
-        lines.append(named + "".join(f"<td style='{cell}'>{text(each)}</td>" for each in others))
+        lines.append(named + "".join(f"<td style='{cell}'>{text(value)}</td>" for value in cells))
     body = "".join(f"<tr style='background:none'>{line}</tr>" for line in lines)
     return Html(f"<table style='border:none;margin:0'>{body}</table>")
 
@@ -59,9 +61,9 @@ def plain(value: str) -> Html:
     return Html(f"<pre style='margin:0;background:none;color:inherit'>{text(value)}</pre>")
 
 
-def side_by_side(parts: Iterable[Html]) -> Html:
+def side_by_side(blocks: Iterable[Html]) -> Html:
     """Parts in a row that breaks where there is no room."""
-    joined = "".join(f"<div>{part}</div>" for part in parts)
+    joined = "".join(f"<div>{block}</div>" for block in blocks)
     return Html(f"<div style='display:flex;flex-wrap:wrap;gap:1em'>{joined}</div>")
 
 

@@ -44,14 +44,16 @@ def _packages() -> Iterator[Finding]:
     """Those that every command needs, and what each extra brings besides."""
     of = extras()
     for extra in sorted({*of.values()}.difference(_OWN_WORK)):
-        held = {name: _version(name) for name in sorted(of) if of[name] == extra}
+        version_of = {name: _version(name) for name in sorted(of) if of[name] == extra}
         label = f"[{extra}] " if extra else ""
-        missing = [name for name, version in held.items() if not version]
+        missing = [name for name, version in version_of.items() if not version]
         if missing:
             state = ABSENT if extra else WRONG
             yield Finding(state, f"{label}{', '.join(missing)}: {install_line(extra)}")
         else:
-            yield Finding(GOOD, label + ", ".join(f"{n} {version}" for n, version in held.items()))
+            yield Finding(
+                GOOD, label + ", ".join(f"{n} {version}" for n, version in version_of.items())
+            )
 
 
 def _version(distribution: str) -> str:
@@ -62,8 +64,8 @@ def _version(distribution: str) -> str:
 
 
 def _grammar() -> Finding:
-    _tree, wrong = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
-    return Finding(WRONG, "the grammar does not work") if wrong else Finding(GOOD, "grammar")
+    _tree, problems = parse(Source("doctor.nsl", "nsl 1\nframe 2 slots of 1ms\nopen when n < 1\n"))
+    return Finding(WRONG, "the grammar does not work") if problems else Finding(GOOD, "grammar")
 
 
 def _targets() -> Finding:
@@ -79,8 +81,10 @@ def _cache() -> Finding:
     if folder is None:
         return Finding(ABSENT, "cache of search results: off (NSCC_CACHE=off, or no home folder)")
     store = Store(folder)
-    where = f"cache of search results: {folder}"
+    place = f"cache of search results: {folder}"
     if not store.writable():
-        return Finding(ABSENT, f"{where} cannot be written, so nothing is kept")
-    held = f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
-    return Finding(GOOD, f"{where} ({held}; remove the folder to clear it)")
+        return Finding(ABSENT, f"{place} cannot be written, so nothing is kept")
+    usage = (
+        f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
+    )
+    return Finding(GOOD, f"{place} ({usage}; remove the folder to clear it)")

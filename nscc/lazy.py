@@ -13,7 +13,7 @@ def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> An
     AttributeError for a name that is none of them, ModuleNotFoundError with what to type where
     another distribution is missing.
     """
-    module = next((module for module, held in names.items() if name in held), None)
+    module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
         raise AttributeError(f"module '{package}' has no attribute '{name}'")
     try:

@@ -63,12 +63,12 @@ class Mnemonic:
     scratch: tuple[str, ...] = ()
 
 
-def expand(name: str, operands: Sequence[str], own: tuple[Operation, ...] = ()) -> Ops:
-    """The operations that a line `name operands` stands for; `own` are a target's own words.
+def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
+    """The operations of a line `name operands`; `own_words` are the target's own words.
 
     Raises KeyError for a name that is no mnemonic and OperandError for operands it does not take.
     """
-    mnemonic = mnemonics(own)[name]
+    mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):
         if register not in READ_LINES:
@@ -142,7 +142,8 @@ def _native(row: Operation) -> Mnemonic:
     several = ", ".join(f"d{i}" for i in range(low)) if low > 1 else "d"
     dest = "d0, d1, .." if high is None else several
     src = "" if last == 0 else "x" if (first, last) == (1, 1) else "x0, x1, .."
-    usage = f"{row.name} {', '.join(part for part in (dest if low else '', src) if part)}".strip()
+    operands = filter(None, (dest if low else "", src))
+    usage = f"{row.name} {', '.join(operands)}".strip()
     return Mnemonic(row.name, usage, write, low + first, most)
 
 
@@ -169,8 +170,8 @@ def _or_nor(kind: str) -> Callable[[Sequence[str]], Ops]:
         for index, register in enumerate(sources, start=1):
             if register in sources[: index - 1]:
                 raise OperandError(f"{kind} names {register} twice as a source", index)
-        rest = [register for register in sources if register != destination]
-        return _in_place(kind, (destination, *rest))
+        other_sources = [register for register in sources if register != destination]
+        return _in_place(kind, (destination, *other_sources))
 
     return write
 
@@ -226,13 +227,13 @@ class _Form:
         split = [word.replace(",", "").split() for word in words.split("; ")]
         self.words = [(_WORDS[name], operands) for name, *operands in split]
 
-    def write(self, given: Sequence[str]) -> Ops:
-        """The words for the operands `given`."""
-        for index, register in enumerate(given if self.head in _DISTINCT else ()):
-            if register in given[:index]:
+    def write(self, arguments: Sequence[str]) -> Ops:
+        """Return the words of this form for the operands `arguments`."""
+        for index, register in enumerate(arguments if self.head in _DISTINCT else ()):
+            if register in arguments[:index]:
                 why = _DISTINCT[self.head]
                 raise OperandError(f"{self.name} names {register} twice: {why}", index)
-        meant = dict(zip(self.operands, given, strict=True))
+        meant = dict(zip(self.operands, arguments, strict=True))
         try:
             written = [word.write([meant.get(n, n) for n in names]) for word, names in self.words]
         except OperandError as error:  # said of the macro as a whole
@@ -254,8 +255,8 @@ def _macros() -> Iterator[Mnemonic]:
         yield Mnemonic(name, usage, write, min(forms), max(forms), passed)
 
 
-def _written(forms: Mapping[int, _Form], given: Sequence[str]) -> Ops:
-    return forms[len(given)].write(given)
+def _written(forms: Mapping[int, _Form], arguments: Sequence[str]) -> Ops:
+    return forms[len(arguments)].write(arguments)
 
 
 _IN_PLACE = (
@@ -273,6 +274,6 @@ MNEMONICS: dict[str, Mnemonic] = {
 
 
 @cache
-def mnemonics(own: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
-    """Every mnemonic by name on a target that has words of its own."""
-    return MNEMONICS | {row.name: _native(row) for row in own}
+def mnemonics(own_words: tuple[Operation, ...] = ()) -> dict[str, Mnemonic]:
+    """All mnemonics by name, including those of a target's own words."""
+    return MNEMONICS | {row.name: _native(row) for row in own_words}

@@ -65,9 +65,9 @@ def npy_values(
 
 
 def npz_arrays(
-    path: Path, wanted: Callable[[str], bool] = lambda name: True, most_bytes: int = MOST_BYTES
+    path: Path, is_wanted: Callable[[str], bool] = lambda name: True, most_bytes: int = MOST_BYTES
 ) -> tuple[dict[str, NDArray[Any]], list[str]]:
-    """Read the `wanted` arrays of an .npz file, and list the names of all.
+    """Read the arrays of an .npz file whose names satisfy `is_wanted`, and list all names.
 
     The sizes that the file states are checked before anything is unpacked: together the arrays
     take at most `most_bytes`.
@@ -84,8 +84,10 @@ def npz_arrays(
     arrays: dict[str, NDArray[Any]] = {}
     unpacked_bytes = 0
     with archive:
-        names = [each.removesuffix(".npy") for each in archive.namelist() if each.endswith(".npy")]
-        for name in filter(wanted, names):
+        names = [
+            entry.removesuffix(".npy") for entry in archive.namelist() if entry.endswith(".npy")
+        ]
+        for name in filter(is_wanted, names):
             try:
                 with archive.open(f"{name}.npy") as stream:
                     _, shape, fortran, dtype = npy_header(stream)

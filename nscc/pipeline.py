@@ -139,7 +139,7 @@ def choose_gates(planned: Planned, job: Job) -> tuple[Gated, Found]:
         results.distrust()
         gated = found()
     said = list({each.generator: each.diagnostic() for each in gated.faults}.values())
-    if not gated.tried:
+    if not gated.decodings:
         said.append(fit.gates_fault(gated.program, gated.misfits, level=options.level))
     return gated, said
 
@@ -151,7 +151,7 @@ def lay_out_words(gated: Gated, job: Job) -> tuple[Choice, Found]:
     the user's limit (NS0603) does not allow.
     """
     most_words = job.options.max_words_per_slot
-    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.tried)
+    tried = (lay_out(gated.program, each, gated.time, most_words) for each in gated.decodings)
     failed = tuple(dict.fromkeys(fault.generator for fault in gated.faults))
     choice = Choice(tuple(tried), gated.misfits, failed)
     return choice, fit.faults(choice, level=job.options.level)

@@ -23,11 +23,11 @@ def extras() -> dict[str, str]:
     from importlib import metadata
 
     try:
-        asked = metadata.requires("nscc") or []
+        lines = metadata.requires("nscc") or []
     except metadata.PackageNotFoundError:
         return {}
     names: dict[str, list[str]] = {}
-    for text in asked:
+    for text in lines:
         match = _REQUIREMENT.match(text)
         if match is not None:
             names.setdefault(match["extra"] or "", []).append(_normal(match["name"]))

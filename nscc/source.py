@@ -14,9 +14,9 @@ class Span:
     start: int
     end: int
 
-    def to(self, other: Span) -> Span:
+    def to(self, last: Span) -> Span:
         """The span from the start of this one to the end of `other`."""
-        return Span(self.start, max(self.end, other.end))
+        return Span(self.start, max(self.end, last.end))
 
 
 @dataclass(frozen=True)

@@ -55,12 +55,12 @@ def union(vectors: Iterable[int]) -> int:
 
 def set_bits(mask: int) -> tuple[int, ...]:
     """The places of the 1s of a number, in rising order."""
-    found = []
+    places = []
     while mask:
         low = mask & -mask
-        found.append(low.bit_length() - 1)
+        places.append(low.bit_length() - 1)
         mask ^= low
-    return tuple(found)
+    return tuple(places)
 
 
 def number_planes(numbers: NDArray[np.int64], width: int) -> list[int]:

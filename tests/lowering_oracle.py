@@ -101,9 +101,9 @@ def lowered_as(program: Program, lowering: str, level: int = 1) -> Lowered | Mis
     check_plans(planned)
     gated = find_gates(planned, level)
     check_gates(gated)
-    if not gated.tried:
+    if not gated.decodings:
         return gated.misfits[lowering]
-    (decoding,) = gated.tried
+    (decoding,) = gated.decodings
     choice = Choice((lay_out(program, decoding, gated.time, None),), gated.misfits)
     check_schedule(choice)
     return choice.best

@@ -103,7 +103,7 @@ def synthesis(
         for line in refusals_text(found.refused):
             click.echo(line)
         if not points:
-            rows.done()
+            rows.remove()
             return 1
         makers = {
             "csv": lambda: csv_text(points, device).encode(),

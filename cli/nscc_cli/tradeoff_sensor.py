@@ -104,7 +104,7 @@ def command(**options: Any) -> int:
         for line in refusals_text(found.refused):
             click.echo(line)
         if not found.points:
-            rows.done()
+            rows.remove()
             return 1
         makers = {
             "csv": lambda: csv_text(found.points, found.target, found.refused).encode(),

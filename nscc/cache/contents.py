@@ -13,8 +13,8 @@ def content(path: Path) -> str:
     """The digest of a file, or of all files of a folder by their names; "" where there is none."""
     try:
         if path.is_dir():
-            files = sorted(each for each in path.rglob("*") if each.is_file())
-            return digest([(each.relative_to(path).as_posix(), content(each)) for each in files])
+            files = sorted(entry for entry in path.rglob("*") if entry.is_file())
+            return digest([(entry.relative_to(path).as_posix(), content(entry)) for entry in files])
         status = path.stat()
         return _content(path.resolve(), status.st_size, status.st_mtime_ns)
     except (OSError, ValueError):

@@ -100,23 +100,23 @@ def _token(value: Any, known: dict[int, bytes]) -> bytes:
 
 
 def _compound(value: Any, known: dict[int, bytes]) -> bytes:
-    parts: list[bytes]
+    tokens: list[bytes]
     if isinstance(value, np.ndarray | np.generic):
         head = f"a{value.dtype.str}{value.shape}"
-        parts = [np.ascontiguousarray(value).tobytes()]
+        tokens = [np.ascontiguousarray(value).tobytes()]
     elif isinstance(value, tuple | list):
         head = "t"
-        parts = [_token(part, known) for part in value]
+        tokens = [_token(token, known) for token in value]
     elif isinstance(value, Mapping):
         head = "m"
-        parts = [_token(part, known) for item in value.items() for part in item]
+        tokens = [_token(token, known) for item in value.items() for token in item]
     elif is_dataclass(value) and not isinstance(value, type):
         head = f"d{type(value).__name__}"
-        parts = [_token(getattr(value, field.name), known) for field in fields(value)]
+        tokens = [_token(getattr(value, field.name), known) for field in fields(value)]
     else:
         raise TypeError(f"no digest for {type(value).__name__}")
-    running = sha256(f"{head}{len(parts)}".encode())
-    for part in parts:
-        running.update(f":{len(part)}:".encode())
-        running.update(part)
+    running = sha256(f"{head}{len(tokens)}".encode())
+    for token in tokens:
+        running.update(f":{len(token)}:".encode())
+        running.update(token)
     return running.digest()

@@ -34,15 +34,15 @@ def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
     `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc (an absolute path, as its specification demands),
     else ~/.cache/nscc.
     """
-    given = os.environ if environment is None else environment
-    if given.get("NSCC_CACHE", "").lower() == "off":
+    variables = os.environ if environment is None else environment
+    if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
-    if given.get("NSCC_CACHE_DIR"):
-        return Path(given["NSCC_CACHE_DIR"])
-    shared = given.get("XDG_CACHE_HOME", "")
+    if variables.get("NSCC_CACHE_DIR"):
+        return Path(variables["NSCC_CACHE_DIR"])
+    shared = variables.get("XDG_CACHE_HOME", "")
     if os.path.isabs(shared):
         return Path(shared) / "nscc"
-    home = os.path.expanduser("~") if "HOME" not in given else given["HOME"]
+    home = os.path.expanduser("~") if "HOME" not in variables else variables["HOME"]
     return Path(home) / ".cache" / "nscc" if os.path.isabs(home) else None
 
 
@@ -76,19 +76,19 @@ class Store:
 
     def write(self, key: str, data: bytes) -> None:
         """Keeps `data` under `key`, whatever was there, and makes room where that is needed."""
-        whole = _head(key, data) + b"\n" + data
-        if len(whole) > min(_LARGEST, self.most_bytes):
+        entry = _head(key, data) + b"\n" + data
+        if len(entry) > min(_LARGEST, self.most_bytes):
             return
-        part = self.folder / f".{key}.{os.getpid()}.part"
+        temporary = self.folder / f".{key}.{os.getpid()}.part"
         try:
             self.folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-            with open(part, "xb") as file:
-                file.write(whole)
-            os.replace(part, self.folder / key)
+            with open(temporary, "xb") as file:
+                file.write(entry)
+            os.replace(temporary, self.folder / key)
         except FileExistsError:
             return
         except OSError:
-            _remove(part)
+            _remove(temporary)
             return
         self._make_room()
 
@@ -124,8 +124,8 @@ class Store:
     def _files(self, pattern: re.Pattern[str]) -> Iterator[tuple[Path, os.stat_result]]:
         """The regular files with such names; others in the folder are nobody's business."""
         try:
-            with os.scandir(self.folder) as found:
-                names = [entry for entry in found if pattern.fullmatch(entry.name)]
+            with os.scandir(self.folder) as entries:
+                names = [entry for entry in entries if pattern.fullmatch(entry.name)]
         except OSError:
             return
         for entry in names:

@@ -41,7 +41,7 @@ def _plain(value: Any) -> Any:
     if isinstance(value, int):
         return value if abs(value) < _LARGE else f"{value:x}"
     if isinstance(value, tuple):
-        return [_plain(part) for part in value]
+        return [_plain(member) for member in value]
     if is_dataclass(value) and not isinstance(value, type):
         return [_plain(getattr(value, field.name)) for field in fields(value)]
     raise TypeError(f"{type(value).__name__} has no place in JSON")
@@ -62,10 +62,10 @@ def _typed(kind: Any, value: Any) -> Any:
     if not isinstance(value, list):
         raise ValueError(f"{value!r:.40} is no list")
     if origin is tuple:
-        parts = get_args(kind)
-        if len(parts) == 2 and parts[1] is Ellipsis:
-            return tuple([_typed(parts[0], part) for part in value])
-        return tuple([_typed(*pair) for pair in _paired(parts, value)])
+        kinds = get_args(kind)
+        if len(kinds) == 2 and kinds[1] is Ellipsis:
+            return tuple([_typed(kinds[0], member) for member in value])
+        return tuple([_typed(*pair) for pair in _paired(kinds, value)])
     return kind(*[_typed(*pair) for pair in _paired(_annotations(kind), value)])
 
 

@@ -24,7 +24,7 @@ from nscc.plugins import added, unusable
 from nscc.source import Source, Span
 from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.kinds import Several
-from nscc.toml.schema import Found, Key, keys_of
+from nscc.toml.schema import Key, KeyValues, keys_of
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")
@@ -39,10 +39,10 @@ def builtin_names() -> tuple[str, ...]:
 def builtin_target(name: str) -> Target:
     """The builtin table of that name, which must exist."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
-    found, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
+    key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
         raise ValueError(f"the builtin target {name} is broken: {problems[0].message}")
-    return _target(found)
+    return _target(key_values)
 
 
 def target_names() -> tuple[str, ...]:
@@ -107,11 +107,11 @@ def target_dict(target: Target) -> dict[str, Any]:
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
     """The target of `target_dict`'s values; ValueError with the first fault if they are none."""
-    found, problems = schema_of(values.get("kind")).read(values, complete=True)
-    problems += _contradictions(found)
+    key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
+    problems += _contradictions(key_values)
     if problems:
         raise ValueError(problems[0].message)
-    return _target(found)
+    return _target(key_values)
 
 
 def target_toml(target: Target) -> str:
@@ -142,8 +142,8 @@ def read_target(
             "a target file is looked up beside the program that names it; "
             f"the builtin targets need no file: {', '.join(builtin_names())}"
         )
-        found = replace(error.diagnostics[0], source=source, label=label, helps=(looked,))
-        raise Rejected(found, error.status) from None
+        diagnostic = replace(error.diagnostics[0], source=source, label=label, helps=(looked,))
+        raise Rejected(diagnostic, error.status) from None
 
 
 def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
@@ -151,24 +151,24 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
     Raises Rejected, NS0232 to NS0236, with everything that is wrong and that exit status.
     """
-    found, problems, source = file_values(
+    key_values, problems, source = file_values(
         SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
     )
-    problems += _contradictions(found, source)
+    problems += _contradictions(key_values, source)
     if problems:
         raise Rejected(problems, status)
-    return _target(found)
+    return _target(key_values)
 
 
-def _target(found: Found) -> Target:
+def _target(key_values: KeyValues) -> Target:
     """The target of values that are right; scamp5's where they say nothing, nor the key does.
 
     A chip without logic has no registers."""
     values: dict[str, Any] = {}
-    streamed = schema_of(found.get("kind")) is not SCHEMA
+    streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
-        if key.path in found:
-            values[key.attribute] = found[key.path]
+        if key.path in key_values:
+            values[key.attribute] = key_values[key.path]
         elif key.default is not MISSING:
             continue
         elif streamed and key.section == "registers":
@@ -182,22 +182,26 @@ def _values(target: Target) -> dict[str, Any]:
     return {key.path: getattr(target, key.attribute) for key in keys_of(Target)}
 
 
-def _contradictions(found: Found, source: Source | None = None) -> list[Diagnostic]:
+def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
     """NS0236: keys that are right by themselves and cannot stand together."""
-    streamed = found.get("kind") == "stream"
-    section, wrong = ("stream", tap_contradictions) if streamed else ("registers", contradictions)
+    streamed = key_values.get("kind") == "stream"
+    section, find_contradictions = (
+        ("stream", tap_contradictions) if streamed else ("registers", contradictions)
+    )
     begin = f"{section}."
-    given = {path.removeprefix(begin): v for path, v in found.items() if path.startswith(begin)}
+    section_values = {
+        path.removeprefix(begin): v for path, v in key_values.items() if path.startswith(begin)
+    }
     return [
         SCHEMA.problem("NS0236", message, section, key, source, help_text)
-        for key, message, help_text in wrong(given)
+        for key, message, help_text in find_contradictions(section_values)
     ]
 
 
 def _added(name: str, value: object) -> Target:
     """The target that a package adds under that name."""
     reason = "its table is wrong"
-    wrong: tuple[Diagnostic, ...] = ()
+    diagnostics: tuple[Diagnostic, ...] = ()
     try:
         if isinstance(value, Path):
             target = parse_target(file_bytes(SCHEMA, value), str(value))
@@ -210,8 +214,8 @@ def _added(name: str, value: object) -> Target:
             return target
         reason = f"its table calls it {target.name}"
     except Rejected as error:
-        wrong = error.diagnostics
+        diagnostics = error.diagnostics
     except (TypeError, AttributeError) as error:
         reason = str(error)
     refusal = unusable("nscc.targets", name, reason)
-    raise Rejected([*refusal.diagnostics, *wrong], refusal.status)
+    raise Rejected([*refusal.diagnostics, *diagnostics], refusal.status)

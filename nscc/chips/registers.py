@@ -28,9 +28,10 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
         message = f"analog_scratch is {shown(scratch)}, not in registers.analog"
         yield "analog_scratch", message, ""
     if (mask is None) != (masked is None):
-        one, other = ("mask", "masked") if masked is None else ("masked", "mask")
-        message = f"registers.{one} is given and registers.{other} is not: give both or neither"
-        yield one, message, ""
+        key_given, absent = ("mask", "masked") if masked is None else ("masked", "mask")
+        message = f"registers.{key_given} is given and registers.{absent} is not: "
+        message += "give both or neither"
+        yield key_given, message, ""
     elif mask is not None and mask == masked:
         yield "masked", f"registers.mask and registers.masked are both {shown(mask)}", ""
     for key, name in (("mask", mask), ("masked", masked)):
@@ -60,8 +61,8 @@ def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, s
         if name in names[:index]:
             yield f"{shown(name)} twice", ""
         elif name not in known:
-            some = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
+            known_text = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
             yield (
                 f"{shown(name)}, which no instruction word can name",
-                meant(name, known, f"words name {some}")[0],
+                meant(name, known, f"words name {known_text}")[0],
             )

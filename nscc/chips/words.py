@@ -61,16 +61,16 @@ class OwnWords(Kind):
     def read(self, value: Any) -> tuple[Operation, ...]:
         if not isinstance(value, list) or len(value) > _MOST:
             raise ValueError
-        found: list[Operation] = []
-        for number, each in enumerate(value, 1):
-            row = _row(each, f"word {number}")
-            for other in (*OPERATIONS, *found):
-                if _alike(row, other):
-                    raise ValueError(f"{row.name} and {other.name} can be the same word")
-            if row.name in (*MNEMONICS, *BY_NAME, *(other.name for other in found)):
+        operations: list[Operation] = []
+        for number, table in enumerate(value, 1):
+            row = _row(table, f"word {number}")
+            for operation in (*OPERATIONS, *operations):
+                if _alike(row, operation):
+                    raise ValueError(f"{row.name} and {operation.name} can be the same word")
+            if row.name in (*MNEMONICS, *BY_NAME, *(operation.name for operation in operations)):
                 raise ValueError(f"there is a word {row.name} already")
-            found.append(row)
-        return tuple(found)
+            operations.append(row)
+        return tuple(operations)
 
     def plain(self, value: Any) -> Any:
         return [_plain(row) for row in value]
@@ -112,18 +112,18 @@ def _row(values: Any, who: str) -> Operation:
     for key in _NEEDED:
         if key not in values:
             raise ValueError(f"{who} lacks the key {key}")
-    given = {**_DEFAULTS, **values}
-    name, effect, us = given["name"], EFFECTS.get(str(given["effect"])), given["us"]
+    keys = {**_DEFAULTS, **values}
+    name, effect, us = keys["name"], EFFECTS.get(str(keys["effect"])), keys["us"]
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,31}", name):
         raise ValueError(f"{who} is no name of letters and digits, a letter first")
     if effect is None:
-        raise ValueError(f"{who} has the effect {str(given['effect'])[:40]!a}: "
+        raise ValueError(f"{who} has the effect {str(keys['effect'])[:40]!a}: "
                          f"the effects are {', '.join(EFFECTS)}")  # fmt: skip
-    written_, read = _counts(who, effect, given["destinations"], given["sources"])
-    divisor = given["divisor"]
-    if not _whole(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
+    written_, read = _counts(who, effect, keys["destinations"], keys["sources"])
+    divisor = keys["divisor"]
+    if not _is_integer_within(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
         raise ValueError(f"{who} has a divisor that is not 1 to 64, or is no bus word")
-    inverted = given["inverted"]
+    inverted = keys["inverted"]
     if not isinstance(inverted, bool) or (inverted and effect is not Effect.DIGITAL):
         raise ValueError(f"{who} is inverted, and no digital word")
     number = isinstance(us, int | float) and not isinstance(us, bool)
@@ -133,7 +133,7 @@ def _row(values: Any, who: str) -> Operation:
         name,
         effect,
         int(effect in _DIGITAL),
-        _lines(who, effect, given["lines"]),
+        _lines(who, effect, keys["lines"]),
         (written_, written_),
         read,
         inverted=inverted,
@@ -146,12 +146,14 @@ def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tu
     """How many registers a word writes and reads."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
-    if not _whole(written_, int(effect in _WRITES), most):
+    if not _is_integer_within(written_, int(effect in _WRITES), most):
         raise ValueError(f"{who} writes {int(effect in _WRITES)} to {most} destinations")
     most = len(DIGITAL_SOURCES if digital else ANALOG_SOURCES) if effect in _READS else 0
     pair = isinstance(read, Sequence) and not isinstance(read, str) and len(read) == 2
     least = int(effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL))
-    if not pair or not (_whole(read[0], least, most) and _whole(read[1], read[0], most)):
+    if not pair or not (
+        _is_integer_within(read[0], least, most) and _is_integer_within(read[1], read[0], most)
+    ):
         raise ValueError(f"{who} reads [fewest, most] sources, {least} to {most}")
     return written_, (read[0], read[1])
 
@@ -174,20 +176,22 @@ def _operand_lines(digital: bool) -> frozenset[int]:
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 
 
-def _alike(one: Operation, other: Operation) -> bool:
+def _alike(first: Operation, second: Operation) -> bool:
     """Whether two operations could be one word: equal but for the lines of their operands."""
-    if one.clock != other.clock:
+    if first.clock != second.clock:
         return False
-    operands = _operand_lines(not one.analog)
-    if {*one.lines} - operands != {*other.lines} - operands:
+    operands = _operand_lines(not first.analog)
+    if {*first.lines} - operands != {*second.lines} - operands:
         return False
-    return _meet(one.destinations, other.destinations) and _meet(one.sources, other.sources)
+    return _meet(first.destinations, second.destinations) and _meet(first.sources, second.sources)
 
 
-def _meet(one: tuple[int, int | None], other: tuple[int, int | None]) -> bool:
+def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
     """Whether a number of operands is in both ranges; None is no limit."""
-    return (other[1] is None or one[0] <= other[1]) and (one[1] is None or other[0] <= one[1])
+    return (second[1] is None or first[0] <= second[1]) and (
+        first[1] is None or second[0] <= first[1]
+    )
 
 
-def _whole(value: Any, low: int, high: int) -> bool:
+def _is_integer_within(value: Any, low: int, high: int) -> bool:
     return isinstance(value, int) and not isinstance(value, bool) and low <= value <= high

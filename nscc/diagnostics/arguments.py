@@ -34,14 +34,16 @@ def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> Non
     plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
     if plain and value in allowed:
         return
-    names = [each for each in allowed if isinstance(each, str)]
+    names = [choice for choice in allowed if isinstance(choice, str)]
     raise wrong_argument(
         f"{call}: {name} is one of {', '.join(map(repr, allowed))}, not {shown(value)}",
         helps=meant(value, names) if isinstance(value, str) else (),
     )
 
 
-def whole(call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1) -> None:
+def require_whole_number(
+    call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1
+) -> None:
     """Raises WrongArgument unless the call's argument `name` is a whole number within limits."""
     is_number = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
@@ -51,9 +53,9 @@ def whole(call: str, name: str, value: object, least: int = 0, most: int = 2**63
 
 def warn(diagnostics: Iterable[Diagnostic]) -> None:
     """Warnings among diagnostics as Python's own, at the place that the caller was called from."""
-    for each in diagnostics:
-        if each.severity is Severity.WARNING:
-            warnings.warn(render([each], "human").rstrip(), stacklevel=3)
+    for diagnostic in diagnostics:
+        if diagnostic.severity is Severity.WARNING:
+            warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=3)
 
 
 def shown(value: object) -> str:
@@ -70,6 +72,6 @@ def shown(value: object) -> str:
         return f"{kind} {value[:40]!r}" + (" .." if len(value) > 40 else "")
     name, kind_of = type(value).__name__, getattr(value, "dtype", None)
     if kind_of is not None and hasattr(value, "shape"):
-        what = "an array" if name == "ndarray" else f"a {name}"
-        return f"{what} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
+        kind_text = "an array" if name == "ndarray" else f"a {name}"
+        return f"{kind_text} {tuple(value.shape)} of {str(kind_of).removeprefix('torch.')}"
     return f"{'an' if name[:1].lower() in 'aeiou' else 'a'} {name}"

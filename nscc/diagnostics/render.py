@@ -144,8 +144,8 @@ def _labelled(
 
 
 def _helps(diagnostic: Diagnostic) -> list[str]:
-    said = "".join(diagnostic.helps)
-    fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in said]
+    helps_text = "".join(diagnostic.helps)
+    fixes = [fix.title for fix in diagnostic.fixes if f"`{fix.replacement}`" not in helps_text]
     helps = [*diagnostic.helps, *fixes]
     lines = [f"help: {text}" for text in helps]
     if diagnostic.ways_out:

@@ -57,22 +57,22 @@ def sarif(diagnostics: Sequence[Diagnostic]) -> str:
 
 def _result(diagnostic: Diagnostic, codes: Sequence[str]) -> dict[str, Any]:
     source = diagnostic.source
-    found: dict[str, Any] = {
+    result: dict[str, Any] = {
         "ruleId": diagnostic.code,
         "ruleIndex": codes.index(diagnostic.code),
         "level": str(diagnostic.severity),
         "message": {"text": full_text(diagnostic)},
     }
     if source is not None:
-        found["locations"] = [_location(source, diagnostic.label)]
+        result["locations"] = [_location(source, diagnostic.label)]
         related = [_location(source, label) for label in diagnostic.related]
         if related:
-            found["relatedLocations"] = related
+            result["relatedLocations"] = related
         if diagnostic.fixes:
-            found["fixes"] = [_fix(source, fix) for fix in diagnostic.fixes]
+            result["fixes"] = [_fix(source, fix) for fix in diagnostic.fixes]
     if diagnostic.data:
-        found["properties"] = dict(diagnostic.data)
-    return found
+        result["properties"] = dict(diagnostic.data)
+    return result
 
 
 def _location(source: Source, label: Label | None) -> dict[str, Any]:

@@ -30,9 +30,9 @@ def closest(name: str, candidates: Iterable[str]) -> str | None:
     from difflib import SequenceMatcher  # only where a name is wrong: keeps start-up short
 
     matcher = SequenceMatcher(None, "", folded, autojunk=False)
-    part = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
-    if part is not None:
-        return part
+    by_word = next((by_folded[p] for p in re.split("[-_ ]", folded) if p in by_folded), None)
+    if by_word is not None:
+        return by_word
     best, least = None, 0.5 if len(folded) <= 3 else 0.65
     for candidate, original in by_folded.items():
         matcher.set_seq1(candidate)
@@ -47,8 +47,8 @@ def meant(
 ) -> tuple[str, ...]:
     """The help that asks for the nearest candidate, as it is `written`; where none is near, the
     help that says `otherwise`."""
-    near = closest(name, candidates)
-    help_text = did_you_mean(written.format(near)) if near else otherwise
+    nearest = closest(name, candidates)
+    help_text = did_you_mean(written.format(nearest)) if nearest else otherwise
     return (help_text,) if help_text else ()
 
 

@@ -57,8 +57,8 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
     starts = statement_starts(tokens)
     if tokens.kinds[-1:] == ["UNCLOSED"]:
         return _in_quotes(document, tokens, starts, offset)
-    found = _WORD.search(before)
-    typed = found.group() if found else ""
+    match = _WORD.search(before)
+    typed = match.group() if match else ""
     span = Span(offset - len(typed), offset)
     tokens = lex(Source(document.name, before[: span.start]))
     return span, list(_Place(document, tokens, statement_starts(tokens)).offers())
@@ -88,8 +88,8 @@ class _Place:
             yield from self._names(statement, begin)
         if "TARGET_NAME" in expected:
             yield from (Offer(name, "target", "a chip") for name in target_names())
-        own = reserved(self.tokens.version).difference(FORMS)
-        yield from (Offer(word, "word") for word in sorted(own & expected) if word.isalpha())
+        words = reserved(self.tokens.version).difference(FORMS)
+        yield from (Offer(word, "word") for word in sorted(words & expected) if word.isalpha())
         if statement == "bucket" and "open" in expected:
             yield Offer("open", "word")
         if END in expected:
@@ -133,12 +133,12 @@ class _Place:
                 scope = pixels_scope(declared, constants)
             case _:
                 scope = constants_scope(declared, constants)
-        what = dict(declared.declared())
+        descriptions = dict(declared.declared())
         for name, meaning in scope.items():
             if meaning.kind != "misplaced":
                 value = f" = {meaning.value}" if meaning.kind == "constant" else ""
-                told = what.get(name, PREDEFINED.get(name, ""))
-                yield Offer(name, "name", f"{told}{value}".strip())
+                description = descriptions.get(name, PREDEFINED.get(name, ""))
+                yield Offer(name, "name", f"{description}{value}".strip())
 
 
 def _in_quotes(

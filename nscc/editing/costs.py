@@ -57,8 +57,8 @@ def slot_cost(document: Document, slot: int) -> str | None:
 
 
 def _shortest_slot_us(compiled: Compiled | None) -> float | None:
-    made = None if compiled is None else compiled.lowered or compiled.sending
-    return None if made is None else made.shortest_slot_us
+    result = None if compiled is None else compiled.lowered or compiled.sending
+    return None if result is None else result.shortest_slot_us
 
 
 def _share(us: float, slot_us: float) -> str:
@@ -69,9 +69,9 @@ def _words_of_frame(lowered: Lowered) -> str:
     schedule, slots = lowered.schedule, lowered.plan.slots
     most = max(lowered.words_per_boundary)
     boundary = lowered.words_per_boundary.index(most)
-    where = f"before slot {boundary}" if boundary < slots else "after the last slot"
+    place = f"before slot {boundary}" if boundary < slots else "after the last slot"
     return (
         f"{counted(schedule.words_total, 'word')} a frame, {schedule.words_stored} stored of "
         f"{lowered.program.target.store_words}: {schedule.words_total / slots:.3g} a slot, at most "
-        f"{most}, {where}."
+        f"{most}, {place}."
     )

@@ -57,7 +57,7 @@ def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
     """What of the text would be replaced, and by what: directives and instructions where a line
     begins, then chips, kernels or registers, as the word that begins it takes."""
     line = listing.text[:offset].rpartition("\n")[2]
-    typed = found.group() if (found := _TYPED.search(line)) else ""
+    typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]
     offers = [] if re.search(r"[;#|]", before) else [*_offers(listing, before.split())]
     return Span(offset - len(typed), offset), offers

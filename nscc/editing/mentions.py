@@ -29,17 +29,17 @@ class Mention:
 def mentions(document: Document) -> list[Mention]:
     """All names of a text in its order, but for those of targets and of arrays in files."""
     tokens, kinds = document.tokens, document.tokens.kinds
-    found = []
+    listed = []
     for index, kind in enumerate(kinds):
         before = kinds[index - 1] if index else ""
         if kind != "NAME" or before == "key":
             continue
-        kept = before == "kept" and kinds[index - 2 : index - 1] == ["state"]
+        is_kept_state = before == "kept" and kinds[index - 2 : index - 1] == ["state"]
         bucket = before in ("bucket", "exposure")
-        declares = kept or before in DECLARES or before == "bucket"
+        declares = is_kept_state or before in DECLARES or before == "bucket"
         name = tokens.text(index)
-        found.append(Mention(name, tokens.span(index), "bucket" if bucket else "name", declares))
-    return found
+        listed.append(Mention(name, tokens.span(index), "bucket" if bucket else "name", declares))
+    return listed
 
 
 def mention_at(document: Document, offset: int) -> Mention | None:
@@ -49,10 +49,14 @@ def mention_at(document: Document, offset: int) -> Mention | None:
 
 def alike(document: Document, mention: Mention) -> list[Mention]:
     """All mentions of what one names, itself among them, in the text's order."""
-    wanted = (mention.name, mention.kind)
-    return [each for each in mentions(document) if (each.name, each.kind) == wanted]
+    identity = (mention.name, mention.kind)
+    return [
+        candidate
+        for candidate in mentions(document)
+        if (candidate.name, candidate.kind) == identity
+    ]
 
 
 def declaration(document: Document, mention: Mention) -> Mention | None:
     """The first mention that gives the name its meaning; None for predefined and unknown ones."""
-    return next((each for each in alike(document, mention) if each.declares), None)
+    return next((candidate for candidate in alike(document, mention) if candidate.declares), None)

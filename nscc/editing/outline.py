@@ -45,7 +45,7 @@ class Entry:
 
 def outline(document: Document) -> list[Entry]:
     """Those statements that have a name, the frame and the rule, in the order written."""
-    found = []
+    entries = []
     for statement in document.parsed[0].statements:
         kind = _KINDS.get(type(statement))
         if kind is None:
@@ -56,5 +56,5 @@ def outline(document: Document) -> list[Entry]:
         detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
         if len(detail) > _LONGEST:
             detail = detail[: _LONGEST - 3] + "..."
-        found.append(Entry(kind if name is None else name.text, detail, kind, span, at))
-    return found
+        entries.append(Entry(kind if name is None else name.text, detail, kind, span, at))
+    return entries

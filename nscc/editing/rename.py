@@ -34,29 +34,31 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
         raise CannotRename(f"`{name}` is a word of the language")
     if old.kind == "name" and name in _predefined(document):
         raise CannotRename(f"`{name}` is predefined")
-    others = {(each.name, each.kind) for each in mentions(document)} - {(old.name, old.kind)}
-    if (name, old.kind) in others:
+    other_names = {(place.name, place.kind) for place in mentions(document)} - {
+        (old.name, old.kind)
+    }
+    if (name, old.kind) in other_names:
         raise CannotRename(f"`{name}` stands for something else in this program")
-    return tuple(each.span for each in alike(document, old))
+    return tuple(place.span for place in alike(document, old))
 
 
 def renameable(document: Document, offset: int) -> Mention:
     """The name at `offset`, if it may have another one. Raises CannotRename as `renamed` does."""
-    found = mention_at(document, offset)
-    if found is None:
+    mention = mention_at(document, offset)
+    if mention is None:
         raise CannotRename("no name of the program stands here")
-    if declaration(document, found) is None:
-        predefined = found.name in _predefined(document)
+    if declaration(document, mention) is None:
+        predefined = mention.name in _predefined(document)
         why = "is predefined" if predefined else "is not declared in this program"
-        raise CannotRename(f"`{found.name}` {why}")
+        raise CannotRename(f"`{mention.name}` {why}")
     file = document.declared.pixels_file
-    by_name = found.name in document.declared.codes.keys() - document.declared.pixels.keys()
-    if file is not None and by_name and found.kind == "name":
+    by_name = mention.name in document.declared.codes.keys() - document.declared.pixels.keys()
+    if file is not None and by_name and mention.kind == "name":
         raise CannotRename(
-            f"the pixels' `{found.name}` is the array of that name in "
+            f"the pixels' `{mention.name}` is the array of that name in "
             f'"{file.path.value}": give the array another name first'
         )
-    return found
+    return mention
 
 
 def _predefined(document: Document) -> Set[str]:

@@ -26,11 +26,11 @@ def plan_text(plan: ExposurePlan) -> str:
     lines = [f"lowering {plan.lowering}, {plan.slots} slots, {plan.shutters} shutters"]
     lines += [f"  {register:<5} {holder}" for register, holder in plan.registers.items()]
     for step in plan.steps:
-        asked = step.predicate
-        where = "every pixel" if asked is None else f"{asked.bit_count()} shutters"
+        predicate = step.predicate
+        pixels_text = "every pixel" if predicate is None else f"{predicate.bit_count()} shutters"
         bucket = "" if step.bucket < 0 else f" bucket {step.bucket}"
         words = "; ".join(str(word) for word in step.words)
-        lines.append(f"boundary {step.boundary:>4} {step.role:<5}{bucket} [{where}]  {words}")
+        lines.append(f"boundary {step.boundary:>4} {step.role:<5}{bucket} [{pixels_text}]  {words}")
     return "\n".join(lines) + "\n"
 
 
@@ -41,11 +41,11 @@ def planned_text(planned: Planned) -> str:
 
 def gated_text(gated: Gated) -> str:
     """The gates of every plan for which they were searched for, the best first."""
-    found = [
-        f"lowering {each.plan.lowering}\n{gates_text(each, gated.program.target)}"
-        for each in gated.tried
+    texts = [
+        f"lowering {decoding.plan.lowering}\n{gates_text(decoding, gated.program.target)}"
+        for decoding in gated.decodings
     ]
-    return "".join(found) + _misfits_text(gated.misfits)
+    return "".join(texts) + _misfits_text(gated.misfits)
 
 
 def gates_text(decoding: Decoding, target: Target) -> str:
@@ -88,7 +88,7 @@ def schedule_text(lowered: Lowered) -> str:
 def choice_text(choice: Choice) -> str:
     """The lowerings that were laid out, best first, with their prices; kernels of the best one."""
     lines = []
-    for lowered in choice.tried:
+    for lowered in choice.lowerings:
         least, most = lowered.plan.analog_writes
         lines.append(
             f"{lowered.plan.lowering:<11}{'fits' if lowered.fits else 'does not fit':<13}"

@@ -13,20 +13,20 @@ _MOST_SHOWN = 12
 def looks_lines(machine: Machine, buckets: tuple[str, ...], target: Target) -> list[str]:
     """The comparisons, a line for each signal and level as IN has it, and the states."""
     at: dict[tuple[int, int], list[int]] = {}
-    for each in machine.comparisons:
-        at.setdefault((each.signal, each.level), []).append(each.boundary)
+    for comparison in machine.comparisons:
+        at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
     lines = []
     for (signal, level), boundaries in at.items():
         electrons = level * target.electrons_per_step
-        what = "light" if signal == LIGHT else f"exposure of {buckets[signal]}"
+        signal_text = "light" if signal == LIGHT else f"exposure of {buckets[signal]}"
         shown = ", ".join(map(str, boundaries[:_MOST_SHOWN]))
-        more = f" and {len(boundaries) - _MOST_SHOWN} more" * (len(boundaries) > _MOST_SHOWN)
+        more_text = f" and {len(boundaries) - _MOST_SHOWN} more" * (len(boundaries) > _MOST_SHOWN)
         lines.append(
-            f"{what} above {electrons:.6g} e ({level} steps of IN, "
-            f"{100 * electrons / target.full_well_e:.4g} %) at {shown}{more}"
+            f"{signal_text} above {electrons:.6g} e ({level} steps of IN, "
+            f"{100 * electrons / target.full_well_e:.4g} %) at {shown}{more_text}"
         )
     states = [
-        f"{state.name} {state.low}..{state.high}{', kept' * state.kept}{', read' * state.read}"
+        f"{state.name} {state.low}..{state.high}{', kept' * state.is_kept}{', read' * state.read}"
         for state in machine.states
     ]
     return [*lines, *([f"states: {'; '.join(states)}"] if states else [])]
@@ -38,17 +38,17 @@ def looks_report(machine: Machine, target: Target) -> dict[str, Any]:
         "boundaries": list(machine.looks),
         "comparisons": [
             {
-                "boundary": each.boundary,
-                "signal": "light" if each.signal == LIGHT else each.signal,
-                "steps": each.level,
-                "level_e": each.level * target.electrons_per_step,
+                "boundary": comparison.boundary,
+                "signal": "light" if comparison.signal == LIGHT else comparison.signal,
+                "steps": comparison.level,
+                "level_e": comparison.level * target.electrons_per_step,
             }
-            for each in machine.comparisons
+            for comparison in machine.comparisons
         ],
         "states": [
             {
                 "name": state.name, "low": state.low, "high": state.high, "start": state.start,
-                "kept": state.kept, "read": state.read,
+                "kept": state.is_kept, "read": state.read,
             }
             for state in machine.states
         ],

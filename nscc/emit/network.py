@@ -81,8 +81,8 @@ class NetworkMaker:
                 if register in self.holds:
                     roles.setdefault(self.holds[register], []).append(role)
         for value, names in roles.items():
-            said = {} if gate.mask is None else {"role": " ".join(names)}
-            self.network.add_edge(value, node, **said)
+            attributes = {} if gate.mask is None else {"role": " ".join(names)}
+            self.network.add_edge(value, node, **attributes)
         self.holds[gate.destination] = node
 
     def value(
@@ -205,7 +205,7 @@ def interference(network: nx.DiGraph) -> nx.Graph:
         alive -= {value for value in network.predecessors(node) if last[value] == node}
         if kind in ("plane", "gate", "look"):
             graph.add_node(node)
-            graph.add_edges_from((node, other) for other in alive)
+            graph.add_edges_from((node, other_value) for other_value in alive)
             if node in last:
                 alive.add(node)
     return graph
@@ -256,8 +256,8 @@ def _label(node: dict[str, str | int]) -> list[str]:
             name = f"{node['function']} {node['name']}"
             return [name, f"{node['register']}, boundary {node['boundary']}"]
         case "look":
-            what = f"{node['signal']} at most {node['steps']} steps"
-            return [what, f"FLAG, boundary {node['boundary']}"]
+            comparison_text = f"{node['signal']} at most {node['steps']} steps"
+            return [comparison_text, f"FLAG, boundary {node['boundary']}"]
         case "demand":
             return [f"{node['edge']} of {node['bucket'] or 'PIX'}", f"boundary {node['boundary']}"]
         case "state":

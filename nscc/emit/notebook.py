@@ -47,9 +47,11 @@ def shutter_chart(
     shapes.append(html.words(_LABELS + _WIDTH, bottom + 15, time_text(float(edges[-1])), "end"))
     title = f"when {count} shutters are open"
     chart = html.drawing(_LABELS + _WIDTH, bottom + _AXIS, shapes, title)
-    some = html.text(f"{len(chosen)} of {count} shutters") if len(chosen) < count else html.Html()
+    count_note = (
+        html.text(f"{len(chosen)} of {count} shutters") if len(chosen) < count else html.Html()
+    )
     legend = html.legend(buckets) if len(buckets) > 1 else html.Html()
-    return html.Html(f"{chart}{legend}{some}")
+    return html.Html(f"{chart}{legend}{count_note}")
 
 
 def _bars(
@@ -61,8 +63,8 @@ def _bars(
     ends = np.concatenate((starts[1:], [len(shade)]))
     paths: dict[int, list[str]] = {}
     for start, end in zip(starts, ends, strict=True):
-        left, right = (_LABELS + _WIDTH * places[edge] for edge in (start, end))
-        box = f"M{left:.4g} {top:.4g}H{right:.4g}v{height:.4g}H{left:.4g}z"
+        x0, x1 = (_LABELS + _WIDTH * places[edge] for edge in (start, end))
+        box = f"M{x0:.4g} {top:.4g}H{x1:.4g}v{height:.4g}H{x0:.4g}z"
         paths.setdefault(int(shade[start]), []).append(box)
     colour = html.SERIES[bucket % len(html.SERIES)]
     return [

@@ -52,7 +52,7 @@ def report(choice: Choice, proof: Proof) -> dict[str, Any]:
         "refreshed": list(schedule.refreshed),
         "analog_writes": _range(lowered),
         "headroom_e": lowered.headroom_e,
-        "alternatives": [*map(_priced, choice.tried[1:]), *misfits],
+        "alternatives": [*map(_priced, choice.lowerings[1:]), *misfits],
         "failed_generators": list(choice.failed_generators),
         "proof": {
             "codes": proof.codes,

@@ -29,10 +29,12 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
     places = [f"{b.name} in {tap}" for b, tap in zip(program.buckets, taps, strict=True)]
-    rest = sorted({int(place) for place in sending.route.zeros} - {*range(len(program.buckets))})
-    places += [f"the rest to {_place(place, target)}" for place in rest]
+    closed_places = sorted(
+        {int(place) for place in sending.route.zeros} - {*range(len(program.buckets))}
+    )
+    places += [f"the rest to {_place(place, target)}" for place in closed_places]
     pixels = f"{counted(proof.pixels, 'pixel')} x " if proof.pixels else ""
-    what = "" if proof.pixels else ", no pixels yet"
+    pixels_note = "" if proof.pixels else ", no pixels yet"
     return [
         ("light", "; ".join(places)),
         (
@@ -46,7 +48,7 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
             f"{time_text(sending.shortest_slot_us)}"
             + (" meanwhile" if target.pipelined else " of its slot, light led away"),
         ),
-        ("proved", f"{pixels}{counted(proof.slots, 'slot')}{what}"),
+        ("proved", f"{pixels}{counted(proof.slots, 'slot')}{pixels_note}"),
     ]
 
 
@@ -69,10 +71,10 @@ def sending_text(sending: Sending) -> str:
         f"{sending.bits_a_frame} bits a frame, {time_text(sending.shortest_slot_us)} each"
     ]
     named = {DRAIN: "drain", **dict(enumerate(target.taps))}
-    for slot, each in enumerate(sending.loadings):
+    for slot, loading in enumerate(sending.loadings):
         ones, zeros = named[int(way.ones[slot])], named[int(way.zeros[slot])]
         lines.append(
-            f"slot {slot:>4}: sent at {each.load_us:g} us, acts at {each.acts_us:g} us: "
+            f"slot {slot:>4}: sent at {loading.load_us:g} us, acts at {loading.acts_us:g} us: "
             f"1 {ones}, 0 {zeros}"
         )
     return "\n".join(lines) + "\n"
@@ -142,8 +144,8 @@ def planes_bytes(container: Container) -> bytes:
         planes=sent.planes,
         ones=sent.ones,
         zeros=sent.zeros,
-        load_us=np.array([each.load_us for each in loadings]),
-        acts_us=np.array([each.acts_us for each in loadings]),
+        load_us=np.array([loading.load_us for loading in loadings]),
+        acts_us=np.array([loading.acts_us for loading in loadings]),
         slot_us=np.array(container.slot_us),
     )
     return out.getvalue()

@@ -39,7 +39,7 @@ class Family:
     """
 
     name: str
-    what: str
+    description: str
     unit: Literal["slots", "rows"]
     text: Callable[[int, str], str]
     shutters: Callable[[int], int]
@@ -139,11 +139,16 @@ def _mixed(number: int) -> int:
 
 
 def _by_slots(
-    name: str, what: str, rule: str, shutters: Callable[[int], int], counted_as: str, least: int = 1
+    name: str,
+    description: str,
+    rule: str,
+    shutters: Callable[[int], int],
+    counted_as: str,
+    least: int = 1,
 ) -> Family:
     ceiling, reason = _provable(shutters)
     return Family(
-        name, what, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
+        name, description, "slots", lambda size, slot: program_text(size, slot, rule), shutters,
         counted_as, lambda size: size, True, least, ceiling, reason,
     )  # fmt: skip
 

@@ -56,30 +56,30 @@ def explore(
     Yields each trial as it is made, at most `budget` of them, and returns all by size. The next
     larger size is tried before the middle: limits tend to lie where one more bit is needed.
     """
-    tried: dict[int, Trial] = {}
+    trials: dict[int, Trial] = {}
 
     def make(size: int) -> Generator[Trial, None, bool]:
-        tried[size] = attempt(size)
-        yield tried[size]
-        return tried[size].fits
+        trials[size] = attempt(size)
+        yield trials[size]
+        return trials[size].fits
 
     failures = 0
     for size in sizes:
-        if len(tried) == budget or failures == GIVE_UP_AFTER:
+        if len(trials) == budget or failures == GIVE_UP_AFTER:
             break
         failures = 0 if (yield from make(size)) else failures + 1
-    good = max((t.size for t in tried.values() if t.fits), default=None)
-    if good is None:
-        return tried
-    bad = min((size for size in tried if size > good), default=good + 1)
-    probe = good + 1
-    while bad - good > 1 and len(tried) < budget:
+    largest_fit = max((t.size for t in trials.values() if t.fits), default=None)
+    if largest_fit is None:
+        return trials
+    smallest_misfit = min((size for size in trials if size > largest_fit), default=largest_fit + 1)
+    probe = largest_fit + 1
+    while smallest_misfit - largest_fit > 1 and len(trials) < budget:
         if (yield from make(probe)):
-            good = probe
+            largest_fit = probe
         else:
-            bad = probe
-        probe = (good + bad) // 2
-    return tried
+            smallest_misfit = probe
+        probe = (largest_fit + smallest_misfit) // 2
+    return trials
 
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:

@@ -32,7 +32,7 @@ class Limit:
 
     family: Family
     slot: str
-    tried: tuple[Trial, ...]
+    trials: tuple[Trial, ...]
     built: Trial | None
     impossible: int | None
     impossible_reason: str
@@ -47,7 +47,7 @@ class Limit:
     def gaps(self) -> tuple[Trial, ...]:
         """Sizes below the largest built that did not fit."""
         built = self.built.size if self.built else 0
-        return tuple(trial for trial in self.tried if trial.size < built and not trial.fits)
+        return tuple(trial for trial in self.trials if trial.size < built and not trial.fits)
 
 
 def survey(
@@ -62,11 +62,11 @@ def survey(
         "--limits has nothing to find",
         f"any shutter fits slots of {time_text(target.plane_load_us)}: only the time limits it",
     )
-    found = []
+    limits = []
     for slot in slots:
         for family in families():
-            found.append((yield from limit_of(family, target, options, slot)))
-    return found
+            limits.append((yield from limit_of(family, target, options, slot)))
+    return limits
 
 
 def limit_of(
@@ -78,9 +78,9 @@ def limit_of(
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
     sizes = candidates(family.shutters, family.least, most)
     trials = yield from explore(sizes, lambda size: _attempt(family, size, slot, options), BUDGET)
-    tried = tuple(trials[size] for size in sorted(trials))
-    built = next((trial for trial in reversed(tried) if trial.fits), None)
-    proved = [t for t in tried if t.proved] if family.nested else []
+    ordered_trials = tuple(trials[size] for size in sorted(trials))
+    built = next((trial for trial in reversed(ordered_trials) if trial.fits), None)
+    proved = [t for t in ordered_trials if t.proved] if family.nested else []
     impossible, reason = capacity, ""
     if capacity is not None:
         shutters = family.shutters(capacity)
@@ -90,7 +90,7 @@ def limit_of(
         )
     if proved:
         impossible, reason = proved[0].size, proved[0].reason
-    limit = Limit(family, slot, tried, built, impossible, reason, "")
+    limit = Limit(family, slot, ordered_trials, built, impossible, reason, "")
     return replace(limit, unknown_reason=_unknown(limit))
 
 
@@ -127,7 +127,7 @@ def _unknown(limit: Limit) -> str:
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""
     reasons = []
-    nearest = next((trial for trial in limit.tried if trial.size >= first), None)
+    nearest = next((trial for trial in limit.trials if trial.size >= first), None)
     if nearest is not None and (limit.impossible is None or nearest.size < limit.impossible):
         proves = "certain, but only for these rows" if nearest.proved else "which proves nothing"
         reasons.append(f"{nearest.size} was tried: {nearest.reason} [{nearest.code}], {proves}")

@@ -55,7 +55,7 @@ def _row(limit: Limit) -> tuple[str, ...]:
 
 def _reasons(limit: Limit) -> list[str]:
     family = limit.family
-    lines = [f"  {family.name}: {family.what}", f"    built       {_tried(limit)}"]
+    lines = [f"  {family.name}: {family.description}", f"    built       {_trials_text(limit)}"]
     if limit.impossible is not None:
         lines.append(f"    impossible  from {limit.impossible}: {limit.impossible_reason}")
     if limit.unknown_reason:
@@ -67,11 +67,11 @@ def _reasons(limit: Limit) -> list[str]:
     return lines
 
 
-def _tried(limit: Limit) -> str:
+def _trials_text(limit: Limit) -> str:
     """What was compiled, with every size below the largest that did not fit."""
     if limit.built is None:
         return "nothing that was tried fits"
-    count = sum(trial.size <= limit.built.size for trial in limit.tried)
+    count = sum(trial.size <= limit.built.size for trial in limit.trials)
     if not limit.gaps:
         return f"{limit.built.size}; so did all {count} sizes tried up to it"
     gaps = "; ".join(f"{t.size} did not: {t.reason} [{t.code}]" for t in limit.gaps)
@@ -96,14 +96,14 @@ def _limit_values(limit: Limit) -> dict[str, Any]:
         unknown = {"from": limit.unknown_from, "to": last, "reason": limit.unknown_reason}
     return {
         "class": limit.family.name,
-        "shutters": limit.family.what,
+        "shutters": limit.family.description,
         "slot": limit.slot,
         "unit": limit.family.unit,
         "built_up_to": limit.built.size if limit.built else None,
         "impossible_from": limit.impossible,
         "impossible_reason": limit.impossible_reason or None,
         "unknown": unknown,
-        "tried": [_trial_values(trial) for trial in limit.tried],
+        "tried": [_trial_values(trial) for trial in limit.trials],
     }
 
 

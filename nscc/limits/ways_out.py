@@ -77,15 +77,15 @@ def _candidates(program: Program, attempt: Attempt, most: int) -> Iterator[WayOu
             yield _way_out("`--codes fixed`", f"only the {in_use} in use", lowered, level)
     yield from _fewer_rows(program, attempt, most)
     yield from _fewer_slots(program, attempt, level)
-    for rule, what, why in _simpler(program):
+    for rule, change, why in _simpler(program):
         lowered = attempt(_source(program, rule, len(program.frame.slot_us)), "open", level)
         if lowered is not None:
-            yield _way_out(what, why, lowered, level)
+            yield _way_out(change, why, lowered, level)
 
 
-def _way_out(what: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
+def _way_out(change: str, why: str, lowered: Lowered, level: int, **data: int) -> WayOut:
     words = lowered.schedule.words_total / len(lowered.program.frame.slot_us)
-    return WayOut(f"{what:<24}{why}: {words:.3g} words a slot at -O{level}", data)
+    return WayOut(f"{change:<24}{why}: {words:.3g} words a slot at -O{level}", data)
 
 
 def _source(program: Program, rule: str, slots: int) -> Source:
@@ -157,16 +157,16 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
     least, most = 2, slots - 1
     match program.class_name:
         case "b":
-            rule, kept = stop_rule("1"), "every stop"
+            rule, kept_shutters = stop_rule("1"), "every stop"
         case "c":
             length = int(program.table.shutters.sum(axis=2).max(initial=1))
             least = length + 1
-            rule, kept = start_rule(length), f"every bump of {counted(length, 'slot')}"
+            rule, kept_shutters = start_rule(length), f"every bump of {counted(length, 'slot')}"
         case "d":
-            rule, kept = bump_rule(), "every bump"
+            rule, kept_shutters = bump_rule(), "every bump"
             most = largest_with(lambda n: n * (n + 1) // 2, 1 << registers, 1, most)
         case "e":
-            rule, kept = bits_rule(), "every shutter"
+            rule, kept_shutters = bits_rule(), "every shutter"
             most = min(most, registers)
         case _:
             return
@@ -174,7 +174,7 @@ def _fewer_slots(program: Program, attempt: Attempt, level: int) -> Iterator[Way
     quick = partial(attempt, level=level)
     count, lowered = _largest(least, most, build, quick, _FRAME_TRIALS)
     if lowered is not None:
-        why = f"{counted(slots - count, 'slot')} fewer, {kept} still possible"
+        why = f"{counted(slots - count, 'slot')} fewer, {kept_shutters} still possible"
         yield _way_out(f"frame {count} slots", why, lowered, level)
 
 

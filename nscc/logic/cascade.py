@@ -173,7 +173,9 @@ class _Finder:
         for i, demand in enumerate(problem.demands):
             before = problem.demands[i - 1].predicate if demand.flag_kept else None
             flag_predicate = -1 if before is None else number[before]
-            tasks.append(None if problem.answered(i) else (number[demand.predicate], flag_predicate))
+            tasks.append(
+                None if problem.answered(i) else (number[demand.predicate], flag_predicate)
+            )
         return tasks
 
     def _quick_width(self) -> int:
@@ -201,9 +203,16 @@ class _Finder:
         times = self._times
         repeats = times.total() - len(times)
         optional_cascades = self._search(planes, scratch).find(
-            *self._predicates_and_flag(list(times)), [min(most, _LONGEST)] * len(times), width, most - repeats
+            *self._predicates_and_flag(list(times)),
+            [min(most, _LONGEST)] * len(times),
+            width,
+            most - repeats,
         )
-        cascades = {task: cascade for task, cascade in zip(times, optional_cascades, strict=True) if cascade is not None}
+        cascades = {
+            task: cascade
+            for task, cascade in zip(times, optional_cascades, strict=True)
+            if cascade is not None
+        }
         if len(cascades) < len(times):
             return None
         words = sum(count * cascades[task].words for task, count in times.items())

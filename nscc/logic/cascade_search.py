@@ -45,8 +45,8 @@ class Link:
     """One link of a cascade: what its value is an OR of, or a NOR if `negated`.
 
     The value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in a
-    scratch register of its own; `planes` are read as they are, `held` is FLAG as it stood before
-    the cascade. Every link but the innermost also reads the value of the next one.
+    scratch register of its own; `planes` are read as they are. A link that `reads_flag` also
+    reads FLAG as it was before the cascade. Every link except the innermost reads the next link.
     """
 
     to_flag: bool
@@ -148,13 +148,19 @@ class Search:
         self._where_limit = machine.where_sources or 1 << 30
 
     def find(
-        self, on: Points, flag_before: Points, most_words: Sequence[int], width: int, most_total: int
+        self,
+        on: Points,
+        flag_before: Points,
+        most_words: Sequence[int],
+        width: int,
+        most_total: int,
     ) -> list[Cascade | None]:
-        """For every predicate of `on` (n, W) a cascade of at most `most_words` words that leaves it
-        in FLAG; None where a beam of `width` finds none.
+        """For every predicate of `on` (n, W), find a cascade of at most `most_words` words that
+        leaves it in FLAG; None where a beam of `width` finds none.
 
-        FLAG holds `held` (n, W) before, the empty set where that is not known. The search ends
-        when the cascades will hardly take as few as `most_total` words together.
+        FLAG holds `flag_before` (n, W) before the cascade, the empty set if its content is unknown.
+        The search ends when the cascades are unlikely to take as few as `most_total` words
+        together.
         """
         count = len(on)
         none = np.zeros(count, dtype=np.int64)
@@ -174,8 +180,8 @@ class Search:
             open_still = self._most > words
             finished_words = sum(
                 end[0]
-                for end, link_words in zip(self._ends, open_still, strict=True)
-                if end is not None and not link_words
+                for end, is_open in zip(self._ends, open_still, strict=True)
+                if end is not None and not is_open
             )
             # Words that the open tasks will end at: a bound that is seldom passed, not a proof.
             ahead = words + 1 + np.maximum(undecided - _LAST_BITS, 0) / _MOST_BITS_A_WORD
@@ -195,7 +201,9 @@ class Search:
                     # WHERE only ORs; a register takes a NOR as well as an OR.
                     forms = (values,) if in_flag else (values, values.swapped())
                     for form in forms:
-                        for link_words, inner_in_flag, inner in self._links(form, in_flag, words, width):
+                        for link_words, inner_in_flag, inner in self._links(
+                            form, in_flag, words, width
+                        ):
                             waiting[words + link_words, inner_in_flag].append(inner)
             undecided[np.isinf(undecided)] = 0.0
             words += 1

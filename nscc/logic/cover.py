@@ -93,7 +93,8 @@ class Covers:
     def _candidates(
         self, values: Sequence[int], ahead: Sequence[int], uncovered: int
     ) -> list[Nor] | None:
-        """Cubes inside ahead[0] that reach all of `rest`; None if a shutter cannot be reached."""
+        """Return cubes inside ahead[0] that cover `uncovered`; None if a shutter cannot be
+        covered."""
         nor_by_vector: dict[int, Nor] = {}
         unreached = uncovered
         outside = [self.everything & ~ahead[0]]
@@ -129,7 +130,7 @@ class Covers:
         """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
 
         Every literal dropped makes the cube larger. Of those that may go, the one goes that lets
-        in most of `rest`. When none may, the cube is prime: no larger one avoids `outside`.
+        in most of `uncovered`. When none may, the cube is prime: no larger one avoids `outside`.
         """
         if outside & ~union(values[i] for i in zeros):
             return None
@@ -174,7 +175,7 @@ def life(vector: int, ahead: Sequence[int]) -> int:
 
 
 def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int) -> tuple[int, ...]:
-    """Values, as few as a greedy choice finds, whose OR contains `wanted`."""
+    """Choose few values greedily so that their OR contains `uncovered`."""
     chosen: list[int] = []
     while uncovered:
         best = max(positive, key=lambda i: (values[i] & uncovered).bit_count())
@@ -184,7 +185,7 @@ def _irredundant(positive: Sequence[int], values: Sequence[int], uncovered: int)
 
 
 def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> list[Nor] | None:
-    """The cheapest choice of at most `most` cubes that contains `rest`, by branch and bound."""
+    """Find the cheapest at most `most` cubes that cover `uncovered`, by branch and bound."""
     ordered = sorted(cubes, key=lambda c: (-(c.vector & uncovered).bit_count(), len(c.sources)))
     best: list[Nor] | None = None
     best_cost = float("inf")

@@ -110,7 +110,12 @@ def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
     if free_registers < 0:
         raise GaveUp(f"{planes} code planes are more than {machine.registers} registers")
     solution = _emit_with(problem, machine, encoding, free_registers)
-    if machine.masked and free_registers > 1 and solution.scratch == free_registers and all(solution.writes()):
+    if (
+        machine.masked
+        and free_registers > 1
+        and solution.scratch == free_registers
+        and all(solution.writes())
+    ):
         # Only a plane that never changes may live in the masked register; there is none.
         solution = _emit_with(problem, machine, encoding, free_registers - 1)
     return solution
@@ -286,6 +291,10 @@ class _Emitter:
             self._load_flag(terms)
             return
         scratch_terms = [name for name in terms if name in self._scratch]
-        target = scratch_terms[0] if scratch_terms and len(scratch_terms) == len(self._scratch) else self._free(terms)
+        target = (
+            scratch_terms[0]
+            if scratch_terms and len(scratch_terms) == len(self._scratch)
+            else self._free(terms)
+        )
         self._gates.nor(target, terms)
         self._gates.load_flag([target], None)

@@ -75,7 +75,9 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
         planes += binary_planes(f"{label}, Gray bit", gray(numbers), width)
         for number, (demand, _) in enumerate(events):
             cubes[demand].append(_equality(gray(number), base, width))
-    return Encoding("event times in Gray code", planes, tuple(tuple(demand_cubes) for demand_cubes in cubes))
+    return Encoding(
+        "event times in Gray code", planes, tuple(tuple(demand_cubes) for demand_cubes in cubes)
+    )
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:

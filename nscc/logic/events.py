@@ -90,7 +90,9 @@ def equalities(problem: Problem, machine: Machine, steps: int) -> Iterator[Solut
         stored = room - sum(form.planes for form in chosen)
         for stored_demands in {0, stored}:
             with suppress(GaveUp):
-                yield from walk(problem, machine, _script(problem, events, chosen, stored_demands), steps)
+                yield from walk(
+                    problem, machine, _script(problem, events, chosen, stored_demands), steps
+                )
 
 
 _Events = list[tuple[int, int]]
@@ -201,7 +203,9 @@ def _script(
         planes += binary_planes(f"{field.name}, group, bit", groups, form.bits)
         for digit_name, digit, radix in digits_of(field.numbers, form.radices):
             digit_planes = columns(digit[:, None] != np.arange(radix))
-            planes += [(p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(digit_planes)]
+            planes += [
+                (p, f"{field.name}, {digit_name} is not {m}") for m, p in enumerate(digit_planes)
+            ]
     planes += [(problem.demands[i].predicate, describe_demand(problem.demands[i])) for i in raw]
     closing = before.pop(-1, ())
     name = "event times in digits " + " and ".join(form.name for form in chosen)

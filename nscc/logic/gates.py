@@ -62,13 +62,18 @@ class Gates:
         self._gates.append(Gate("WHERE", "FLAG", tuple(sources)))
 
     def _gather(
-        self, name: str, single_name: str, destination: str, sources: Sequence[str], mask: str | None
+        self,
+        name: str,
+        single_name: str,
+        destination: str,
+        sources: Sequence[str],
+        mask: str | None,
     ) -> None:
         if not sources:
-            self.add(Gate("SET" if many == "NOR" else "CLR", destination, (), mask))
+            self.add(Gate("SET" if name == "NOR" else "CLR", destination, (), mask))
             return
         limit = self._machine.or_sources
-        other_sources = [name for name in sources if name != destination]
+        other_sources = [source for source in sources if source != destination]
         in_place = len(other_sources) < len(sources)
         # OR is associative, so what does not fit is gathered in the destination first. NOR is not:
         # only the last gate inverts. In place, the destination takes one of the sources' places.
@@ -78,10 +83,15 @@ class Gates:
                 head, other_sources = other_sources[:room], other_sources[room:]
                 self._append("OR", "MOV", destination, [destination] * in_place + head, mask)
                 in_place, room = True, limit - 1
-        self._append(many, single_name, destination, [destination] * in_place + other_sources, mask)
+        self._append(name, single_name, destination, [destination] * in_place + other_sources, mask)
 
     def _append(
-        self, many_name: str, single_name: str, destination: str, sources: Sequence[str], mask: str | None
+        self,
+        many_name: str,
+        single_name: str,
+        destination: str,
+        sources: Sequence[str],
+        mask: str | None,
     ) -> None:
         name = many_name if len(sources) > 1 else single_name
         self._gates.append(Gate(name, destination, tuple(sources), mask))

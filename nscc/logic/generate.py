@@ -191,7 +191,9 @@ def solutions(
             for name, generator in generators.items():
                 if generator.kind == kind:
                     try:
-                        for solution in _checked_solutions(name, generator, problem, machine, allowed):
+                        for solution in _checked_solutions(
+                            name, generator, problem, machine, allowed
+                        ):
                             yield solution
                             any_solution = True
                     except Exception as error:
@@ -225,7 +227,8 @@ def _generators_at(level: int) -> dict[str, Generator]:
     return {
         name: generator
         for name, generator in known.items()
-        if level >= (FROM_LEVEL[generator.kind] if generator.from_level is None else generator.from_level)
+        if level
+        >= (FROM_LEVEL[generator.kind] if generator.from_level is None else generator.from_level)
     }
 
 
@@ -244,7 +247,9 @@ def _checked_solutions(
         for solution in generator.solve(problem, machine, steps):
             fault_text = None if built_in else _solution_fault(problem, machine, solution)
             if fault_text is not None:
-                raise unusable(_GROUP, name, f"its solution does not meet its demands: {fault_text}")
+                raise unusable(
+                    _GROUP, name, f"its solution does not meet its demands: {fault_text}"
+                )
             yield solution
     except GaveUp:
         return

@@ -39,7 +39,8 @@ class _Writer:
 
     `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
     holds the bumps that end in the second one and `mask` those that are still to end; in the second
-    half, `half` holds the bumps that started in the first one. FLAG is `kept` for some demands.
+    half, `half` holds the bumps that started in the first one. `flag_kept`
+    says for each demand whether FLAG keeps its value until then.
     """
 
     def __init__(self, bumps: Bumps, bits: int, flag_kept: list[bool], gates: Gates) -> None:

@@ -38,7 +38,9 @@ def nest_of(problem: Problem) -> Nest:
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
-    rising = {kind: any(b & ~a for a, b in pairwise(predicates)) for kind, predicates in kinds.items()}
+    rising = {
+        kind: any(b & ~a for a, b in pairwise(predicates)) for kind, predicates in kinds.items()
+    }
     flips = tuple(rising[d.edge, d.bucket] for d in problem.demands)
     everything = problem.everything
     predicates = [

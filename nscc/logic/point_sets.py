@@ -61,7 +61,7 @@ def sizes(sets: Points) -> Indices:
 
 
 def disjoint(first_sets: Points, second_sets: Points) -> NDArray[np.bool_]:
-    """Which sets of `some` (.., W) have no point of their counterpart in `others`."""
+    """Whether each set of `first_sets` (.., W) is disjoint from its partner in `second_sets`."""
     none: NDArray[np.bool_] = ~np.any(first_sets & second_sets, axis=-1)
     return none
 

@@ -255,7 +255,9 @@ class _Walker:
             self._gate("NOR", place, [choice.turned])
             names[-1] = place
             positive = [place if n == _TURNED else n for n in positive]
-            waiting = [{place if n == _TURNED else n for n in needed_names} for needed_names in waiting]
+            waiting = [
+                {place if n == _TURNED else n for n in needed_names} for needed_names in waiting
+            ]
         terms = positive
         for n, cube in enumerate(cubes):
             needed = set().union(*waiting[n + 1 :])

@@ -44,35 +44,35 @@ class Encoding:
     @property
     def name(self) -> str:
         """In words, for reports."""
-        parts = [self.code] if self.code.registers else []
-        parts += [held for held in self.states if held.registers]
-        return ", ".join(f"{held.name} {held.kind}" for held in parts) or "nothing to hold"
+        holders = [self.code] if self.code.registers else []
+        holders += [holder for holder in self.states if holder.registers]
+        return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"
 
 
 def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
     """Encodings in at most so many registers, those of the fewest registers last."""
     behaviours = int(machine.behaviour.max()) + 1
-    every = tuple(range(behaviours))
-    codes = [Held("code", kind, every, bits) for kind, bits in _of_code(behaviours)]
+    behaviour_numbers = tuple(range(behaviours))
+    codes = [Held("code", kind, behaviour_numbers, bits) for kind, bits in _of_code(behaviours)]
     states = []
     for k, state in enumerate(machine.states):
         reached = sorted(set(machine.values[:, k].tolist()))
         values = tuple(dict.fromkeys([state.start, *reached]))
-        found = list(_of_state(len(values)))
+        bit_choices = list(_of_state(len(values)))
         if state.sense and not _outlasts(machine, k):
-            found = [("not held", np.zeros((len(values), 0), np.bool_))]
-        states.append([Held(state.name, kind, values, bits) for kind, bits in found])
+            bit_choices = [("not held", np.zeros((len(values), 0), np.bool_))]
+        states.append([Held(state.name, kind, values, bits) for kind, bits in bit_choices])
     for code, *chosen in product(codes, *states):
-        if sum(held.registers for held in (code, *chosen)) <= registers:
+        if sum(value_bits.registers for value_bits in (code, *chosen)) <= registers:
             yield Encoding(code, tuple(chosen))
 
 
 def _outlasts(machine: Machine, k: int) -> bool:
     """Whether anything after its own look hangs on an answer: where a rule reads it only at the
     boundary at which it is given, no register need hold it."""
-    rest = np.delete(machine.values, k, axis=1)
+    other_values = np.delete(machine.values, k, axis=1)
     alike = np.unique(
-        np.column_stack([machine.behaviour, rest]), axis=0, return_inverse=True
+        np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True
     )[1].reshape(-1)  # fmt: skip
     # Nodes of the next stage that differ in the answer alone count as one; -1 stands for none.
     after = np.where(machine.steps >= 0, alike[machine.steps], -1)

@@ -41,7 +41,9 @@ def lay_out_looks(
     if _mask_is_lost(solution, allocation):
         return None
     named = dict(zip((f"s{i}" for i in range(general.states)), solution.states, strict=True))
-    by_place = {allocation.places[name]: f"state {held}" for name, held in named.items()}
+    by_place = {
+        allocation.places[name]: f"state {state_name}" for name, state_name in named.items()
+    }
     allocation = replace(allocation, holders={**allocation.holders, **by_place})
     schedule = _schedule(plan, solution, allocation, time, target, apart=False)
     if schedule.words_stored > target.store_words:
@@ -58,13 +60,13 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
     if mask is None or masked is None:
         return False
     for items in solution.items.values():
-        lost = False
+        mask_overwritten = False
         for gate in (item for item in items if isinstance(item, Gate)):
-            lost |= gate.destination == masked
-            if lost and (mask in gate.sources or not mask.startswith("t")):
+            mask_overwritten |= gate.destination == masked
+            if mask_overwritten and (mask in gate.sources or not mask.startswith("t")):
                 return True
             if gate.destination == mask:
-                lost = False
+                mask_overwritten = False
     return False
 
 
@@ -99,13 +101,15 @@ def _schedule(
     for boundary, items in solution.items.items():
         boundaries[boundary] += _kernels(items, allocation, apart=apart)
     refreshed = refreshed_registers(
-        [[words_ for _, words_ in each] for each in boundaries], allocation, time
+        [[words_ for _, words_ in boundary_kernels] for boundary_kernels in boundaries],
+        allocation,
+        time,
     )
     states = tuple(allocation.places[f"s{i}"] for i in range(len(solution.states)))
     for n in time.refresh_at or ():
-        held = (*refreshed, *states)
-        if held and n:
-            boundaries[n].insert(0, (None, refresh_words(held, allocation)))
+        to_refresh = (*refreshed, *states)
+        if to_refresh and n:
+            boundaries[n].insert(0, (None, refresh_words(to_refresh, allocation)))
     if refreshed:
         boundaries[slots].append((None, refresh_words(refreshed, allocation)))
     numbers: dict[Words, int] = {}
@@ -132,8 +136,8 @@ def _setup(plan: LookingPlan) -> Words:
 def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
     """The states of a frame start at 0."""
     places = [allocation.places[f"s{i}"] for i in range(len(solution.states))]
-    parts = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
-    return tuple(op("CLR", part) for part in parts)
+    groups = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
+    return tuple(op("CLR", group) for group in groups)
 
 
 def _kernels(
@@ -144,9 +148,9 @@ def _kernels(
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
         return [
-            kernel for part in (head, tail) for kernel in _kernels(part, allocation, apart=False)
+            kernel for half in (head, tail) for kernel in _kernels(half, allocation, apart=False)
         ]
-    found: list[tuple[int | None, Words]] = []
+    kernels: list[tuple[int | None, Words]] = []
     level: int | None = None
     run: list[Op] = []
     gates: list[Gate] = []
@@ -165,11 +169,11 @@ def _kernels(
         elif level is None:
             level = item.level
         elif level != item.level:
-            found.append((level, tuple(run)))
+            kernels.append((level, tuple(run)))
             run, level = [], item.level
     settle()
-    found.append((level, tuple(run)))
-    return found
+    kernels.append((level, tuple(run)))
+    return kernels
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
@@ -184,23 +188,23 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
     """What a moment does to which lanes."""
-    found: list[Step] = []
+    steps: list[Step] = []
     sample = plan.sampled()
-    where = op("where", (), (*plan.scratched, "IN"))
+    compare = op("where", (), (*plan.scratched, "IN"))
     for comparison in moment.comparisons:
-        found.append(
-            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, where))
+        steps.append(
+            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, compare))
         )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
         add = sample, op("bus", (register,), plan.scratched)
         if fall:
-            found.append(Step(moment.boundary, "fall", bucket, fall, add))
+            steps.append(Step(moment.boundary, "fall", bucket, fall, add))
         if rise:
-            found.append(Step(moment.boundary, "rise", bucket, rise, add))
+            steps.append(Step(moment.boundary, "rise", bucket, rise, add))
     if moment.resets:
-        found.append(Step(moment.boundary, "reset", -1, moment.resets, RESET))
-    return found
+        steps.append(Step(moment.boundary, "reset", -1, moment.resets, RESET))
+    return steps
 
 
 def _problem(plan: LookingPlan) -> Problem:

@@ -51,11 +51,11 @@ def lowered_of(
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)
-    found: list[LookingLowered] = []
+    lowerings: list[LookingLowered] = []
     reasons: dict[str, None] = {}
     enough, most = ENCODINGS[level]
-    for tried, encoding in enumerate(encodings(plan.machine, registers)):
-        if tried >= (enough if any(each.fits for each in found) else most):
+    for count, encoding in enumerate(encodings(plan.machine, registers)):
+        if count >= (enough if any(candidate.fits for candidate in lowerings) else most):
             break
         try:
             solution = solve(plan, encoding, program.target)
@@ -66,11 +66,13 @@ def lowered_of(
         if lowered is None:
             reasons[f"{encoding.name}: the mask would lose what its register holds"] = None
         else:
-            found.append(_with(lowered, solution))
-    found.sort(key=lambda each: (each.price, len(each.schedule.allocation.places)))
-    if not found:
+            lowerings.append(_with(lowered, solution))
+    lowerings.sort(
+        key=lambda candidate: (candidate.price, len(candidate.schedule.allocation.places))
+    )
+    if not lowerings:
         return [], [fit.looking_fault(program, list(reasons)[:4], level=level)]
-    return found, []
+    return lowerings, []
 
 
 def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
@@ -97,10 +99,10 @@ def _state_planes(lowered: LookingLowered, encoding: Encoding) -> dict[str, Stat
     machine, places = lowered.program.machine, lowered.schedule.allocation.places
     assert machine is not None
     assert lowered.looking is not None
-    found = {}
-    held = zip(machine.states, encoding.states, lowered.looking.registers, strict=True)
-    for state, how, names in held:
-        if state.read or state.kept:
+    planes = {}
+    encoded_states = zip(machine.states, encoding.states, lowered.looking.registers, strict=True)
+    for state, how, names in encoded_states:
+        if state.read or state.is_kept:
             registers = tuple(places[name] for name in names)
-            found[state.name] = StatePlanes(registers, how.values, how.bits)
-    return found
+            planes[state.name] = StatePlanes(registers, how.values, how.bits)
+    return planes

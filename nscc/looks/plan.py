@@ -78,27 +78,27 @@ class LookingPlan:
     def latches(self) -> bool:
         """Whether every shutter that closes copies, and none opens after the frame has begun."""
         falls = (
-            each
+            pair
             for moment in self.moments
-            for each in zip(moment.falls, moment.copies, strict=True)
+            for pair in zip(moment.falls, moment.copies, strict=True)
         )
         rises = chain.from_iterable(moment.rises for moment in self.moments)
         return all(copy or not fall for fall, copy in falls) and not any(rises)
 
-    def sampled(self, *held: str) -> Op:
-        """Brings -(what is held + PIX) into scratch; the reset level is taken off as well if its
-        negative is at hand."""
+    def sampled(self, *registers: str) -> Op:
+        """The word that puts -(sum of `registers` + PIX) into scratch; it also subtracts the reset
+        level if a register holds its negative."""
         level = (self.reference,) if self.latches else ()
-        return op("bus", (self.scratch,), (*held, "PIX", *level))
+        return op("bus", (self.scratch,), (*registers, "PIX", *level))
 
-    def kept(self, register: str) -> Op:
-        """Brings -what is held into scratch, as `sampled` does of a PIX without light."""
+    def register_to_scratch(self, register: str) -> Op:
+        """The word that puts -`register` into scratch, like `sampled` with a PIX without light."""
         level = () if self.latches else (self.reference,)
         return op("bus", (self.scratch,), (register, *level))
 
     @property
     def scratched(self) -> tuple[str, ...]:
-        """What adds up to -signal once either has run."""
+        """The registers whose sum is -signal after either of these words."""
         return (self.scratch,) if self.latches else (self.scratch, self.reference)
 
 
@@ -128,12 +128,12 @@ def _moments(machine: Machine) -> Iterator[Moment]:
             if begin < boundary < end:
                 yield _moment(machine, fresh, boundary, (), nodes, nodes)
         if stage + 1 < machine.stages:
-            asked = machine.at(end)
-            outcomes = 1 << len(asked)
+            comparisons = machine.at(end)
+            outcomes = 1 << len(comparisons)
             before = np.repeat(nodes, outcomes)
             outcome = np.tile(np.arange(outcomes), len(nodes))
             after = machine.steps[before, outcome].astype(np.intp)
-            yield _moment(machine, fresh, end, asked, before, after, outcome)
+            yield _moment(machine, fresh, end, comparisons, before, after, outcome)
         elif begin < end:
             yield _moment(machine, fresh, end, (), nodes, nodes)
 
@@ -177,9 +177,9 @@ def _fresh(machine: Machine) -> Bits:
     reached = np.zeros(nodes, np.bool_)
     for stage in range(machine.stages):
         span, slots = machine.nodes(stage), slice(machine.starts(stage), machine.ends(stage))
-        whole = machine.opens[span][:, :, slots].all(axis=2)
+        always_open = machine.opens[span][:, :, slots].all(axis=2)
         reset = np.asarray(machine.resets[span, slots].any(axis=1))
-        fresh[span] &= whole & ~reset[:, None]
+        fresh[span] &= always_open & ~reset[:, None]
         for node in range(span.start, span.stop):
             for step in {step for step in machine.steps[node].tolist() if step >= 0}:
                 fresh[step] = fresh[node] & (fresh[step] | ~reached[step])

@@ -25,7 +25,7 @@ next one is always that which is cheapest then."""
 
 
 @dataclass(frozen=True)
-class Made:
+class GateSequence:
     """Gates that bring a vector into a register, and what they leave in scratch."""
 
     gates: tuple[Gate, ...]
@@ -64,10 +64,10 @@ class Board:
         """A board to try something on."""
         return replace(self, values=dict(self.values), gates=list(self.gates))
 
-    def fresh(self, taken: Collection[str] = ()) -> str:
-        """A scratch register that holds nothing and is not among those `taken`."""
+    def fresh(self, excluded: Collection[str] = ()) -> str:
+        """A scratch register that holds nothing and is not among `excluded`."""
         number = 0
-        while f"t{number}" in self.values or f"t{number}" in taken:
+        while f"t{number}" in self.values or f"t{number}" in excluded:
             number += 1
         return f"t{number}"
 
@@ -77,44 +77,50 @@ class Board:
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
 
-    def take(self, made: Made, *changes: tuple[str, int]) -> None:
+    def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
         """Runs gates: scratch and `changes` have new values."""
-        self.gates += made.gates
-        self.values.update((*made.scratch, *changes))
+        self.gates += sequence.gates
+        self.values.update((*sequence.scratch, *changes))
 
-    def taken(self) -> tuple[Gate, ...]:
+    def pop_gates(self) -> tuple[Gate, ...]:
         """The gates since the last call."""
-        found = tuple(self.gates)
+        gates = tuple(self.gates)
         self.gates.clear()
-        return found
+        return gates
 
-    def tells(self, wanted: Iterable[int]) -> bool:
+    def tells(self, vectors: Iterable[int]) -> bool:
         """Whether what stands in registers tells the lanes of each vector from the others."""
-        parts = [self.everything]
+        groups = [self.everything]
         for v in self.values.values():
-            parts = [p for part in parts for p in (part & v, part & ~v) if p]
-        return all(not part & each or not part & ~each for each in wanted for part in parts)
+            groups = [p for group in groups for p in (group & v, group & ~v) if p]
+        return all(
+            not group & vector or not group & ~vector for vector in vectors for group in groups
+        )
 
-    def make(self, wanted: int, destination: str, most: float = inf) -> Made | None:
-        """The fewest words found, at most `most`, that leave `wanted` in a register, whatever it
-        held."""
+    def make(self, target: int, destination: str, most: float = inf) -> GateSequence | None:
+        """Find the shortest gate sequence, of at most `most` words, that writes `target` to a
+        register."""
         if most < 1:
             return None
-        ways = (made for made in self._ways(wanted, destination, most) if made.words <= most)
-        return min(ways, key=lambda made: made.price, default=None)
+        ways = (
+            sequence for sequence in self._ways(target, destination, most) if sequence.words <= most
+        )
+        return min(ways, key=lambda sequence: sequence.price, default=None)
 
-    def load(self, wanted: int) -> Made | None:
-        """The fewest words found that bring `wanted` into FLAG."""
-        if self.values.get(FLAG) == wanted:
-            return Made((), ())
+    def load(self, target: int) -> GateSequence | None:
+        """Find the shortest gate sequence that writes `target` to FLAG."""
+        if self.values.get(FLAG) == target:
+            return GateSequence((), ())
         name = self.fresh()
-        found = [self._through(made, name, wanted) for made in self._ways(wanted, name, inf)]
-        return min(found, key=lambda made: made.price, default=None)
+        sequences = [
+            self._through(sequence, name, target) for sequence in self._ways(target, name, inf)
+        ]
+        return min(sequences, key=lambda sequence: sequence.price, default=None)
 
-    def _through(self, made: Made, name: str, wanted: int) -> Made:
-        """`made`, which leaves `wanted` in the register `name`, with the WHERE that reads it; WHERE
-        takes the place of an OR if it may read what that reads."""
-        last, limit = made.gates[-1], self.machine.where_sources
+    def _through(self, sequence: GateSequence, name: str, target: int) -> GateSequence:
+        """Extend a `sequence` that writes `target` to the register `name` by a WHERE that copies it
+        to FLAG. WHERE replaces a final OR if it may read the sources of the OR."""
+        last, limit = sequence.gates[-1], self.machine.where_sources
         reads = set(last.sources)
         if (
             last.name in ("OR", "MOV")
@@ -122,20 +128,24 @@ class Board:
             and (FLAG not in reads or self.machine.where_reads_flag)
             and (limit is None or len(reads) <= limit)
         ):
-            return Made((*made.gates[:-1], Gate("WHERE", FLAG, last.sources)), made.scratch)
-        return Made((*made.gates, Gate("WHERE", FLAG, (name,))), (*made.scratch, (name, wanted)))
+            return GateSequence(
+                (*sequence.gates[:-1], Gate("WHERE", FLAG, last.sources)), sequence.scratch
+            )
+        return GateSequence(
+            (*sequence.gates, Gate("WHERE", FLAG, (name,))), (*sequence.scratch, (name, target))
+        )
 
-    def _ways(self, wanted: int, destination: str, most: float) -> Iterator[Made]:
+    def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
         """Several ways to make a vector, by a cover of it and of its complement; those of at most
         `most` words are among them."""
         # Of registers that hold the same, the first: those of code and states stand before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
         fewest = None
-        for made in self._covers(names, values, wanted, destination):
-            fewest = made.words if fewest is None else min(fewest, made.words)
-            yield made
-            if made.price == (1, 0):
+        for sequence in self._covers(names, values, target, destination):
+            fewest = sequence.words if fewest is None else min(fewest, sequence.words)
+            yield sequence
+            if sequence.price == (1, 0):
                 return
         # A complement takes a word, and what reads it another.
         if most >= 2 and (fewest is None or fewest > 2):
@@ -143,13 +153,13 @@ class Board:
                 if self.everything & ~v not in first:
                     names.append(f"~{name}")
                     values.append(self.everything & ~v)
-            yield from self._covers(names, values, wanted, destination)
+            yield from self._covers(names, values, target, destination)
 
     def _covers(
-        self, names: Sequence[str], values: Sequence[int], wanted: int, destination: str
-    ) -> Iterator[Made]:
+        self, names: Sequence[str], values: Sequence[int], vector: int, destination: str
+    ) -> Iterator[GateSequence]:
         for inverted in (False, True):
-            target = self.everything & ~wanted if inverted else wanted
+            target = self.everything & ~vector if inverted else vector
             covers = Covers(self.everything, self.machine.or_sources, Budget(_STEPS))
             try:
                 cover = covers.find(values, [True] * len(values), [target], _MOST_CUBES)
@@ -165,14 +175,14 @@ class Board:
         values: Sequence[int],
         destination: str,
         inverted: bool,
-    ) -> Made:
+    ) -> GateSequence:
         gates = Gates(self.machine)
-        made: dict[str, int] = {}
+        scratch_values: dict[str, int] = {}
         complements: dict[int, str] = {}
 
         def scratch(vector: int) -> str:
-            name = self.fresh((*made, destination))
-            made[name] = vector
+            name = self.fresh((*scratch_values, destination))
+            scratch_values[name] = vector
             return name
 
         def source(index: int) -> str:
@@ -187,90 +197,90 @@ class Board:
             # An OR of one NOR is a NOR, and its complement is an OR: one gate.
             cube = [source(i) for i in cover.cubes[0].sources]
             (gates.or_ if inverted else gates.nor)(destination, cube)
-            return Made(gates.take(), tuple(made.items()))
+            return GateSequence(gates.take(), tuple(scratch_values.items()))
         positive = []
-        for found in cover.cubes:
+        for cover_cube in cover.cubes:
             # Complements are made where they are read first: fewer are alive at once.
-            cube = [source(i) for i in found.sources]
-            positive.append(scratch(found.vector))
+            cube = [source(i) for i in cover_cube.sources]
+            positive.append(scratch(cover_cube.vector))
             gates.nor(positive[-1], cube)
         positive += [source(i) for i in cover.positive]
         (gates.nor if inverted else gates.or_)(destination, positive)
-        return Made(gates.take(), tuple(made.items()))
+        return GateSequence(gates.take(), tuple(scratch_values.items()))
 
 
-def update(board: Board, wanted: dict[str, int]) -> None:
+def update(board: Board, new_values: dict[str, int]) -> None:
     """Gives registers new values, all at once: no new value is read as if it were the old one.
 
     Raises GaveUp where the registers do not tell lanes apart that are to differ.
     """
-    left = {name: v for name, v in wanted.items() if board.values[name] != v}
+    changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best: Board | None = None
-    for begun in (board, *_with_changes(board, left)):
-        best = _ordered(begun, left, best)
+    for begun in (board, *_with_changes(board, changes)):
+        best = _ordered(begun, changes, best)
     if best is None:
         raise GaveUp("the registers do not tell the lanes of a look apart")
     board.values, board.gates = best.values, best.gates
 
 
-def _with_changes(board: Board, wanted: dict[str, int]) -> Iterator[Board]:
+def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
     """Boards on which scratch holds the lanes in which several registers become 1: each of them
     then takes an OR."""
-    rises = [v & ~board.values[name] for name, v in wanted.items()]
+    rises = [v & ~board.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in board.values.values():
             after = board.copy()
             name = after.fresh()
-            made = after.make(rise, name)
-            if made is not None:
-                after.take(made, (name, rise))
+            sequence = after.make(rise, name)
+            if sequence is not None:
+                after.take(sequence, (name, rise))
                 yield after
 
 
-def _ordered(board: Board, wanted: dict[str, int], best: Board | None) -> Board | None:
+def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
     """The board with all new values, written in the order of the fewest words; `best` if no order
     takes fewer than that."""
-    if best is not None and board.words + len(wanted) >= best.words:
+    if best is not None and board.words + len(new_values) >= best.words:
         return best  # every value takes a word at least
-    if not wanted:
+    if not new_values:
         return board
     # Every value takes a word at least.
-    most = inf if best is None else best.words - len(wanted)
-    greedy = len(wanted) > _MOST_ORDERED
+    most = inf if best is None else best.words - len(new_values)
+    greedy = len(new_values) > _MOST_ORDERED
     cheapest: tuple[str, Board] | None = None
-    for name in wanted:
-        after = _written(board, name, wanted, most)
+    for name in new_values:
+        after = _written(board, name, new_values, most)
         if after is None:
             continue
         if greedy:
             cheapest, most = (name, after), after.words - 1
             continue
-        best = _ordered(after, _without(name, wanted), best)
-        most = inf if best is None else best.words - len(wanted)
+        best = _ordered(after, _without(name, new_values), best)
+        most = inf if best is None else best.words - len(new_values)
     if cheapest is not None:
         name, after = cheapest
-        best = _ordered(after, _without(name, wanted), best)
+        best = _ordered(after, _without(name, new_values), best)
     return best
 
 
-def _without(name: str, wanted: dict[str, int]) -> dict[str, int]:
-    return {other: v for other, v in wanted.items() if other != name}
+def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
+    return {register: v for register, v in new_values.items() if register != name}
 
 
-def _written(board: Board, name: str, wanted: dict[str, int], most: float) -> Board | None:
+def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
     """The board with one new value, and the old one saved if others need it; None: it cannot be
     had in at most so many words in all."""
-    made = board.make(wanted[name], name, most - board.words)
-    if made is None:
+    sequence = board.make(new_values[name], name, most - board.words)
+    if sequence is None:
         return None
     after = board.copy()
-    after.take(made, (name, wanted[name]))
-    if after.tells(_without(name, wanted).values()):
+    after.take(sequence, (name, new_values[name]))
+    if after.tells(_without(name, new_values).values()):
         return after
     after = board.copy()
     after.keep(name)
-    made = after.make(wanted[name], name, most - after.words)
-    if made is None:
+    sequence = after.make(new_values[name], name, most - after.words)
+    if sequence is None:
         return None
-    after.take(made, (name, wanted[name]))
+    after.take(sequence, (name, new_values[name]))
     return after

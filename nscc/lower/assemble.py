@@ -19,8 +19,8 @@ def assemble(lowered: Lowered, level: int) -> Container:
     shutters = len(program.table.shutters)
     encoding = np.zeros((shutters, len(target.digital_registers)), dtype=np.bool_)
     places = schedule.allocation.places
-    held = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
-    encoding[:, held] = rows(list(planes), shutters)
+    code_columns = [target.digital_registers.index(places[f"p{i}"]) for i in range(len(planes))]
+    encoding[:, code_columns] = rows(list(planes), shutters)
     return Container(
         target=target,
         slot_us=program.frame.slot_us,

@@ -47,11 +47,11 @@ def problem_of(
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
         if step.predicate is not None:
-            kept = action == "keep" and bool(demands)
+            flag_kept = action == "keep" and bool(demands)
             last = demands[-1].boundary if demands else 0
             quiet = not any(last < n <= step.boundary for n in time.refresh_at or ())
             demands.append(
-                Demand(step.boundary, step.role, step.bucket, step.predicate, kept, quiet)
+                Demand(step.boundary, step.role, step.bucket, step.predicate, flag_kept, quiet)
             )
     lasts = not time.refresh_at and time.boundary_us[-1] <= time.keep_us
     values = _field_values(program)
@@ -92,7 +92,7 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
     """What each step of a plan needs."""
     actions: list[Before] = []
-    held: Literal["unknown", "all", "predicate"] = "unknown"
+    flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None
     since_us = 0.0
     boundary = 0
@@ -100,20 +100,20 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
         now_us = time.boundary_us[step.boundary]
         crossed = any(boundary < n <= step.boundary for n in time.refresh_at or ())
         if crossed or now_us - since_us > time.keep_us:
-            held = "unknown"
+            flag_state = "unknown"
         boundary = step.boundary
         if step.predicate is not None:
-            actions.append("keep" if held == "predicate" else "load")
-            if held != "predicate" or step.predicate != loaded:
+            actions.append("keep" if flag_state == "predicate" else "load")
+            if flag_state != "predicate" or step.predicate != loaded:
                 since_us = now_us
-            held, loaded = "predicate", step.predicate
+            flag_state, loaded = "predicate", step.predicate
         elif not _needs_flag(step, target):
             actions.append("nothing")
-        elif held == "all":
+        elif flag_state == "all":
             actions.append("keep")
         else:
             actions.append("all")
-            held, since_us = "all", now_us
+            flag_state, since_us = "all", now_us
     return actions
 
 

@@ -30,14 +30,14 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     if required <= available:
         return None
     if program.mode == "fixed":
-        what = f"{shutters} different shutters in use"
+        shutters_text = f"{shutters} different shutters in use"
     elif program.class_name == "e":
         free = f"{len(program.frame.slot_us)} slots"
         if len(program.buckets) > 1:
             free += f" in {len(program.buckets)} buckets"
-        what = f"{free}, each free: {shutters} shutters"
+        shutters_text = f"{free}, each free: {shutters} shutters"
     else:
-        what = f"{shutters} different shutters"
+        shutters_text = f"{shutters} different shutters"
     registers = (
         f"{available} one-bit registers a pixel "
         f"({target.digital_registers[0]}-{target.digital_registers[-1]})"
@@ -50,7 +50,7 @@ def capacity_fault(program: Program) -> Diagnostic | None:
         f"this shutter does not fit {target.name}: its codes need {required} bits a pixel, "
         f"the chip has {available}",
         source=program.source,
-        label=Label(_field_span(program), what),
+        label=Label(_field_span(program), shutters_text),
         related=chip_label(program, registers),
         notes=(
             *chip_note(program, registers),
@@ -126,16 +126,16 @@ def _reasons(misfits: Mapping[Lowering, Misfit]) -> list[str]:
 def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
     """Everything that keeps the best of `choice` from fitting; empty if it fits."""
     lowered = choice.best
-    found = []
+    diagnostics = []
     if not lowered.retained:
-        found.append(retention_fault(lowered))
+        diagnostics.append(retention_fault(lowered))
     if lowered.late:
-        found.append(late_fault(choice, level))
+        diagnostics.append(late_fault(choice, level))
     if lowered.overfull:
-        found.append(overfull_fault(choice, level))
+        diagnostics.append(overfull_fault(choice, level))
     if not lowered.stored_ok:
-        found.append(_store(lowered, level))
-    return found
+        diagnostics.append(_store(lowered, level))
+    return diagnostics
 
 
 def has_ways_out(diagnostic: Diagnostic) -> bool:

@@ -27,7 +27,7 @@ class Gated:
 
     program: Program
     time: Timeline
-    tried: tuple[Decoding, ...]
+    decodings: tuple[Decoding, ...]
     misfits: dict[Lowering, Misfit]
     fits: bool
     faults: tuple[GeneratorFault, ...] = ()
@@ -45,25 +45,25 @@ def find_gates(
 
     `most_words` is the most that a boundary may have, None for any number.
     """
-    tried: list[Lowered] = []
+    lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
     for plan in planned.plans:
         writes = plan.analog_writes[1]
-        if not price_all and any(t.fits and t.plan.analog_writes[1] < writes for t in tried):
+        if not price_all and any(t.fits and t.plan.analog_writes[1] < writes for t in lowerings):
             break
-        found = lower(planned, plan, level, results, most_words, faults)
-        if isinstance(found, Misfit):
-            misfits[plan.lowering] = found
+        outcome = lower(planned, plan, level, results, most_words, faults)
+        if isinstance(outcome, Misfit):
+            misfits[plan.lowering] = outcome
         else:
-            tried.append(found)
-    tried.sort(key=_rank)
+            lowerings.append(outcome)
+    lowerings.sort(key=_rank)
     return Gated(
         planned.program,
         planned.time,
-        tuple(lowered.decoding for lowered in tried),
+        tuple(lowered.decoding for lowered in lowerings),
         {name: misfits[name] for name in LOWERINGS if name in misfits},
-        bool(tried) and tried[0].fits,
+        bool(lowerings) and lowerings[0].fits,
         tuple(faults),
     )
 
@@ -96,9 +96,9 @@ def lower(
         free = lower(planned, plan, level, results, None, faults)
         if isinstance(free, Misfit):
             return free
-        kept = lay_out(program, free.decoding, time, most_words)
-        if not kept.overfull:
-            return kept
+        unlimited = lay_out(program, free.decoding, time, most_words)
+        if not unlimited.overfull:
+            return unlimited
     problem, actions = problem_of(program, plan, time, planned.opens)
     machine = Machine.of(target)
 
@@ -112,33 +112,35 @@ def lower(
         by_encoding: dict[str, Lowered] = {}
         for solution in known.or_else(solutions(problem, machine, level, faults)):
             candidate = priced(solution)
-            other = by_encoding.get(solution.encoding)
-            if other is None or candidate.price < other.price:
+            rival = by_encoding.get(solution.encoding)
+            if rival is None or candidate.price < rival.price:
                 by_encoding[solution.encoding] = candidate
-        found = sorted(by_encoding.values(), key=lambda each: each.price)[: MOST_IMPROVED[level]]
+        ranked = sorted(by_encoding.values(), key=lambda lowered: lowered.price)[
+            : MOST_IMPROVED[level]
+        ]
         searched = known.known is None and bool(problem.demands)
-        if level >= 2 and searched and found:
+        if level >= 2 and searched and ranked:
             from nscc.logic.improve import refine  # with networkx, which `check` does without
 
             try:
-                best = refine(found, problem, machine, level, priced, target.store_words)
-                found.insert(0, best)
+                best = refine(ranked, problem, machine, level, priced, target.store_words)
+                ranked.insert(0, best)
             except Exception as error:
                 note_fault(error, "improve", level, faults)
-        if level > 0 and searched and (level > 1 or not found or not found[0].fits):
+        if level > 0 and searched and (level > 1 or not ranked or not ranked[0].fits):
             # More steps end some generators elsewhere and leave out others: not always better.
             below = cheapest(level - 1)
             if below is not None:
-                found.append(below)
-        if not found:
+                ranked.append(below)
+        if not ranked:
             return None
-        best = min(found, key=lambda each: each.price)
+        best = min(ranked, key=lambda lowered: lowered.price)
         if level >= 2 and searched and not faults:
             known.keep(best.solution)
         return best
 
-    found = cheapest(level)
-    if found is None:
+    cheapest_lowered = cheapest(level)
+    if cheapest_lowered is None:
         registers = len(target.digital_registers)
         return Misfit(f"no generator found gates in {registers} digital registers", searched=True)
-    return found
+    return cheapest_lowered

@@ -127,8 +127,8 @@ class Lowered:
         """Sort key among solutions of one lowering: fits, how far from it a boundary is, words a
         frame without refresh, which runs when the light is read, largest boundary, refresh."""
         refresh = self.schedule.words_refresh
-        rest = self.schedule.words_total - refresh
-        return not self.fits, self.overload, rest, max(self.words_per_boundary), refresh
+        words = self.schedule.words_total - refresh
+        return not self.fits, self.overload, words, max(self.words_per_boundary), refresh
 
     @property
     def headroom_e(self) -> float:
@@ -167,14 +167,14 @@ class Choice:
     `failed_generators` names the generators that raised an exception.
     """
 
-    tried: tuple[Lowered, ...]
+    lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]
     failed_generators: tuple[str, ...] = ()
 
     @property
     def best(self) -> Lowered:
         """The best lowering, whether it fits or not."""
-        return self.tried[0]
+        return self.lowerings[0]
 
 
 def lay_out(
@@ -193,7 +193,7 @@ def _longest_bump_share(shutters: NDArray[np.bool_], share: NDArray[np.float64])
     """The largest light between a rise and its fall, as a share of the frame's."""
     bump = np.zeros(shutters.shape[:2])
     longest = 0.0
-    for slot, part in enumerate(share):
-        bump = np.where(shutters[:, :, slot], bump + part, 0.0)
+    for slot, slot_share in enumerate(share):
+        bump = np.where(shutters[:, :, slot], bump + slot_share, 0.0)
         longest = max(longest, float(bump.max(initial=0.0)))
     return longest

@@ -111,12 +111,12 @@ class Planned:
     misfits: dict[Lowering, Misfit]
 
 
-def plan_exposures(program: Program, wanted: LoweringOption) -> Planned:
-    """`program` planned in the lowering that is wanted, or in all of them."""
+def plan_exposures(program: Program, option: LoweringOption) -> Planned:
+    """Plan the exposures of `program` with one lowering, or with each of them."""
     opens = levels(program)
     plans: list[ExposurePlan] = []
     misfits: dict[Lowering, Misfit] = {}
-    for lowering in LOWERINGS if wanted == "auto" else (wanted,):
+    for lowering in LOWERINGS if option == "auto" else (option,):
         plan = plan_exposure(program, lowering, opens)
         if isinstance(plan, Misfit):
             misfits[lowering] = plan
@@ -224,8 +224,8 @@ class _Builder:
     ) -> None:
         """Adds a step, unless no shutter takes part in it."""
         if predicate:
-            where = None if predicate == self.everywhere else predicate
-            self.steps.append(Step(boundary, role, bucket, where, words))
+            taking_part = None if predicate == self.everywhere else predicate
+            self.steps.append(Step(boundary, role, bucket, taking_part, words))
 
     def _setup(self) -> None:
         scratch = self.scratch

@@ -41,14 +41,14 @@ class Schedule:
 
     def settles(self) -> list[int]:
         """The boundaries at which IN is set anew, once for each time."""
-        found: list[int] = []
+        boundaries: list[int] = []
         last: int | None = None
         levels = self.levels or (None,) * len(self.launches)
         for (boundary, _), level in zip(self.launches, levels, strict=True):
             if level not in (None, last):
-                found.append(boundary)
+                boundaries.append(boundary)
                 last = level
-        return found
+        return boundaries
 
     @property
     def words_stored(self) -> int:
@@ -88,9 +88,9 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
         # A state that nobody has written yet in this frame is nobody's.
         written = {register for run in boundaries[:n] for words_ in run for word in words_
                    for register in word.destinations}  # fmt: skip
-        held = (*refreshed, *(r for r in allocation.state_registers if r in written))
-        if held:
-            boundaries[n].insert(0, refresh_words(held, allocation))
+        to_refresh = (*refreshed, *(r for r in allocation.state_registers if r in written))
+        if to_refresh:
+            boundaries[n].insert(0, refresh_words(to_refresh, allocation))
             apart.add(boundaries[n][0])
     if refreshed:
         boundaries[plan.slots].append(refresh_words(refreshed, allocation))
@@ -171,8 +171,8 @@ def _merged(boundaries: Sequence[Sequence[Words]], apart: Collection[Words]) -> 
     for segments in boundaries:
         run: list[Words] = []
         for alone, group in groupby(segments, key=apart.__contains__):
-            found = list(group)
-            run += found if alone else [tuple(chain.from_iterable(found))]
+            group_words = list(group)
+            run += group_words if alone else [tuple(chain.from_iterable(group_words))]
         merged.append(run)
     return merged
 

@@ -38,7 +38,9 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
-    certain = _nothing_untried(choice) and all(_too_short(tried) for tried in choice.tried)
+    certain = _nothing_untried(choice) and all(
+        _too_short(candidate) for candidate in choice.lowerings
+    )
     if certain:
         worst = _too_short(lowered)[0]
         needed_us = _least_us(lowered, worst)
@@ -77,7 +79,8 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     words = lowered.words_per_boundary
     worst = max(lowered.overfull, key=lambda n: (words[n], -n))
     certain = _nothing_untried(choice) and all(
-        any(_analog_words(tried, n) > allowed for n in tried.overfull) for tried in choice.tried
+        any(_analog_words(candidate, n) > allowed for n in candidate.overfull)
+        for candidate in choice.lowerings
     )
     slots = len(program.frame.slot_us)
     over = counted(len(lowered.overfull), "boundary", "boundaries")
@@ -114,9 +117,9 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
         (analog - light, "to set up and reset"),
         (refresh, "to refresh registers"),
     )
-    said = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
+    purposes = ", ".join(f"{count} {purpose}" for count, purpose in shares if count)
     launches = counted(len(launched), "kernel")
-    return f"{said}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
+    return f"{purposes}; launching {launches} takes {time_text(len(launched) * launch_us)} more"
 
 
 def _times(target: Target) -> str:

@@ -54,9 +54,9 @@ def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
         values, ranks = np.unique(plane, return_inverse=True)
         return values, ranks.reshape(plane.shape).astype(np.int64)
     offsets = plane - low
-    seen = np.zeros(span, dtype=bool)
-    seen[offsets] = True
-    return np.flatnonzero(seen) + low, (np.cumsum(seen) - 1)[offsets]
+    present = np.zeros(span, dtype=bool)
+    present[offsets] = True
+    return np.flatnonzero(present) + low, (np.cumsum(present) - 1)[offsets]
 
 
 Ranges = Mapping[str, tuple[int, int]]
@@ -84,8 +84,8 @@ def codes_from_file(
     """
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes: list[Stored] = []
-    for name, parts in grouped(table.fields).items():
-        planes += stored_planes(file, name, (rows, cols), len(parts))
+    for name, chunk_names in grouped(table.fields).items():
+        planes += stored_planes(file, name, (rows, cols), len(chunk_names))
     return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
 
 
@@ -112,28 +112,26 @@ def codes_from_arrays(
             helps=meant(name, fields),
         )
     planes: list[Stored] = []
-    for name, parts in fields.items():
+    for name, chunk_names in fields.items():
         if name not in arrays:
             raise rejected("NS0314", f"there is no array for the field '{name}' of the code")
-        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(parts))
+        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(chunk_names))
     return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
 
 
 def _rows_of_table(
-    found: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    checked_planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
     table: DecodeTable,
     shape: tuple[int, int],
-    where: str,
+    origin: str,
     mode: str,
     ranges: Callable[[], Ranges],
 ) -> NDArray[np.int32]:
-    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them.
-
-    `where` is what messages call their origin.
-    """
-    planes = [plane for plane, _ in found]
+    """The row of `table.codes` at each pixel, for planes from `as_plane`; messages name the source
+    as `origin`."""
+    planes = [plane for plane, _ in checked_planes]
     missing = np.zeros(shape, dtype=bool)
-    for _, beyond in found:
+    for _, beyond in checked_planes:
         missing |= beyond
     rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
     missing |= unknown
@@ -141,13 +139,13 @@ def _rows_of_table(
         known = ranges()
         for name, plane in zip(table.fields, planes, strict=True):
             if name in known:
-                refuse_outside(where, name, plane, known[name])
-        raise _unknown(where, table, planes, missing, mode)
+                refuse_outside(origin, name, plane, known[name])
+        raise _unknown(origin, table, planes, missing, mode)
     return rows
 
 
-def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
-    """NS0311 where a pixel has a value that its field cannot have; `where` it comes from."""
+def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """Raise NS0311 if a pixel's value is outside `values`; messages name the source as `origin`."""
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
@@ -155,7 +153,7 @@ def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int])
         count = int(outside.sum())
         raise rejected(
             "NS0311",
-            f"in {where} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
+            f"in {origin} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
             notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
             helps=(f"give values from {low} to {high}, or widen `code {name}` in the program",),
             data={"field": name, "x": x, "y": y, "pixels": count},
@@ -163,7 +161,7 @@ def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int])
 
 
 def _unknown(
-    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
+    origin: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
@@ -171,14 +169,14 @@ def _unknown(
     if mode == "open":
         return rejected(
             "NS0312",
-            f"in {where} the {pixel_text(x, y)} has {code}, which the program forbids",
+            f"in {origin} the {pixel_text(x, y)} has {code}, which the program forbids",
             notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
             helps=("give codes within the fields' ranges that fulfil every `require`",),
             data={"x": x, "y": y, "pixels": count},
         )
     return rejected(
         "NS0319",
-        f"the program was not compiled for a code of {where}: {pixel_text(x, y)} has {code}",
+        f"the program was not compiled for a code of {origin}: {pixel_text(x, y)} has {code}",
         notes=(
             f"{counted(count, 'pixel has', 'pixels have')} such codes; "
             f"the program knows {counted(len(table.codes), 'code')}",
@@ -205,8 +203,8 @@ def rows_of(
         of_pixel = np.minimum(np.searchsorted(values, plane), len(values) - 1)
         unknown |= values[of_pixel] != plane
         beginnings, known = _ranked(known * len(values) + of_code)
-        wanted = at_pixel * len(values) + of_pixel
-        at_pixel = np.minimum(np.searchsorted(beginnings, wanted), len(beginnings) - 1)
-        unknown |= beginnings[at_pixel] != wanted
+        beginning = at_pixel * len(values) + of_pixel
+        at_pixel = np.minimum(np.searchsorted(beginnings, beginning), len(beginnings) - 1)
+        unknown |= beginnings[at_pixel] != beginning
     # The codes are sorted and distinct, so their numbers are their rows.
     return at_pixel.astype(np.int32), unknown

@@ -36,8 +36,8 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     if container.target.streamed:
         return _sent(container, name)
     refuse_looking(container, name)
-    found = shutters(container, decoded(container))
-    if found is None:
+    opened = shutters(container, decoded(container))
+    if opened is None:
         raise rejected(
             "NS0442",
             f"the words of {name} open no shutters: some slot's light counts neither once nor not "
@@ -45,7 +45,7 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
             helps=("`nscc prove` says what the words do wrong",),
             status=1,
         )
-    return found
+    return opened
 
 
 def _sent(container: Container, name: str) -> NDArray[np.bool_]:

@@ -114,12 +114,12 @@ def measure(
     for way in progress([way for _ in range(repeats) for way in ways]):
         if way in refused:
             continue
-        found = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
-        if "refused" in found:
-            refused[way] = found["refused"]
+        row = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
+        if "refused" in row:
+            refused[way] = row["refused"]
         else:
-            words[way] = found["words"], found["bound"]
-            times_ms[way].append(found["ms"])
+            words[way] = row["words"], row["bound"]
+            times_ms[way].append(row["ms"])
     points = [
         Point(
             way.case.name, way.lowering, f"-O{way.level}", number, UNITS[count],
@@ -133,10 +133,10 @@ def measure(
 def _timed(watch: Stopwatch, way: Way, count: Count) -> dict[str, Any]:
     kind = way.case.name, way.lowering
     least = partial(compiled_or_not, replace(way, level=min(LEVELS)))
-    found, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
-    if isinstance(found, Diagnostic):
-        return {"refused": f"{found.message} ({found.code})"}
-    words, bound = _words(found, count)
+    compiled, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
+    if isinstance(compiled, Diagnostic):
+        return {"refused": f"{compiled.message} ({compiled.code})"}
+    words, bound = _words(compiled, count)
     return {"ms": taken_ms, "words": words, "bound": bound}
 
 

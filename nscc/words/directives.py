@@ -104,12 +104,12 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    register, *others = tokens
-    gain = read_number(others[1].text) if len(others) > 1 else 1.0
+    register, *operands = tokens
+    gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:
-        faults.add("NS0714", f"{shown(others[1].text)} is no gain", others[1].span)
+        faults.add("NS0714", f"{shown(operands[1].text)} is no gain", operands[1].span)
     else:
-        draft.readouts.append(ReadoutDraft(register, others[0] if others else None, gain))
+        draft.readouts.append(ReadoutDraft(register, operands[0] if operands else None, gain))
 
 
 def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:

@@ -57,9 +57,9 @@ def test_what_is_built_compiles_and_what_was_tried_is_told_truly(tiny):
     for (name, slot), limit in tiny.items():
         if name == "a":
             continue
-        for trial in limit.tried:
+        for trial in limit.trials:
             assert fits(TINY, limit.family, trial.size, slot) == trial.fits, (name, trial.size)
-        sizes = [trial.size for trial in limit.tried if trial.fits]
+        sizes = [trial.size for trial in limit.trials if trial.fits]
         assert (limit.built.size if limit.built else None) == max(sizes, default=None)
 
 

@@ -259,7 +259,7 @@ def test_gates_keep_the_fan_in(limit, count, inside):
         held = {name: choose.random() < 0.3 for name in [*sources, "t0"]}
         truth = any(held[name] for name in sources)
         if kind == "where":
-            gates.where(sources, "t0")
+            gates.load_flag(sources, "t0")
         else:
             getattr(gates, kind)("t0", sources)
         for gate in gates.take():

@@ -85,10 +85,10 @@ def spoilt_plan(planned):
 
 def spoilt_gates(gated):
     """Other codes."""
-    first = gated.tried[0]
+    first = gated.decodings[0]
     planes = tuple(plane ^ 1 for plane in first.solution.planes)
     solution = replace(first.solution, planes=planes)
-    return replace(gated, tried=(replace(first, solution=solution), *gated.tried[1:]))
+    return replace(gated, decodings=(replace(first, solution=solution), *gated.decodings[1:]))
 
 
 def spoilt_schedule(choice):

@@ -24,7 +24,7 @@ ROWS = (
     Key("lens", "stops", Several(Integer(1, 9), 2), "first and last", default=(1, 2)),
     Key("shutter", "open", Flag(), "whether it is", default=False),
 )
-CODES = Codes("U", "T", unknown="NS1", wrong="NS2", missing="NS3", change="NS4")
+CODES = Codes("U", "T", unknown="NS1", wrong_value="NS2", missing="NS3", change="NS4")
 CAMERA = Schema(
     "camera", ROWS, {"": "", "lens": "", "shutter": ""}, CODES, "ask the maker",
     option="--set", example="lens.focus_mm=9",

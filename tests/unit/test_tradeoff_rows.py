@@ -40,7 +40,7 @@ def test_a_measurement_is_on_the_disk_when_it_is_measured(tmp_path: Path) -> Non
         assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
     with Rows(file, "digest") as rows:
         assert rows.once("a", lambda: pytest.fail("it is known")) == {"ms": [1.5, 2]}
-        rows.done()
+        rows.remove()
     assert not any(tmp_path.iterdir())
 
 
@@ -61,7 +61,7 @@ def test_without_a_file_everything_is_measured() -> None:
 @pytest.mark.parametrize("bad", [float("nan"), float("inf"), None])
 def test_bad_numbers_are_not_kept(tmp_path: Path, bad: object) -> None:
     with ExperimentStore(tmp_path / "s") as store, pytest.raises(ValueError):  # noqa: PT011
-        store.put("e", "a", bad)
+        store.keep("e", "a", bad)
     assert values(tmp_path / "s", "e") == {}
 
 

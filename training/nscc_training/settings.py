@@ -229,7 +229,7 @@ SCHEMA = Schema(
         key for name, section in vars(RunSettings()).items() for key in keys_of(type(section), name)
     ),
     dict.fromkeys(vars(RunSettings()), ""),
-    Codes("NS0813", "NS0813", unknown="NS0814", wrong="NS0815", change="NS0815"),
+    Codes("NS0813", "NS0813", unknown="NS0814", wrong_value="NS0815", change="NS0815"),
     "`nscc train --schema > config.toml` writes a complete file to start from",
     noun="setting",
     option="--set",

@@ -18,7 +18,7 @@ from nscc.chips.target import Target
 from nscc.emit.cpp.bitmap import image_width
 from nscc.emit.cpp.kernels import calls_words
 from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
-from nscc.emit.cpp.text import Call, comment, literal, part, section
+from nscc.emit.cpp.text import Call, comment, literal, section, template_lines
 from nscc.lower.timeline import RETENTION_SHARE
 
 _REFRESHES_IN_A_LIFE = 4
@@ -93,8 +93,8 @@ class Loading:
     def clear_calls(self, load: PlaneLoad) -> list[Call]:
         """The kernel before a load."""
         mask = self.target.mask_register
-        held = [("SET", (mask,))] if load.masked and mask is not None else []
-        return [*held, ("CLR", load.cleared)]
+        mask_call = [("SET", (mask,))] if load.masked and mask is not None else []
+        return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
         """The kernel that adds one pattern."""
@@ -135,7 +135,7 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
 def loading_lines(loading: Loading) -> Iterator[str]:
     """Tables and functions, the last of which is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
-    yield from part("fading")
+    yield from template_lines("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
         yield from comment(
             f"{loading.target.masked_register} takes a write only where "
@@ -148,11 +148,11 @@ def loading_lines(loading: Loading) -> Iterator[str]:
         yield ""
         yield f"const int rows = {rows}, cols = {cols};"
     if any(load.gathered for load in loading.loads):
-        yield from ["", *part("match")]
+        yield from ["", *template_lines("match")]
     if any(load.drawn for load in loading.loads):
-        yield from ["", *part("among")]
+        yield from ["", *template_lines("among")]
     if loading.images:
-        yield from ["", *part("images", width=image_width(cols))]
+        yield from ["", *template_lines("images", width=image_width(cols))]
     for load in loading.loads:
         yield ""
         yield from _load_lines(loading, load)
@@ -171,8 +171,8 @@ def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
         assert patterns is not None
         yield f"const Match code_{name}[] = {{"
         for start in range(0, len(patterns.matches), 4):
-            some = patterns.matches[start : start + 4]
-            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in some)
+            row_matches = patterns.matches[start : start + 4]
+            yield "    " + " ".join(f"{{{_operands(match)}}}," for match in row_matches)
         yield "};"
         yield ""
     yield f"void load_{name}() {{"
@@ -181,12 +181,12 @@ def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
         yield f"    load_image({literal(load.file)}, {register});"
     elif load.drawn:
         # At once, for want of a register in which to gather the patterns.
-        yield from part(
+        yield from template_lines(
             "drawn", register=register, codes=f"code_{name}", inverted="!" * patterns.inverted
         )
     elif load.gathered:
         add = "\n".join(section(loading.add_calls(load), " " * 8))
-        yield from part("gathered", scratch=load.scratch, codes=f"code_{name}", add=add)
+        yield from template_lines("gathered", scratch=load.scratch, codes=f"code_{name}", add=add)
     else:
         for match in patterns.matches:
             yield f"    scamp5_load_pattern({register}, {_operands(match)});"

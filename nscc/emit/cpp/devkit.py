@@ -32,7 +32,7 @@ class Devkit:
 
     def named(self, line: str) -> str:
         """A line of C++, written for the SCAMP-5d's library, for this one's."""
-        return _NAMES.sub(lambda found: f"{self.library}{found[1]}", line).replace(
+        return _NAMES.sub(lambda match: f"{self.library}{match[1]}", line).replace(
             "SCAMP5_PE", f"{self.library.upper()}_PE"
         )
 
@@ -45,8 +45,8 @@ DEVKITS = (
 
 def devkit_of(target: Target) -> Devkit:
     """The first devkit that has the target's registers; the last one where none has."""
-    own = {*target.analog_registers, *target.digital_registers}
-    return next((each for each in DEVKITS if own <= each.registers), DEVKITS[-1])
+    registers = {*target.analog_registers, *target.digital_registers}
+    return next((devkit for devkit in DEVKITS if registers <= devkit.registers), DEVKITS[-1])
 
 
 def devkit_fault(container: Container, devkit: Devkit) -> str | None:
@@ -69,7 +69,7 @@ def devkit_fault(container: Container, devkit: Devkit) -> str | None:
             f"has {target.rows} x {target.cols} pixels, and the {devkit.name} devkit "
             f"{_SIDE} x {_SIDE}"
         )
-    levels = [each.level for each in container.launches if each.level is not None]
+    levels = [launch.level for launch in container.launches if launch.level is not None]
     if levels and not _IN_LOW <= min(levels) <= max(levels) <= _IN_HIGH:
         return (
             f"sets IN to {min(levels)} to {max(levels)} steps, and the {devkit.name} devkit to "

@@ -16,7 +16,7 @@ from itertools import accumulate
 from math import ceil
 
 from nscc.chips.target import Target
-from nscc.emit.cpp.text import part, remarked
+from nscc.emit.cpp.text import remarked, template_lines
 from nscc.operations import Effect
 from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
@@ -36,14 +36,14 @@ _US = 1 << 32
 
 @dataclass(frozen=True)
 class Row:
-    """`times` launches, the first one `at` microseconds after the frame's first word, and `every`
-    microseconds from one to the next. `kernel` None only waits.
+    """`times` launches of a kernel: the first `at` microseconds after the frame's first word, each
+    next one `interval_us` later. `kernel` None only waits.
 
     `instants` are the boundaries of the launches.
     """
 
     at: Fraction
-    every: Fraction
+    interval_us: Fraction
     kernel: int | None
     level: int | None
     instants: tuple[int, ...]
@@ -68,9 +68,11 @@ class Schedule:
         return any(row.kernel is None for row in self.rows)
 
     @property
-    def whole(self) -> bool:
+    def in_whole_us(self) -> bool:
         """Whether all moments are whole microseconds."""
-        return all(each.denominator == 1 for row in self.rows for each in (row.at, row.every))
+        return all(
+            moment.denominator == 1 for row in self.rows for moment in (row.at, row.interval_us)
+        )
 
     @property
     def sets_in(self) -> bool:
@@ -138,17 +140,17 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
-        every = rows[end].at - first.at if end < len(rows) else Fraction(0)
+        interval_us = rows[end].at - first.at if end < len(rows) else Fraction(0)
         while (
             end < len(rows)
             and end - start < MOST_TIMES
             and (rows[end].kernel, rows[end].level) == (first.kernel, first.level)
-            and rows[end].at - rows[end - 1].at == every
+            and rows[end].at - rows[end - 1].at == interval_us
         ):
             end += 1
         instants = tuple(row.instants[0] for row in rows[start:end])
-        every = every if end - start > 1 else Fraction(0)
-        yield Row(first.at, every, first.kernel, first.level, instants)
+        interval_us = interval_us if end - start > 1 else Fraction(0)
+        yield Row(first.at, interval_us, first.kernel, first.level, instants)
         start = end
 
 
@@ -170,12 +172,12 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
     yield "};"
     yield ""
     settings = {"begin": schedule.begin_us, "end": float(schedule.end)}
-    yield from part("await", **settings)
+    yield from template_lines("await", **settings)
     yield ""
-    fields = "step" if schedule.whole else "step_parts"
+    fields = "step" if schedule.in_whole_us else "step_parts"
     if schedule.sets_in:
         fields += "_in"
-    yield from part(fields)
+    yield from template_lines(fields)
     yield ""
     yield "const Step schedule[] = {"
     texts = [_row_text(row, count, schedule) for row in schedule.rows]
@@ -189,8 +191,8 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
         )
     else:
         for start in range(0, len(texts), _ROWS_A_LINE):
-            some = schedule.rows[start : start + _ROWS_A_LINE]
-            first, last = some[0].instants[0], some[-1].instants[-1]
+            line_rows = schedule.rows[start : start + _ROWS_A_LINE]
+            first, last = line_rows[0].instants[0], line_rows[-1].instants[-1]
             line = f"    {' '.join(texts[start : start + _ROWS_A_LINE])}"
             yield f"{line}  // boundary {first} to {last}"
     yield "};"
@@ -198,15 +200,15 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
     yield from _expose(schedule, container.target)
 
 
-def _row_text(row: Row, rest: int, schedule: Schedule) -> str:
+def _row_text(row: Row, rest_kernel: int, schedule: Schedule) -> str:
     """A row as C++: moments in microseconds, and in 2^-32 of one where some are not whole."""
     numbers: list[int] = []
-    for moment in (row.at, row.every):
+    for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)
         numbers.append(fixed // _PART % _US)
-        if not schedule.whole:
+        if not schedule.in_whole_us:
             numbers.append(fixed % _PART)
-    numbers += [rest if row.kernel is None else row.kernel, row.times]
+    numbers += [rest_kernel if row.kernel is None else row.kernel, row.times]
     if schedule.sets_in:
         numbers.append(AS_IT_IS if row.level is None else row.level)
     return f"{{{', '.join(map(str, numbers))}}},"
@@ -214,11 +216,15 @@ def _row_text(row: Row, rest: int, schedule: Schedule) -> str:
 
 def _expose(schedule: Schedule, target: Target) -> Iterator[str]:
     """The function that runs a frame."""
-    moment = part("moment" if schedule.whole else "moment_parts")
-    after = part("after" if schedule.whole else "after_parts")
-    settle = part("settle", settle=ceil(exact(target.in_settle_us))) if schedule.sets_in else []
-    begin = part("begin_in") if schedule.sets_in else []
-    lines = part("expose")
+    moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
+    after = template_lines("after" if schedule.in_whole_us else "after_parts")
+    settle = (
+        template_lines("settle", settle=ceil(exact(target.in_settle_us)))
+        if schedule.sets_in
+        else []
+    )
+    begin = template_lines("begin_in") if schedule.sets_in else []
+    lines = template_lines("expose")
     inserted = {"@begin@": begin, "@moment@": moment, "@settle@": settle, "@after@": after}
     for line in lines:
         yield from inserted.get(line.strip(), [line])

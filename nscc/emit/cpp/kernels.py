@@ -38,7 +38,7 @@ _MOST_OPERANDS = 4
 
 def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
     """Library calls that record exactly these words, each with its words; None: there are none."""
-    found: list[tuple[Call, tuple[Op, ...]]] = []
+    recorded: list[tuple[Call, tuple[Op, ...]]] = []
     at = 0
     while at < len(ops):
         for length in _lengths():
@@ -47,17 +47,17 @@ def calls(ops: Sequence[Op]) -> list[tuple[Call, tuple[Op, ...]]] | None:
             if length == 1:
                 call = _single(ops[at])
             if call is not None:
-                found.append((call, window))
+                recorded.append((call, window))
                 at += length
                 break
         else:
             return None
-    return found
+    return recorded
 
 
-def calls_words(made: Sequence[Call]) -> int:
+def calls_words(recorded: Sequence[Call]) -> int:
     """Number of words that calls record."""
-    return sum(len(expand(name, operands)) for name, operands in made)
+    return sum(len(expand(name, operands)) for name, operands in recorded)
 
 
 def kernel_lines(
@@ -68,9 +68,9 @@ def kernel_lines(
     `narrow` are words that do the same and have calls, None where there are none: they take the
     place of what no call says in the simulator, and on every chip whose `tables` are not known.
     """
-    said = calls(ops)
-    if said is not None:
-        yield from _recorded(name, said)
+    recorded = calls(ops)
+    if recorded is not None:
+        yield from _recorded(name, recorded)
         return
     if tables:
         yield "#ifdef __LPC43XX__"
@@ -80,20 +80,22 @@ def kernel_lines(
         yield "};"
         yield f"void {name}() {{ scamp5_kernel({name}_words, {len(ops)}), Run(); }}"
         yield "#else"
-    said = None if narrow is None else calls(narrow)
-    if said is None:
+    recorded = None if narrow is None else calls(narrow)
+    if recorded is None:
         yield f'#error "{TOO_WIDE}"'
     else:
-        yield from _recorded(name, said)
+        yield from _recorded(name, recorded)
     if tables:
         yield "#endif"
 
 
-def _recorded(name: str, said: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
-    body = [(f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in said]
+def _recorded(name: str, recorded: Sequence[tuple[Call, tuple[Op, ...]]]) -> Iterator[str]:
+    body = [
+        (f"        {call_text(call)}", "; ".join(map(str, window))) for call, window in recorded
+    ]
     yield f"void {name}() {{"
     yield "    scamp5_kernel_begin();"
-    if any(word.analog for _, window in said for word in window):
+    if any(word.analog for _, window in recorded for word in window):
         yield "        SLOW_CLOCK"
     yield from remarked(body)
     yield "    scamp5_kernel_end();"

@@ -49,14 +49,14 @@ def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]
     off[:rows, :cols] = ~plane[:, ::-1]
-    one, zero, bits = _support(on, off)
+    ones, zeros, bits = _support(on, off)
     if len(bits) > MOST_BITS:
         return None
     everything = (1 << (1 << len(bits))) - 1
-    plain, _ = _cover(one, everything & ~zero, len(bits))
-    other, _ = _cover(zero, everything & ~one, len(bits))
-    inverted = len(other) + 1 < len(plain)  # inverting is a kernel of its own
-    cubes = other if inverted else plain
+    plain, _ = _cover(ones, everything & ~zeros, len(bits))
+    complement, _ = _cover(zeros, everything & ~ones, len(bits))
+    inverted = len(complement) + 1 < len(plain)  # inverting is a kernel of its own
+    cubes = complement if inverted else plain
     return Patterns(tuple(sorted(_match(cube, bits) for cube in cubes)), inverted)
 
 
@@ -98,8 +98,8 @@ def _cover(needed: int, allowed: int, bits: int) -> tuple[list[_Cube], int]:
     allowed_0, allowed_1 = allowed & low, allowed >> half
     cubes_0, covered_0 = _cover(needed_0 & ~allowed_1, allowed_0, bits - 1)
     cubes_1, covered_1 = _cover(needed_1 & ~allowed_0, allowed_1, bits - 1)
-    left = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
-    both, covered = _cover(left, allowed_0 & allowed_1, bits - 1)
+    uncovered = (needed_0 & ~covered_0) | (needed_1 & ~covered_1)
+    both, covered = _cover(uncovered, allowed_0 & allowed_1, bits - 1)
     cubes = [
         *((named | variable, ones) for named, ones in cubes_0),
         *((named | variable, ones | variable) for named, ones in cubes_1),

@@ -28,7 +28,7 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import comment, entry, literal, part, safe, section
+from nscc.emit.cpp.text import comment, entry, literal, safe, section, template_lines
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
@@ -83,7 +83,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
         "",
         "using namespace SCAMP5_PE;",
         "",
-        *part("clock"),
+        *template_lines("clock"),
         "",
         "namespace {",
         "",
@@ -267,7 +267,7 @@ def _kernels(tree: File, program: Program, container: Container, devkit: Devkit)
     if any(calls(ops) is None for ops in kernels):
         narrow = _narrow(program, container, devkit)
         if devkit.tables:
-            yield from ["#ifdef __LPC43XX__", *part("run"), "#endif", ""]
+            yield from ["#ifdef __LPC43XX__", *template_lines("run"), "#endif", ""]
     launched: dict[int, list[int]] = {}
     for launch in container.launches:
         launched.setdefault(launch.kernel, []).append(launch.instant)
@@ -318,20 +318,20 @@ def _main(container: Container, loading: Loading) -> Iterator[str]:
             f"vs_gui_add_display({literal(name)}, {2 * row}, {2 * col}, 2);"
         )
     yield ""
-    yield from part("record")
+    yield from template_lines("record")
     if loading.images:
-        yield from ["", *part("awaiting", rate=loading_rate(container.target))]
+        yield from ["", *template_lines("awaiting", rate=loading_rate(container.target))]
     if loading.loads:
         yield "    load_codes();"
     preparing = preparation_of(container)
     prepare = []
     if preparing.level is not None:
         settle = ceil(exact(container.target.in_settle_us))
-        prepare = part("spread", level=preparing.level, settle=settle)
+        prepare = template_lines("spread", level=preparing.level, settle=settle)
     made = calls(preparing.words)
     assert made is not None, "every bus of at most four registers has a call"
     prepare += section((call for call, _ in made), " " * 8)
-    yield from ["", *part("frames", prepare="\n".join(prepare))]
+    yield from ["", *template_lines("frames", prepare="\n".join(prepare))]
     gains = {readout.register: readout.gain for readout in container.readouts}
     for number, (register, _) in enumerate(shown):
         gain = gains.get(register, 1.0)

@@ -14,17 +14,17 @@ Call = tuple[str, tuple[str, ...]]
 
 
 @cache
-def _parts() -> dict[str, str]:
-    _, *parts = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
-    split = (part.partition("\n") for part in parts)
+def _templates() -> dict[str, str]:
+    _, *sections = Path(__file__).with_name("parts.cpp").read_text(encoding="ascii").split("//: ")
+    split = (section.partition("\n") for section in sections)
     return {name: text.rstrip("\n") for name, _, text in split}
 
 
-def part(name: str, **values: object) -> list[str]:
+def template_lines(name: str, **values: object) -> list[str]:
     """The lines of a part of `parts.cpp`, with values in place of their names between `@`."""
-    text = _parts()[name]
-    for each, value in values.items():
-        text = text.replace(f"@{each}@", str(value))
+    text = _templates()[name]
+    for key, value in values.items():
+        text = text.replace(f"@{key}@", str(value))
     return text.split("\n")
 
 
@@ -45,8 +45,11 @@ def comment(text: str, indent: str = "") -> list[str]:
 
 def entry(title: str, text: str) -> list[str]:
     """A line of the header: a title in a column of its own, and what it says."""
-    first, *more = comment(text, " " * 11)
-    return [f"// {title:<11}{first[14:]}", *("// " + " " * 11 + line[14:] for line in more)]
+    first, *following_lines = comment(text, " " * 11)
+    return [
+        f"// {title:<11}{first[14:]}",
+        *("// " + " " * 11 + line[14:] for line in following_lines),
+    ]
 
 
 def literal(text: str) -> str:

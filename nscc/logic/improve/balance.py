@@ -26,11 +26,10 @@ def balance(
     other_words: Sequence[int],
     limit: int = 0,
 ) -> Solution:
-    """The solution with gates moved to earlier boundaries, in no more words a frame.
+    """Move gates to earlier boundaries without adding words to the frame.
 
-    `others` says how many words run at each boundary 0..N besides the solution's gates. The largest
-    boundary gets as small as was found, but nothing is done below `limit` words. Comes back itself
-    where nothing can be moved.
+    `other_words` gives the words at each boundary 0..N besides the solution's gates. The words of
+    the largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move.
     """
     frame, items = flatten(solution, problem, machine)
     try:
@@ -115,7 +114,9 @@ def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int,
 
 def _take(run: Run, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
     """Accepts a rewriting that leaves the boundary below `most` and fills no other up to it."""
-    words = loads.counted([*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]])
+    words = loads.counted(
+        [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
+    )
     if words[boundary] >= most or any(
         now >= most and now > was for now, was in zip(words, loads.words, strict=True)
     ):

@@ -241,7 +241,11 @@ def _forgotten(frame: Frame, coming: int) -> int:
     # Only planes and states are refreshed in a frame that is longer than memory lasts.
     last = coming == len(demands)
     scratch_kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
-    return forgets if scratch_kept else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
+    return (
+        forgets
+        if scratch_kept
+        else forgets | ((1 << frame.scratch) - 1) << frame.planes + frame.states
+    )
 
 
 def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
@@ -249,7 +253,9 @@ def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
-    segments_at: dict[int, list[list[Gate]]] = {place: [[] for _ in run] for place, run in runs.items()}
+    segments_at: dict[int, list[list[Gate]]] = {
+        place: [[] for _ in run] for place, run in runs.items()
+    }
     names = frame.names()
     used = 0
     for item in items:

@@ -18,7 +18,7 @@ from nscc.truth import union
 def cover(
     target: int, sources: Sequence[tuple[int, int]], limit: int | None
 ) -> tuple[int, ...] | None:
-    """Few of `sources` (register, content) that cover `wanted`; None if they cannot.
+    """Choose few `sources` (register, content) that cover `target`; None if all together do not.
 
     Of equally good ones, earlier sources are taken. At most `limit` of them.
     """
@@ -54,8 +54,8 @@ def _irredundant(target: int, chosen: list[tuple[int, int]]) -> list[tuple[int, 
 
 
 def _within(target: int, sources: Sequence[tuple[int, int]], limit: int) -> tuple[int, ...] | None:
-    """At most `limit` sources that cover `wanted`, found by trying all: those that have the first
-    shutter left, one of which must be taken, so the limit is the depth of the search."""
+    """Find at most `limit` sources that cover `target` by exhaustive search of depth `limit`: one
+    of the sources that contain the first uncovered shutter must be chosen."""
     if not target:
         return ()
     if limit == 0:
@@ -79,7 +79,9 @@ def gate(
     inverted: tuple[bool, ...] = (False, True),
     fewest: int = 0,
 ) -> tuple[bool, tuple[int, ...]] | None:
-    """One gate over `readable` registers for (one, zero): (inverted, sources); None if none does.
+    """Find a gate over `readable` registers that is 1 on `ones` and 0 on `zeros`.
+
+    Returns (inverted, sources), or None if there is no such gate.
 
     With `fewest` 1 at least one source is read (WHERE cannot do without).
     """
@@ -106,10 +108,10 @@ def inner(
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
 ) -> list[tuple[bool, int, int]]:
-    """Ways to give (one, zero) by a gate with one more source that is not there yet.
+    """Return the gates that are 1 on `ones` and 0 on `zeros` if one more source existed.
 
-    Each is (inverted, one', zero'): the outer gate's kind and what the new source must be. It
-    reads all other registers that it may.
+    Each is (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1
+    and 0. The gate also reads all other registers that it may read.
     """
     ways = []
     for invert in inverted:

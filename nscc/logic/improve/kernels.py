@@ -37,7 +37,10 @@ def improve_kernels(
             continue
         for tokens in block:
             start, end = tokens[0].start, tokens[-1].end
-            replacements[start:end] = [_moved(run.items, block[0], tokens, new), *[[]] * (end - start - 1)]
+            replacements[start:end] = [
+                _moved(run.items, block[0], tokens, new),
+                *[[]] * (end - start - 1),
+            ]
     return list(chain.from_iterable(replacements))
 
 
@@ -74,7 +77,10 @@ def _joined(contents: Sequence[Content], size: int) -> Content:
 
 
 def _moved(
-    items: Sequence[Item], first: Sequence[Token], target_tokens: Sequence[Token], new: Sequence[Item]
+    items: Sequence[Item],
+    first: Sequence[Token],
+    target_tokens: Sequence[Token],
+    new: Sequence[Item],
 ) -> list[Item]:
     """Items written for the block's first place, in another one."""
     segments: dict[tuple[int, int], tuple[int, int]] = {}

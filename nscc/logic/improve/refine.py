@@ -86,7 +86,10 @@ class _Refinery(Generic[P]):
         steps = FIRST_STEPS[self.level]
         first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
         first.sort(key=lambda pair: pair[0].price)
-        refined = [self._improve_further(improved, keep_kernels) for improved, keep_kernels in first[: BEST[self.level]]]
+        refined = [
+            self._improve_further(improved, keep_kernels)
+            for improved, keep_kernels in first[: BEST[self.level]]
+        ]
         best = min([*refined, *(improved for improved, _ in first), *candidates], key=_PRICE)
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
@@ -141,7 +144,9 @@ class _Refinery(Generic[P]):
         solution = candidate.solution
         other_words = list(candidate.words_per_boundary)
         gates = words_at(solution, self.problem, self.machine, len(other_words) - 1)
-        other_words = [all_ - gate_words for all_, gate_words in zip(other_words, gates, strict=True)]
+        other_words = [
+            all_ - gate_words for all_, gate_words in zip(other_words, gates, strict=True)
+        ]
         budget = Budget(FIRST_STEPS[self.level])
         return self._form(balance(solution, self.problem, self.machine, budget, other_words))
 

@@ -162,8 +162,8 @@ class _Walk:
         return [r for r in self.order if self.state[r] is not None and r != banned]
 
     def _written(self, target: int, ones: int, zeros: int) -> tuple[int, int] | None:
-        """What a gate must write into `target` for (one, zero) to stand there; None if a mask keeps
-        it from doing so."""
+        """Return (ones, zeros) that a gate must write so that `target` is 1 on `ones` and 0 on
+        `zeros`; None if a mask prevents it."""
         frame = self.frame
         if target != frame.masked or frame.mask is None:
             return ones, zeros
@@ -206,7 +206,9 @@ class _Walk:
         for _, inner_ones, inner_zeros in inner(*written, self.state, readable, kinds):
             for spare in self.run.free(k + 1, busy):
                 sources = [r for r in self._readable(spare) if r != spare]
-                chosen = gate(inner_ones, inner_zeros, self.state, sources, frame.machine.or_sources)
+                chosen = gate(
+                    inner_ones, inner_zeros, self.state, sources, frame.machine.or_sources
+                )
                 if chosen is None:
                     continue
                 new = frame.op(chosen[0], spare, chosen[1], item.place, item.segment)

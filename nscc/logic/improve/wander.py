@@ -79,7 +79,9 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         dropped = dropped[: choose.randrange(1, 3)]
         start = min([k, *dropped])
     rewriting = rewrite(run, start, lead, dropped, least=0, deepen=True, order=order)
-    if rewriting is None or (rewriting.gain == 0 and rewriting.items == run.items[rewriting.start : rewriting.end]):
+    if rewriting is None or (
+        rewriting.gain == 0 and rewriting.items == run.items[rewriting.start : rewriting.end]
+    ):
         return None
     return rewriting
 
@@ -87,7 +89,10 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
 def _nearby_operations(run: Run, k: int) -> list[int]:
     """Operations of the same answer around k, without k."""
     operations: list[int] = []
-    for indices in (range(k - 1, max(-1, k - SPAN), -1), range(k + 1, min(len(run.items), k + SPAN))):
+    for indices in (
+        range(k - 1, max(-1, k - SPAN), -1),
+        range(k + 1, min(len(run.items), k + SPAN)),
+    ):
         for j in indices:
             if isinstance(run.items[j], Check):
                 break

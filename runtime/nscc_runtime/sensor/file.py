@@ -32,7 +32,7 @@ def schema_of(rows: tuple[Parameter, ...]) -> Schema[Parameter]:
         "sensor",
         rows,
         HEADINGS,
-        Codes("NS0751", "NS0752", unknown="NS0753", wrong="NS0754", change="NS0755"),
+        Codes("NS0751", "NS0752", unknown="NS0753", wrong_value="NS0754", change="NS0755"),
         "`nscc effects --toml > sensor.toml` writes a complete file to start from",
         noun="parameter",
         option="--sensor-set",

@@ -81,7 +81,7 @@ def _limit_keys() -> tuple[Key, ...]:
     names = tuple(family.name for family in families())
     return (
         axis("family", Text(names), "a class at every size"),
-        axis("slot", Text(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", said="a time: 10us"),
+        axis("slot", Text(pattern=r"[0-9]{1,9}(\.[0-9]{1,6})?(ns|us|ms|s)", phrase="a time: 10us"),
              "the length of its slots", "1ms"),
         axis("level", Integer(0, 3), "as -O", 1),
         *target_keys(),
