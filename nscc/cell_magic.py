@@ -18,13 +18,13 @@ from dataclasses import replace
 from typing import Any, NoReturn, get_args
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.pipeline import LEVELS, Options
 from nscc.program.program import Codes
 from nscc.shutter_program import ShutterProgram, compile
 
 
-class Refused(Rejected):
+class CellRejected(Rejected):
     """What is wrong with a cell. IPython shows it without the calls that led to it."""
 
     def _render_traceback_(self) -> list[str]:
@@ -81,7 +81,7 @@ def load_ipython_extension(shell: Any) -> None:
             with warnings.catch_warnings(action="ignore"):  # the card shows them
                 program = compile(cell, **options)
         except Rejected as rejected:
-            raise Refused(rejected.diagnostics, rejected.status) from None
+            raise CellRejected(rejected.diagnostics, rejected.status) from None
         if name is None:
             return program
         program = replace(program, name=name)

@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from nscc.logic.problem import Gate, Machine
 from nscc.logic.replay import fault
+from nscc.lower.exposure_plan import ExposurePlan, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice
-from nscc.lower.plan import ExposurePlan, Planned
 from nscc.operations import Effect, Op
 from nscc.program.program import Program
 from nscc.prove.proof import Proof
@@ -26,8 +26,8 @@ from nscc.truth import members
 from nscc.words.container import Container
 
 if TYPE_CHECKING:
+    from nscc.looks.looking_plan import LookingPlan, Moment
     from nscc.looks.passes import LookingLowered
-    from nscc.looks.plan import LookingPlan, Moment
     from nscc.stream.sending import Sending
     from nscc.words.machine import Machine as StateMachine
 

@@ -11,7 +11,7 @@ from nscc.chips.target import Target
 from nscc.columns import columns
 from nscc.compiler import compile_file
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc.emit.stream import rate_text
+from nscc.emit.sending_report import rate_text
 from nscc.lower.resources import time_text
 from nscc.pipeline import Compiled, Options
 from nscc.program.problems import counted

@@ -16,7 +16,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.pipeline import Options
 from nscc.program.analyse import ranges_of
-from nscc.program.pixels import Ranges, codes_from_arrays, codes_from_file
+from nscc.program.pixel_codes import Ranges, codes_from_arrays, codes_from_file
 from nscc.source import Source
 from nscc.stream.planes import with_planes
 from nscc.words.container import Container

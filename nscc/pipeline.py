@@ -18,13 +18,13 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
+from nscc.lower.exposure_plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.lower.gates import Gated, find_gates
 from nscc.lower.lowered import Choice, Lowered, lay_out
-from nscc.lower.plan import LoweringOption, Misfit, Planned, frame_time, plan_exposures
 from nscc.program.analyse import analyse
 from nscc.program.program import Codes, Program
 from nscc.prove.proof import Proof, prove
-from nscc.prove.stream import prove_stream
+from nscc.prove.stream_proof import prove_stream
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import File
@@ -32,7 +32,7 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 
 if TYPE_CHECKING:
-    from nscc.looks.plan import LookingPlan
+    from nscc.looks.looking_plan import LookingPlan
     from nscc.stream.sending import Sending
 
 LEVELS = (0, 1, 2, 3)

@@ -30,7 +30,7 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.render import render
 from nscc.files import write_together
-from nscc.lower.plan import LOWERINGS, LoweringOption
+from nscc.lower.exposure_plan import LOWERINGS, LoweringOption
 from nscc.pipeline import LEVELS, Compiled, Options, all_lowerings
 from nscc.program.problems import counted
 from nscc.program.program import Codes
@@ -171,7 +171,7 @@ class ShutterProgram:
         compiled, options = self._as_compiled("report")
         assert compiled.proof is not None
         if compiled.sending is not None:
-            from nscc.emit.stream import stream_report
+            from nscc.emit.sending_report import stream_report
 
             return stream_report(compiled.sending, compiled.proof)
         return report(all_lowerings(compiled.program, options), compiled.proof)

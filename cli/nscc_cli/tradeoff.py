@@ -9,7 +9,7 @@ from typing import Any
 import click
 
 from nscc.files import Product
-from nscc.lower.plan import LOWERINGS, Lowering
+from nscc.lower.exposure_plan import LOWERINGS, Lowering
 from nscc.pipeline import LEVELS
 from nscc.tradeoff.device import processor_name
 from nscc.tradeoff.points import Point, csv_text, table_text

@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS, TARGET

@@ -22,9 +22,9 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.plugins import added, unusable
 from nscc.source import Source, Span
-from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.kinds import Several
 from nscc.toml.schema import Key, KeyValues, keys_of
+from nscc.toml.schema_files import file_bytes, file_text, file_values
 
 DEFAULT_NAME = "scamp5"
 _TABLES = Path(__file__).with_name("tables")

@@ -8,7 +8,7 @@ from typing import Any
 
 from nscc.diagnostics.suggest import meant
 from nscc.operations import ANALOG_WRITE, DIGITAL_WRITE
-from nscc.toml.text import shown
+from nscc.toml.toml_text import shown
 
 _MOST_TOLD = 10
 _MOST_TAPS = 16

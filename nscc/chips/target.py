@@ -15,7 +15,7 @@ from typing import Any, Literal
 from nscc.chips.words import OwnWords
 from nscc.operations import Operation
 from nscc.toml.kinds import LINE, NAME, Flag, Integer, Number, Several, Text
-from nscc.toml.schema import Codes, Key, Schema, key, keys_of
+from nscc.toml.schema import FileCodes, Key, Schema, key, keys_of
 
 _SIDE = Integer(1, 8192)
 _REGISTER = Text(phrase="the name of a register", optional=True)
@@ -235,7 +235,7 @@ class Target:
         return tuple(r for r in self.analog_registers if r != self.analog_scratch)
 
 
-_CODES = Codes("NS0231", "NS0232", unknown="NS0233", wrong_value="NS0235", missing="NS0234")
+_CODES = FileCodes("NS0231", "NS0232", unknown="NS0233", wrong_value="NS0235", missing="NS0234")
 _OF_STREAMS = (
     "name", "kind", "description", "array.rows", "array.cols", "time.readout_us",
     "range.full_well_e", "range.adc_bits", "range.adc_offset_lsb",

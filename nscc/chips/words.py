@@ -36,7 +36,7 @@ from nscc.operations import (
     Operation,
 )
 from nscc.toml.kinds import Kind
-from nscc.toml.text import written
+from nscc.toml.toml_text import written
 
 EFFECTS = {
     "nothing": Effect.NONE,

@@ -29,7 +29,7 @@ from nscc.syntax.tree import File
 
 
 @dataclass(frozen=True)
-class Checked:
+class CheckResult:
     """What `nscc check` says of a text. `compiled` is None where it is rejected."""
 
     diagnostics: tuple[Diagnostic, ...]
@@ -53,15 +53,15 @@ class Document:
         return Source(self.name, self.text)
 
     @cached_property
-    def checked(self) -> Checked:
+    def checked(self) -> CheckResult:
         """What `nscc check` says: the one part of a document that takes long."""
         try:
             # As bytes in a file: a text too large, or with what no file may hold, is told so.
             source = source_of(Path(self.name), self.text.encode(errors="surrogatepass"))
             compiled = compile_source(source, self.folder, CHECK)
         except Rejected as rejected:
-            return Checked(rejected.diagnostics, None)
-        return Checked(compiled.diagnostics, compiled)
+            return CheckResult(rejected.diagnostics, None)
+        return CheckResult(compiled.diagnostics, compiled)
 
     @cached_property
     def tokens(self) -> Tokens:

@@ -12,7 +12,7 @@ from nscc.chips.load import DEFAULT_NAME, builtin_target, load_target, target_na
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.editing.complete import Offer
-from nscc.editing.document import Checked, Document
+from nscc.editing.document import CheckResult, Document
 from nscc.macros import mnemonics
 from nscc.source import Source, Span
 from nscc.words.assembly import assemble
@@ -32,13 +32,13 @@ class Listing:
     folder: Path
 
     @cached_property
-    def checked(self) -> Checked:
+    def checked(self) -> CheckResult:
         """What `nscc asm` says."""
         try:
             assemble(Source(self.name, self.text), self.folder)
         except Rejected as rejected:
-            return Checked(rejected.diagnostics, None)
-        return Checked((), None)
+            return CheckResult(rejected.diagnostics, None)
+        return CheckResult((), None)
 
     @cached_property
     def target(self) -> Target:

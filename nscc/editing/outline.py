@@ -29,7 +29,7 @@ _LONGEST = 60
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class OutlineEntry:
     """A statement: its name, what is written behind that, in short, what it is, and its place.
 
     `kind` is the word that begins it, and its name where it has no other; `at` is the place of the
@@ -43,7 +43,7 @@ class Entry:
     at: Span
 
 
-def outline(document: Document) -> list[Entry]:
+def outline(document: Document) -> list[OutlineEntry]:
     """Those statements that have a name, the frame and the rule, in the order written."""
     entries = []
     for statement in document.parsed[0].statements:
@@ -56,5 +56,5 @@ def outline(document: Document) -> list[Entry]:
         detail = " ".join(document.text[at.end : span.end].split()).lstrip(" :=")
         if len(detail) > _LONGEST:
             detail = detail[: _LONGEST - 3] + "..."
-        entries.append(Entry(kind if name is None else name.text, detail, kind, span, at))
+        entries.append(OutlineEntry(kind if name is None else name.text, detail, kind, span, at))
     return entries

@@ -6,13 +6,13 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from nscc.chips.target import Target
-from nscc.emit.stream import sending_text, sent_lines
+from nscc.emit.sending_report import sending_text, sent_lines
 from nscc.logic.problem import Gate
 from nscc.lower.allocate import allocate
 from nscc.lower.decoding import Decoding
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.lower.gates import Gated
 from nscc.lower.lowered import Choice, Lowered
-from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Planned
 from nscc.program.printing import print_program
 from nscc.prove.proof import Proof
 from nscc.stream.sending import Sending

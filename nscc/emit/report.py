@@ -7,7 +7,7 @@ import json
 from collections import Counter
 from typing import Any
 
-from nscc.emit.looks import looks_report
+from nscc.emit.looks_report import looks_report
 from nscc.emit.subject import subject
 from nscc.logic.bound import ASSUMES, level_bound
 from nscc.lower.lowered import Choice, Lowered

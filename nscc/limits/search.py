@@ -21,7 +21,7 @@ _ALIKE = 1.02
 
 
 @dataclass(frozen=True)
-class Trial:
+class SizeTrial:
     """One program that was compiled: `fits` means that its words were proved.
 
     `figures` are its costs. Of one that does not fit, `code` and `reason` are the error's, and
@@ -49,16 +49,16 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 
 
 def explore(
-    sizes: list[int], attempt: Callable[[int], Trial], budget: int
-) -> Generator[Trial, None, dict[int, Trial]]:
+    sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
+) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
     """Compiles the ascending `sizes`, then looks beyond the largest that fits.
 
     Yields each trial as it is made, at most `budget` of them, and returns all by size. The next
     larger size is tried before the middle: limits tend to lie where one more bit is needed.
     """
-    trials: dict[int, Trial] = {}
+    trials: dict[int, SizeTrial] = {}
 
-    def make(size: int) -> Generator[Trial, None, bool]:
+    def make(size: int) -> Generator[SizeTrial, None, bool]:
         trials[size] = attempt(size)
         yield trials[size]
         return trials[size].fits

@@ -9,7 +9,7 @@ from pathlib import Path
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc.limits.families import Family, families
-from nscc.limits.search import Trial, candidates, explore
+from nscc.limits.search import SizeTrial, candidates, explore
 from nscc.lower.resources import time_text
 from nscc.pipeline import Options, run_passes
 from nscc.program.capacity import bits_needed, impossible_from
@@ -32,8 +32,8 @@ class Limit:
 
     family: Family
     slot: str
-    trials: tuple[Trial, ...]
-    built: Trial | None
+    trials: tuple[SizeTrial, ...]
+    built: SizeTrial | None
     impossible: int | None
     impossible_reason: str
     unknown_reason: str
@@ -44,7 +44,7 @@ class Limit:
         return self.built.size + 1 if self.built else self.family.least
 
     @property
-    def gaps(self) -> tuple[Trial, ...]:
+    def gaps(self) -> tuple[SizeTrial, ...]:
         """Sizes below the largest built that did not fit."""
         built = self.built.size if self.built else 0
         return tuple(trial for trial in self.trials if trial.size < built and not trial.fits)
@@ -52,7 +52,7 @@ class Limit:
 
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
-) -> Generator[Trial, None, list[Limit]]:
+) -> Generator[SizeTrial, None, list[Limit]]:
     """Yields each trial as it is made and returns a limit for every slot length and family.
 
     Raises Rejected (NS0510) for a chip that any shutter fits.
@@ -71,7 +71,7 @@ def survey(
 
 def limit_of(
     family: Family, target: Target, options: Options, slot: str
-) -> Generator[Trial, None, Limit]:
+) -> Generator[SizeTrial, None, Limit]:
     """The same for one family at one slot length; every legal code is compiled."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
@@ -94,7 +94,7 @@ def limit_of(
     return replace(limit, unknown_reason=_unknown(limit))
 
 
-def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
+def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTrial:
     try:
         source = Source("limits.nsl", family.text(size, slot))
         compiled = run_passes(source, Path(), options)
@@ -102,7 +102,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         worst = next((d for d in errors if d.data.get("proved")), errors[0])
         proved = worst.data.get("proved") is True
-        return Trial(size, False, {}, worst.code, worst.message, proved)
+        return SizeTrial(size, False, {}, worst.code, worst.message, proved)
     lowered, proof = compiled.lowered, compiled.proof
     assert lowered is not None
     assert proof is not None
@@ -118,7 +118,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> Trial:
         "words_stored": schedule.words_stored,
         "shortest_slot_us": round(lowered.shortest_slot_us, 6),
     }
-    return Trial(size, True, figures)
+    return SizeTrial(size, True, figures)
 
 
 def _unknown(limit: Limit) -> str:

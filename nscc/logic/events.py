@@ -22,7 +22,7 @@ from nscc.logic.cubes import Cube
 from nscc.logic.digits import Planes, binary_planes, digits_of, radices_of, turned_over
 from nscc.logic.encodings import describe_demand, event_fields, event_name
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns, members, union, vector
 
 

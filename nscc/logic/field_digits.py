@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.digits import Planes, radices_of, thermometers
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
 # A walk takes milliseconds, to count the planes of a combination takes microseconds.

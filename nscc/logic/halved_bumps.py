@@ -17,7 +17,7 @@ from nscc.logic.bumps import Bumps, two_ended
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
 

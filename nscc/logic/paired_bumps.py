@@ -23,7 +23,7 @@ from nscc.logic.cubes import Standing
 from nscc.logic.digits import binary_planes
 from nscc.logic.gates import Gates
 from nscc.logic.problem import Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.digits import Planes
 from nscc.logic.problem import Machine, Problem, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
 

@@ -19,7 +19,7 @@ from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
 from nscc.logic.gray import cycle, gray, rotation
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
-from nscc.logic.walk import Script, walk
+from nscc.logic.script_walk import Script, walk
 from nscc.truth import set_bits
 
 

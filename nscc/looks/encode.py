@@ -20,7 +20,7 @@ Rows = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
-class Held:
+class ValueBits:
     """The registers of a state, or of the behaviour: `bits` has a row for each of `values`."""
 
     name: str
@@ -35,11 +35,11 @@ class Held:
 
 
 @dataclass(frozen=True, eq=False)
-class Encoding:
+class LooksEncoding:
     """One choice for the behaviour and every state of a machine."""
 
-    code: Held
-    states: tuple[Held, ...]
+    code: ValueBits
+    states: tuple[ValueBits, ...]
 
     @property
     def name(self) -> str:
@@ -49,11 +49,13 @@ class Encoding:
         return ", ".join(f"{holder.name} {holder.kind}" for holder in holders) or "nothing to hold"
 
 
-def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
+def encodings(machine: Machine, registers: int) -> Iterator[LooksEncoding]:
     """Encodings in at most so many registers, those of the fewest registers last."""
     behaviours = int(machine.behaviour.max()) + 1
     behaviour_numbers = tuple(range(behaviours))
-    codes = [Held("code", kind, behaviour_numbers, bits) for kind, bits in _of_code(behaviours)]
+    codes = [
+        ValueBits("code", kind, behaviour_numbers, bits) for kind, bits in _of_code(behaviours)
+    ]
     states = []
     for k, state in enumerate(machine.states):
         reached = sorted(set(machine.values[:, k].tolist()))
@@ -61,10 +63,10 @@ def encodings(machine: Machine, registers: int) -> Iterator[Encoding]:
         bit_choices = list(_of_state(len(values)))
         if state.sense and not _outlasts(machine, k):
             bit_choices = [("not held", np.zeros((len(values), 0), np.bool_))]
-        states.append([Held(state.name, kind, values, bits) for kind, bits in bit_choices])
+        states.append([ValueBits(state.name, kind, values, bits) for kind, bits in bit_choices])
     for code, *chosen in product(codes, *states):
         if sum(value_bits.registers for value_bits in (code, *chosen)) <= registers:
-            yield Encoding(code, tuple(chosen))
+            yield LooksEncoding(code, tuple(chosen))
 
 
 def _outlasts(machine: Machine, k: int) -> bool:

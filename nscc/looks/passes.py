@@ -7,14 +7,14 @@ from dataclasses import dataclass, replace
 
 from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.logic.problem import GaveUp
-from nscc.looks.encode import Encoding, encodings
-from nscc.looks.layout import lay_out_looks
-from nscc.looks.plan import LookingPlan, plan_looks
+from nscc.looks.encode import LooksEncoding, encodings
+from nscc.looks.looking_plan import LookingPlan, plan_looks
 from nscc.looks.solve import LookingSolution, solve
+from nscc.looks.word_layout import lay_out_looks
 from nscc.lower import fit
 from nscc.lower.assemble import assemble
+from nscc.lower.exposure_plan import LoweringOption, Misfit, frame_time
 from nscc.lower.lowered import Lowered
-from nscc.lower.plan import LoweringOption, Misfit, frame_time
 from nscc.program.program import Program
 from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
@@ -95,7 +95,7 @@ def container_of(lowered: Lowered, level: int) -> Container:
     )
 
 
-def _state_planes(lowered: LookingLowered, encoding: Encoding) -> dict[str, StatePlanes]:
+def _state_planes(lowered: LookingLowered, encoding: LooksEncoding) -> dict[str, StatePlanes]:
     machine, places = lowered.program.machine, lowered.schedule.allocation.places
     assert machine is not None
     assert lowered.looking is not None

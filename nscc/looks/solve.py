@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, GaveUp, Machine
-from nscc.looks.encode import Encoding, Held
-from nscc.looks.plan import LookingPlan, Moment
-from nscc.looks.synthesis import FLAG, Board, update
-from nscc.lower.plan import RESET
+from nscc.looks.boundary_gates import FLAG, Board, update
+from nscc.looks.encode import LooksEncoding, ValueBits
+from nscc.looks.looking_plan import LookingPlan, Moment
+from nscc.lower.exposure_plan import RESET
 from nscc.operations import Op, op
 from nscc.truth import columns, vector
 from nscc.words.machine import LIGHT, Comparison
@@ -38,7 +38,7 @@ class LookingSolution:
     `registers` names the virtual registers of each state, in the order of the encoding's bits.
     """
 
-    encoding: Encoding
+    encoding: LooksEncoding
     planes: tuple[int, ...]
     holders: tuple[str, ...]
     states: tuple[str, ...]
@@ -53,14 +53,14 @@ def room_of(target: Target, planes: int) -> int:
     return len(target.digital_registers) - (target.masked_register is not None and not planes)
 
 
-def solve(plan: LookingPlan, encoding: Encoding, target: Target) -> LookingSolution:
+def solve(plan: LookingPlan, encoding: LooksEncoding, target: Target) -> LookingSolution:
     """The words of a plan. Raises GaveUp where no gates are found for some moment, or where they
     need more scratch than there are registers."""
     return _Solver(plan, encoding, target).solve()
 
 
 class _Solver:
-    def __init__(self, plan: LookingPlan, encoding: Encoding, target: Target) -> None:
+    def __init__(self, plan: LookingPlan, encoding: LooksEncoding, target: Target) -> None:
         self.plan, self.encoding, self.target = plan, encoding, target
         self.machine = plan.machine
         self.gates = Machine.of(target)
@@ -123,7 +123,7 @@ class _Solver:
             )
         return contents
 
-    def _columns(self, value_bits: Held, values: NDArray[np.signedinteger]) -> list[int]:
+    def _columns(self, value_bits: ValueBits, values: NDArray[np.signedinteger]) -> list[int]:
         order = np.argsort(value_bits.values)
         rows = order[np.searchsorted(np.array(value_bits.values)[order], values)]
         return columns(value_bits.bits[rows])

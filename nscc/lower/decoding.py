@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Demand, Problem, Solution
-from nscc.lower.plan import ExposurePlan, Opens, Step
+from nscc.lower.exposure_plan import ExposurePlan, Opens, PlanStep
 from nscc.lower.timeline import Timeline
 from nscc.operations import Effect
 from nscc.program.program import Program
@@ -117,6 +117,6 @@ def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Bef
     return actions
 
 
-def _needs_flag(step: Step, target: Target) -> bool:
+def _needs_flag(step: PlanStep, target: Target) -> bool:
     heeding = {Effect.BUS} if target.reset_honours_flag == "no" else {Effect.BUS, Effect.RESET_PIX}
     return any(word.operation.effect in heeding for word in step.words)

@@ -10,9 +10,9 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
+from nscc.lower.exposure_plan import Lowering, Misfit
 from nscc.lower.ledger import ledger
 from nscc.lower.lowered import Choice, Lowered
-from nscc.lower.plan import Lowering, Misfit
 from nscc.lower.resources import chip_label, chip_note, resource
 from nscc.lower.slot_faults import late_fault, overfull_fault, retention_fault
 from nscc.program.capacity import bits_needed, capacity_note

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.logic.problem import Solution
 from nscc.lower.decoding import Decoding
-from nscc.lower.plan import ExposurePlan, Lowering, Misfit, Step
+from nscc.lower.exposure_plan import ExposurePlan, Lowering, Misfit, PlanStep
 from nscc.lower.schedule import Schedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
@@ -185,7 +185,7 @@ def lay_out(
     return Lowered(program, decoding, laid, time, most_words)
 
 
-def _reads_pix(step: Step) -> bool:
+def _reads_pix(step: PlanStep) -> bool:
     return any("PIX" in word.sources for word in step.words)
 
 

@@ -11,11 +11,11 @@ from nscc.program.books import make_books
 from nscc.program.complete import Completion
 from nscc.program.constants import resolve_constants
 from nscc.program.expressions import Checked, Meaning, check
+from nscc.program.field_planes import make_planes
 from nscc.program.fields import make_fields
 from nscc.program.frame import make_frame
 from nscc.program.looking import make_looking
 from nscc.program.names import Declarations, gather
-from nscc.program.planes import make_planes
 from nscc.program.problems import Problems
 from nscc.program.program import Codes, Program
 from nscc.program.scopes import constants_scope, require_scope, rule_scope

@@ -22,7 +22,7 @@ from nscc.words import machine
 
 
 @dataclass(frozen=True, eq=False)
-class Sense:
+class CheckedSense:
     """What is compared: `signal` as of `machine.Comparison`, at the boundaries `at`.
 
     The answer is whether the signal is above its level, or below where not `above`. `steps` has the
@@ -40,7 +40,7 @@ class Sense:
 
 
 @dataclass(frozen=True, eq=False)
-class Next:
+class CheckedNext:
     """The value that a state takes at a look, and when; None: always."""
 
     value: Checked
@@ -52,9 +52,9 @@ class Next:
 class Looking:
     """All that shutters depend on beside code and slot."""
 
-    senses: tuple[Sense, ...]
+    senses: tuple[CheckedSense, ...]
     states: tuple[machine.State, ...]
-    nexts: Mapping[str, Next]
+    nexts: Mapping[str, CheckedNext]
     reset: Checked | None
 
     @property
@@ -127,7 +127,7 @@ class _Maker:
             if isinstance(rule, tree.Bucket)
         }
 
-    def sense(self, sense: tree.Sense) -> Sense | None:
+    def sense(self, sense: tree.Sense) -> CheckedSense | None:
         """One sense."""
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
@@ -142,11 +142,11 @@ class _Maker:
         name, above = sense.name.text, sense.comparison == ">"
         field = self._field(sense.level)
         if field is not None:
-            return Sense(name, signal, above, at, None, field, sense.span)
+            return CheckedSense(name, signal, above, at, None, field, sense.span)
         steps = self._levels(sense, len(at), self.target)
         if steps is None:
             return None
-        return Sense(name, signal, above, at, steps, None, sense.span)
+        return CheckedSense(name, signal, above, at, steps, None, sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
         if isinstance(signal, tree.Light):
@@ -284,7 +284,7 @@ class _Maker:
             return int(state.start.value)
         return constant(state.start, self.constants, self.problems, "the start of a state")
 
-    def next(self, statement: tree.Next) -> Next | None:
+    def next(self, statement: tree.Next) -> CheckedNext | None:
         """One `next`."""
         if not self.known_state(statement.name):
             return None
@@ -304,7 +304,7 @@ class _Maker:
             )
             if condition is None:
                 return None
-        return None if value is None else Next(value, condition, statement.span)
+        return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
         """Whether this is a state; says so if it is not."""

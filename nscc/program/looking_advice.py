@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.program.expressions import Checked
-from nscc.program.looking import Looking, Next
+from nscc.program.looking import CheckedNext, Looking
 from nscc.program.names import LOOKS, Declarations
 from nscc.program.open_time import Untold
 from nscc.program.problems import Problems, counted, printable
@@ -98,7 +98,7 @@ def judge_looked_names(
             problems.note("NS0355", f"nothing reads the state `{name}`", place, "not used")
 
 
-def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, Next]:
+def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, CheckedNext]:
     return {state: step for state, step in looking.nexts.items() if state != name}
 
 
@@ -137,7 +137,7 @@ def shutters_in_the_dark(machine: Machine) -> NDArray[np.bool_]:
 
 
 @dataclass(frozen=True)
-class Part:
+class Excess:
     """What there is too much of: its place, None for the fields; a label; what would help."""
 
     place: Span | None
@@ -147,7 +147,7 @@ class Part:
 
 def largest_part(
     declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
-) -> Part:
+) -> Excess:
     """What multiplies the transitions most: codes, states, or the levels of one boundary.
 
     `codes` (codes, fields) are compiled for, in the order of `fields`. How to have fewer codes is
@@ -159,22 +159,22 @@ def largest_part(
     states = _state_combinations(looking, levels * len(looking.looks))
     helps = _helps(looking, most_senses=len(levels_of_sense), states=states)
     if len(codes) > max(states, 1 << levels):
-        return Part(None, f"{counted(len(codes), 'code')} in all", helps)
+        return Excess(None, f"{counted(len(codes), 'code')} in all", helps)
     if states > 1 << levels:
         widest = max(looking.states, key=lambda state: state.high - state.low)
         place = declared.states[widest.name].name.span
-        return Part(place, f"states can hold {printable(states)} different values", helps)
+        return Excess(place, f"states can hold {printable(states)} different values", helps)
     most = max(levels_of_sense, key=lambda name: levels_of_sense[name])
     text = f"{counted(levels, 'level')} to compare at n = {boundary}: 2^{levels} answers"
-    return Part(declared.senses[most].name.span, text, helps)
+    return Excess(declared.senses[most].name.span, text, helps)
 
 
-def most_looks(declared: Declarations, looking: Looking) -> Part:
+def most_looks(declared: Declarations, looking: Looking) -> Excess:
     """The sense that looks most often: what multiplies the times that pixels can be open."""
     sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["look at fewer boundaries, or let a state keep a shutter closed once it has closed"]
-    return Part(declared.senses[sense.name].at.span, text, helps)
+    return Excess(declared.senses[sense.name].at.span, text, helps)
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:

@@ -17,10 +17,10 @@ from nscc.chips.target import Target
 from nscc.program.arithmetic import Fault, Value, array, scalar
 from nscc.program.evaluate import bit_count, evaluate, fault_at
 from nscc.program.expressions import Checked
-from nscc.program.looking import Looking, Sense, can_tell, level_e, level_steps
+from nscc.program.looking import CheckedSense, Looking, can_tell, level_e, level_steps
 from nscc.program.names import LOOKS
 from nscc.program.problems import counted
-from nscc.program.table import CodeArray, Finding, NoValue, Rules, TooMuch, code_text
+from nscc.program.table import CodeArray, MissingValue, NoValue, Rules, TooMuch, code_text
 from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, Machine, State
 
@@ -71,7 +71,7 @@ class _Builder:
         self.transitions = 0
         self.cells = 0
 
-    def _stale(self, sense: Sense) -> bool:
+    def _stale(self, sense: CheckedSense) -> bool:
         return set(self.looks) != set(sense.at)
 
     def build(self) -> tuple[Machine, NDArray[np.int32]]:
@@ -183,7 +183,9 @@ class _Builder:
             return data
         row, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
         fault = fault_at(expr, bindings, self.rules.books, shape, (row, slot))
-        raise NoValue([Finding(fault, self._place(nodes[row], begin + slot), int(places.sum()))])
+        raise NoValue(
+            [MissingValue(fault, self._place(nodes[row], begin + slot), int(places.sum()))]
+        )
 
     def _place(self, node: Nodes, boundary: int) -> str:
         """A node in words."""
@@ -214,7 +216,7 @@ class _Builder:
             of_sense[sense.name] = np.broadcast_to(np.array(numbers), (len(self.codes),))
         return comparisons, of_sense
 
-    def _field_step(self, sense: Sense, value: int) -> int:
+    def _field_step(self, sense: CheckedSense, value: int) -> int:
         target = self.target
         step = level_steps(value, "lsb", target)
         if not can_tell(value, "lsb", target):
@@ -225,7 +227,7 @@ class _Builder:
             held_e = level_e(value, "lsb", target)
             message = f"the level {value} of `{sense.field}` is {step} steps of IN, {held_e:g} e"
             fault = Fault("NS0321", message, sense.span, text)
-            raise NoValue([Finding(fault, f"for {sense.field} = {value}", 1)])
+            raise NoValue([MissingValue(fault, f"for {sense.field} = {value}", 1)])
         return step
 
     def _look(
@@ -264,7 +266,9 @@ class _Builder:
                 message = f"`{state.name}` becomes {int(value[row, 0])}, outside its range"
                 text = f"`{state.name}` has the values {state.low}..{state.high}"
                 fault = Fault("NS0311", message, step.span, text)
-                raise NoValue([Finding(fault, self._place(rows[row], boundary), int(beyond.sum()))])
+                raise NoValue(
+                    [MissingValue(fault, self._place(rows[row], boundary), int(beyond.sum()))]
+                )
             after[:, k] = np.where(changes, value, rows[:, k : k + 1])[:, 0]
         for k, sense in enumerate(self.remembered, self.width):
             after[:, k] = np.broadcast_to(bindings[sense.name].data, shape)[:, 0]

@@ -41,7 +41,7 @@ class TooMuch(Exception):
 
 
 @dataclass(eq=False, repr=False)
-class Finding:
+class MissingValue:
     """One expression without a value: why, for which code and slot first, and for how many."""
 
     fault: Fault
@@ -59,7 +59,7 @@ class Finding:
 class NoValue(Exception):
     """Expressions that have no value for some code: one finding for each."""
 
-    def __init__(self, findings: Sequence[Finding]) -> None:
+    def __init__(self, findings: Sequence[MissingValue]) -> None:
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 
@@ -102,7 +102,7 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
                 code = int(places.argmax())
                 fault = fault_at(condition, bindings, rules.books, (len(block_rows), 1), (code, 0))
                 place = f"for {code_text(rules, codes[block_rows[code]])}"
-                raise NoValue([Finding(fault, place, int(places.sum()))])
+                raise NoValue([MissingValue(fault, place, int(places.sum()))])
             satisfied[block_rows] = np.broadcast_to(evaluated.data, (len(block_rows), 1))[:, 0]
     return satisfied
 
@@ -147,7 +147,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
     packed = np.empty((len(codes), -(-buckets * slots // 8)), dtype=np.uint8)
-    trouble: dict[int, Finding] = {}
+    trouble: dict[int, MissingValue] = {}
     for block in _blocks(len(codes), slots * buckets):
         opens = np.empty((block.stop - block.start, buckets, slots), dtype=bool)
         for k, rule in enumerate(rules.rules):
@@ -170,7 +170,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
-) -> tuple[NDArray[np.bool_], Finding | None]:
+) -> tuple[NDArray[np.bool_], MissingValue | None]:
     """Open or closed (codes, slots), and what has no value."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
@@ -184,9 +184,9 @@ def _decoded(
     fault = fault_at(rule, bindings, rules.books, shape, (code, slot))
     count = int(places.sum())
     if not rules.fields:
-        return opens, Finding(fault, f"in slot {slot}", count)
+        return opens, MissingValue(fault, f"in slot {slot}", count)
     place = f"for {code_text(rules, codes[code])}, in slot {slot}"
-    return opens, Finding(fault, place, count)
+    return opens, MissingValue(fault, place, count)
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:

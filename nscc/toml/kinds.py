@@ -11,7 +11,7 @@ from functools import partial
 from math import isfinite
 from typing import Any, Protocol
 
-from nscc.toml.text import shown
+from nscc.toml.toml_text import shown
 
 LEAST = 1e-9
 """The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
@@ -37,8 +37,8 @@ class Kind(Protocol):
 class Number(Kind):
     """A finite number within `low`..`high`; the bounds themselves may be excluded.
 
-    An int where it `is_whole`, else a float. None is "any" of `unlimited` ones, "auto" of `automatic`
-    ones. Where 0 is an excluded bound, the range ends at LEAST instead.
+    Its value is an int if `is_whole`, else a float. None is written as "any" if `unlimited`, as
+    "auto" if `automatic`. If 0 is an excluded bound, the range ends at LEAST instead.
     """
 
     low: float

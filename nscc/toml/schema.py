@@ -11,7 +11,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Label
 from nscc.diagnostics.suggest import closest, did_you_mean, meant
 from nscc.source import Source
 from nscc.toml.kinds import Kind, Text
-from nscc.toml.text import shown, span_of, spelled_value
+from nscc.toml.toml_text import shown, span_of, spelled_value
 
 _FEW = 10
 """So many keys are told one by one where none of them is like an unknown one."""
@@ -52,7 +52,7 @@ class Key:
 
 
 @dataclass(frozen=True, slots=True)
-class Codes:
+class FileCodes:
     """Diagnostic codes of a file's errors; `change` is for a change that is not KEY=VALUE."""
 
     unreadable: str
@@ -94,7 +94,7 @@ class Schema(Generic[Row]):
     file_kind: str
     keys: tuple[Row, ...]
     headings: Mapping[str, str]
-    codes: Codes
+    codes: FileCodes
     start: str
     noun: str = "key"
     option: str = ""

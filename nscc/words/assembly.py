@@ -38,12 +38,12 @@ from nscc.diagnostics.suggest import meant
 from nscc.macros import Mnemonic, OperandError, expand, mnemonics
 from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
+from nscc.words.assembly_text import read_block_line, read_string
 from nscc.words.container import Container, Word
 from nscc.words.directives import DIRECTIVES
-from nscc.words.draft import Block, Draft, Faults, Instruction, Token, shown
+from nscc.words.draft import Draft, Faults, Instruction, TextBlock, Token, shown
 from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
-from nscc.words.text import read_block_line, read_string
 
 _PIECE = re.compile(r'"(?:[^"\\]|\\.)*"?|[^\s;#"]+')
 _CODE = re.compile("[;#]")
@@ -89,7 +89,7 @@ def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
 
 def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ()) -> Draft:
     draft = Draft()
-    block: Block | None = None
+    block: TextBlock | None = None
     known = mnemonics(own_words)
     offset = 0
     for line in source.text.split("\n"):
@@ -112,7 +112,7 @@ def _read(source: Source, faults: Faults, own_words: tuple[Operation, ...] = ())
     return draft
 
 
-def _block_line(text: str, begin: int, block: Block | None, faults: Faults) -> None:
+def _block_line(text: str, begin: int, block: TextBlock | None, faults: Faults) -> None:
     span = Span(begin, begin + len(text))
     content = read_block_line(text)
     if block is None:

@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.chips.load import target_dict
+from nscc.words.assembly_text import name_text, number_text, ranges_text
 from nscc.words.container import Container, Kernel
 from nscc.words.cost import FrameCost, frame_cost
 from nscc.words.disassembly import instruction_lines
 from nscc.words.file import to_bytes
-from nscc.words.text import name_text, number_text, ranges_text
 
 _LONGEST_LISTING = 4096
 _MOST_LINES = 200

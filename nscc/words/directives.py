@@ -9,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from nscc.words.assembly_text import read_number, read_ranges, read_time_us
 from nscc.words.draft import (
-    Block,
     Draft,
     Faults,
     Instruction,
@@ -18,13 +18,13 @@ from nscc.words.draft import (
     PlaneDraft,
     ReadoutDraft,
     SlotDraft,
+    TextBlock,
     Token,
     shown,
 )
 from nscc.words.soundness import MOST_SLOTS
-from nscc.words.text import read_number, read_ranges, read_time_us
 
-Read = Callable[[Token, list[Token], Draft, Faults], Block | None]
+Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 
 @dataclass(frozen=True)
@@ -38,15 +38,17 @@ class Directive:
     usage: str
 
 
-def _block(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block:
+def _block(
+    attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
+) -> TextBlock:
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} stands twice", head.span)
-    block = Block(head, tuple(tokens))
+    block = TextBlock(head, tuple(tokens))
     setattr(draft, attribute, block)
     return block
 
 
-def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
+def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> TextBlock | None:
     block = _block("target", head, tokens, draft, faults)
     return None if tokens else block
 

@@ -18,12 +18,12 @@ from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
 from nscc.words import machine_file
+from nscc.words.assembly_text import block_text, name_text, number_text, ranges_text, slots_text
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, refuse_planes, target_fault
 from nscc.words.machine import LIGHT
-from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
 
 _COMMENT_COLUMN = 40
 _BASE64_WIDTH = 96

@@ -16,13 +16,13 @@ from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Span
 from nscc.words import machine_file
+from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
 from nscc.words.machine import Machine, StatePlanes
-from nscc.words.planes import codes_of_planes, read_planes
+from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
-from nscc.words.text import read_integer, read_slots
 
 MOST_TABLE_CELLS = 1 << 28
 """Shutters times buckets times slots that one text may ask for (a byte each)."""

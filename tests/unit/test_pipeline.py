@@ -12,7 +12,7 @@ from nscc_command import invoke
 from nscc import pipeline
 from nscc.checks import Inconsistent
 from nscc.emit.listing import text_after
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.operations import Effect, Op
 from nscc.pipeline import PASSES, Options, run_passes
 from nscc.prove.proof import Failure

@@ -18,7 +18,7 @@ from nscc.experiment_store import ExperimentStore
 from nscc.source import Source
 from nscc.tradeoff import synthesis
 from nscc.tradeoff.rows import Rows
-from nscc.tradeoff.synthesis import Case, every_way
+from nscc.tradeoff.synthesis import SynthesisCase, every_way
 
 TEXT = "nsl 1 frame 8 slots of 1ms code stop : 0..7 open when n < stop "
 
@@ -135,7 +135,9 @@ def test_a_measurement_that_was_ended_goes_on(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     ways = [
-        *every_way([Case("p", Source("p.nsl", TEXT), Path(), "open")], ("latch", "edges"), (0,))
+        *every_way(
+            [SynthesisCase("p", Source("p.nsl", TEXT), Path(), "open")], ("latch", "edges"), (0,)
+        )
     ]
     compiled = []
     real = synthesis.compiled_or_not

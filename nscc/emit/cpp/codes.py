@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from nscc.chips.target import Target
 from nscc.emit.cpp.bitmap import image_width
+from nscc.emit.cpp.cpp_text import Call, comment, literal, section, template_lines
 from nscc.emit.cpp.kernels import calls_words
 from nscc.emit.cpp.patterns import Match, Patterns, patterns_of
-from nscc.emit.cpp.text import Call, comment, literal, section, template_lines
 from nscc.lower.timeline import RETENTION_SHARE
 
 _REFRESHES_IN_A_LIFE = 4
@@ -55,7 +55,7 @@ class PlaneLoad:
 
 
 @dataclass(frozen=True)
-class Loading:
+class CodeLoading:
     """The loads in their order, for the registers of `target`."""
 
     target: Target
@@ -111,7 +111,7 @@ class Loading:
         return kernels
 
 
-def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> Loading:
+def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
     """How to fill the code registers with `planes`, given in the order of loading.
 
     Images are named after `stem`.
@@ -129,10 +129,10 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
                 usable[0] if usable else None, f"{stem}.{register}.bmp",
             )
         )  # fmt: skip
-    return Loading(target, tuple(loads))
+    return CodeLoading(target, tuple(loads))
 
 
-def loading_lines(loading: Loading) -> Iterator[str]:
+def loading_lines(loading: CodeLoading) -> Iterator[str]:
     """Tables and functions, the last of which is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
     yield from template_lines("fading")
@@ -164,7 +164,7 @@ def loading_lines(loading: Loading) -> Iterator[str]:
     yield "}"
 
 
-def _load_lines(loading: Loading, load: PlaneLoad) -> Iterator[str]:
+def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     register, patterns = load.register, load.patterns
     name = register.lower()
     if load.gathered:

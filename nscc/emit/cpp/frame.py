@@ -16,11 +16,11 @@ from itertools import accumulate
 from math import ceil
 
 from nscc.chips.target import Target
-from nscc.emit.cpp.text import remarked, template_lines
+from nscc.emit.cpp.cpp_text import remarked, template_lines
 from nscc.operations import Effect
+from nscc.words.assembly_text import ranges_text
 from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
-from nscc.words.text import ranges_text
 
 LONGEST_GAP_US = 1 << 30
 """A clock of 32 bits tells what is before from what is behind within half of its range."""
@@ -55,7 +55,7 @@ class Row:
 
 
 @dataclass(frozen=True)
-class Schedule:
+class LaunchSchedule:
     """The rows of a frame. It exposes from `begin_us` on, and its last slot ends at `end`."""
 
     rows: tuple[Row, ...]
@@ -80,7 +80,7 @@ class Schedule:
         return any(row.level is not None for row in self.rows)
 
 
-def schedule_of(container: Container) -> Schedule:
+def schedule_of(container: Container) -> LaunchSchedule:
     """The schedule of a container's launches."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
@@ -94,7 +94,7 @@ def schedule_of(container: Container) -> Schedule:
     rows += _rests(before, boundary[-1], container.slots)
     if not rows or rows[-1].at < boundary[-1]:
         rows.append(Row(boundary[-1], Fraction(0), None, None, (container.slots,)))
-    return Schedule(tuple(_repeated(rows)), begin_us, boundary[-1])
+    return LaunchSchedule(tuple(_repeated(rows)), begin_us, boundary[-1])
 
 
 def exact(value: float) -> Fraction:
@@ -159,7 +159,7 @@ def kernel_name(number: int) -> str:
     return f"k{number}"
 
 
-def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
+def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
     """The table of kernels, the schedule and the function that runs a frame."""
     count = len(container.kernels)
     if schedule.waits:
@@ -200,7 +200,7 @@ def schedule_lines(schedule: Schedule, container: Container) -> Iterator[str]:
     yield from _expose(schedule, container.target)
 
 
-def _row_text(row: Row, rest_kernel: int, schedule: Schedule) -> str:
+def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
     """A row as C++: moments in microseconds, and in 2^-32 of one where some are not whole."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):
@@ -214,7 +214,7 @@ def _row_text(row: Row, rest_kernel: int, schedule: Schedule) -> str:
     return f"{{{', '.join(map(str, numbers))}}},"
 
 
-def _expose(schedule: Schedule, target: Target) -> Iterator[str]:
+def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
     """The function that runs a frame."""
     moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
     after = template_lines("after" if schedule.in_whole_us else "after_parts")

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from functools import cache, lru_cache
 from itertools import product
 
-from nscc.emit.cpp.text import Call, call_text, remarked
+from nscc.emit.cpp.cpp_text import Call, call_text, remarked
 from nscc.macros import MNEMONICS, OperandError, expand
 from nscc.operations import Effect, Op, Phase
 from nscc.words.container import Word

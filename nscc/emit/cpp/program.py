@@ -15,10 +15,11 @@ from pathlib import PurePath
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Rejected
 from nscc.emit.cpp.bitmap import bitmap
-from nscc.emit.cpp.codes import Loading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.codes import CodeLoading, loading_lines, loading_of, loading_rate
+from nscc.emit.cpp.cpp_text import comment, entry, literal, safe, section, template_lines
 from nscc.emit.cpp.devkit import Devkit, devkit_fault, devkit_of
 from nscc.emit.cpp.frame import (
-    Schedule,
+    LaunchSchedule,
     exact,
     kernel_name,
     kernel_us,
@@ -28,17 +29,16 @@ from nscc.emit.cpp.frame import (
 from nscc.emit.cpp.kernels import TOO_WIDE, calls, kernel_lines
 from nscc.emit.cpp.narrow import narrowed
 from nscc.emit.cpp.patterns import ADDRESS_BITS
-from nscc.emit.cpp.text import comment, entry, literal, safe, section, template_lines
 from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.prove.proof import prove
 from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
+from nscc.words.assembly_text import number_text, ranges_text
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
 from nscc.words.readout import converter_of, preparation_of
-from nscc.words.text import number_text, ranges_text
 
 _SIDE = 1 << ADDRESS_BITS
 _WORDS = {
@@ -117,7 +117,9 @@ def _no_cpp(
     )
 
 
-def _check_store(program: Program, container: Container, loading: Loading, devkit: Devkit) -> None:
+def _check_store(
+    program: Program, container: Container, loading: CodeLoading, devkit: Devkit
+) -> None:
     """Refuses what the frame's kernels leave no room to load."""
     target = container.target
     frame = sum(
@@ -143,7 +145,11 @@ def ops_of(kernel: Kernel) -> list[Op]:
 
 
 def _header(
-    lowered: Lowered, container: Container, schedule: Schedule, loading: Loading, devkit: Devkit
+    lowered: Lowered,
+    container: Container,
+    schedule: LaunchSchedule,
+    loading: CodeLoading,
+    devkit: Devkit,
 ) -> Iterator[str]:
     program, allocation = lowered.program, lowered.schedule.allocation
     target = container.target
@@ -200,7 +206,7 @@ def _slots_text(container: Container) -> str:
     return f"{container.slots} {each}, {total} us in all"
 
 
-def _time_text(container: Container, schedule: Schedule) -> str:
+def _time_text(container: Container, schedule: LaunchSchedule) -> str:
     target = container.target
     return (
         f"the exposure begins {schedule.begin_us} us after the frame's first word and ends "
@@ -306,7 +312,7 @@ def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list
     return found
 
 
-def _main(container: Container, loading: Loading) -> Iterator[str]:
+def _main(container: Container, loading: CodeLoading) -> Iterator[str]:
     shown = [(readout.register, readout.bucket) for readout in container.readouts]
     shown += [(register, register) for register in state_registers(container)]
     yield "int main() {"

@@ -8,10 +8,19 @@ from dataclasses import replace
 from itertools import islice
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import CLOSING, OPENING, Check, Frame, Illegal, Item, Op, flatten
+from nscc.logic.improve.code import (
+    CLOSING,
+    OPENING,
+    Check,
+    FrameContext,
+    GateOp,
+    Illegal,
+    Item,
+    flatten,
+)
 from nscc.logic.improve.rewrite import Rewrite, rewrite
-from nscc.logic.improve.run import Run
 from nscc.logic.improve.search import settled
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
 # How many answers earlier a gate may go: its value takes a register all the way.
@@ -33,7 +42,7 @@ def balance(
     """
     frame, items = flatten(solution, problem, machine)
     try:
-        run = Run(frame, items, budget)
+        run = TrackedRun(frame, items, budget)
     except Illegal:
         return solution
     loads = _Loads(frame, items, other_words)
@@ -54,7 +63,9 @@ def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int)
 class _Loads:
     """Words at each boundary."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], other_words: Sequence[int]) -> None:
+    def __init__(
+        self, frame: FrameContext, items: Sequence[Item], other_words: Sequence[int]
+    ) -> None:
         self._frame = frame
         self._boundaries = [demand.boundary for demand in frame.problem.demands]
         self._other_words = other_words
@@ -74,14 +85,14 @@ class _Loads:
         return words
 
 
-def _flatten_one(run: Run, loads: _Loads, most: int) -> bool:
+def _flatten_one(run: TrackedRun, loads: _Loads, most: int) -> bool:
     """Moves one gate away from each boundary of `most` words; False where that fails."""
     # All of them, or the largest one is as large as before.
     full = [n for n, words in enumerate(loads.words) if words >= most]
     return all(_relieve(run, loads, n, most) for n in full)
 
 
-def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
+def _relieve(run: TrackedRun, loads: _Loads, boundary: int, most: int) -> bool:
     for k, item in enumerate(run.items):
         if isinstance(item, Check) or loads.boundary(item.place) != boundary:
             continue
@@ -96,7 +107,7 @@ def _relieve(run: Run, loads: _Loads, boundary: int, most: int) -> bool:
     return False
 
 
-def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
+def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[int, int, int]]:
     """(item, place, segment) at the ends of earlier answers with room for another word."""
     places = []
     own_boundary = loads.boundary(run.items[k].place)
@@ -107,12 +118,12 @@ def _earlier(run: Run, k: int, loads: _Loads, most: int) -> list[tuple[int, int,
         if boundary == own_boundary or loads.words[boundary] + 1 >= most:
             continue
         before = run.items[at - 1] if at else item
-        segment = before.segment if isinstance(before, Op) else 0
+        segment = before.segment if isinstance(before, GateOp) else 0
         places.append((at, item.place, segment))
     return places
 
 
-def _take(run: Run, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
+def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
     """Accepts a rewriting that leaves the boundary below `most` and fills no other up to it."""
     words = loads.counted(
         [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]

@@ -12,14 +12,14 @@ from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 
-from nscc.logic.improve.code import Check, Frame, Item
+from nscc.logic.improve.code import Check, FrameContext, Item
 
 FEWEST = 2
 """A pair that comes less often is not merged: it has no second place to serve."""
 
 
 @dataclass(frozen=True, slots=True)
-class Token:
+class SegmentToken:
     """items[start:end] of a run: a segment, or one check. `key` says what it does."""
 
     start: int
@@ -27,11 +27,11 @@ class Token:
     key: Hashable
 
 
-Block = list[tuple[Token, ...]]
+Block = list[tuple[SegmentToken, ...]]
 """Equal sequences of tokens, one for each place."""
 
 
-def tokens_of(items: Sequence[Item]) -> list[Token]:
+def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
     """The segments and checks of a run."""
     tokens = []
     k = 0
@@ -39,7 +39,7 @@ def tokens_of(items: Sequence[Item]) -> list[Token]:
         first = items[k]
         end = k + 1
         if isinstance(first, Check):
-            tokens.append(Token(k, end, (first.need is None, first.forgets)))
+            tokens.append(SegmentToken(k, end, (first.need is None, first.forgets)))
         else:
             while end < len(items):
                 item = items[end]
@@ -47,12 +47,12 @@ def tokens_of(items: Sequence[Item]) -> list[Token]:
                     break
                 end += 1
             key = tuple(item.function for item in items[k:end] if not isinstance(item, Check))
-            tokens.append(Token(k, end, key))
+            tokens.append(SegmentToken(k, end, key))
         k = end
     return tokens
 
 
-def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
+def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
     """Every distinct sequence; all their distinct segments stay within `room` words.
 
     Without room, every segment is a sequence of its own. Those that take most words a frame come
@@ -75,7 +75,9 @@ def blocks_of(frame: Frame, items: Sequence[Item], room: int) -> list[Block]:
 class _Merger:
     """The run as a sequence of symbols, each standing for some tokens."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], tokens: Sequence[Token]) -> None:
+    def __init__(
+        self, frame: FrameContext, items: Sequence[Item], tokens: Sequence[SegmentToken]
+    ) -> None:
         number: dict[Hashable, int] = {}
         self.sequence = [number.setdefault(token.key, len(number)) for token in tokens]
         self.lengths = [1] * len(number)

@@ -30,7 +30,7 @@ class Illegal(Exception):
 
 
 @dataclass(frozen=True, slots=True)
-class Op:
+class GateOp:
     """destination := OR(sources), or NOR if `inverted`; sources in rising order, without doubles.
 
     `place` is the answer to which the operation belongs, OPENING or CLOSING, and `segment` its
@@ -63,11 +63,11 @@ class Check:
     place: int
 
 
-Item = Op | Check
+Item = GateOp | Check
 
 
 @dataclass(frozen=True)
-class Frame:
+class FrameContext:
     """What does not change while a solution is improved: problem, registers, limits, first state.
 
     Operations that write `masked`, the register in the masked place if there is one, are masked:
@@ -110,15 +110,15 @@ class Frame:
 
     def op(
         self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
-    ) -> Op:
+    ) -> GateOp:
         """An operation; sources in any order."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
         if destination == self.masked and self.mask is not None:
             reads |= 1 << destination | 1 << self.mask
-        return Op(inverted, destination, sources, place, segment, reads)
+        return GateOp(inverted, destination, sources, place, segment, reads)
 
-    def value(self, item: Op, state: Sequence[Content]) -> Content:
+    def value(self, item: GateOp, state: Sequence[Content]) -> Content:
         """What the destination holds after an operation in a state; None if that is unknown."""
         disjunction = 0
         for source in item.sources:
@@ -134,7 +134,7 @@ class Frame:
             return result
         return None if mask is None or previous is None else result & mask | previous & ~mask
 
-    def legal(self, item: Op) -> bool:
+    def legal(self, item: GateOp) -> bool:
         """Whether the machine has a word, or a pair, for an operation."""
         count = len(item.sources)
         if item.destination == self.flag:
@@ -162,7 +162,7 @@ class Frame:
         """How often items write each plane in every pixel."""
         times = [0] * self.planes
         for item in items:
-            if isinstance(item, Op) and item.destination < self.planes:
+            if isinstance(item, GateOp) and item.destination < self.planes:
                 times[item.destination] += item.destination != self.masked
         return times
 
@@ -172,7 +172,9 @@ class Frame:
         return [*(f"{kind}{i}" for kind, count in kinds for i in range(count)), "FLAG"]
 
 
-def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Frame, list[Item]]:
+def flatten(
+    solution: Solution, problem: Problem, machine: Machine
+) -> tuple[FrameContext, list[Item]]:
     """A solution as items, with as much scratch as the machine leaves room for.
 
     Where its gates are not masked and yet write the masked register, SET of the mask precedes them.
@@ -181,7 +183,7 @@ def flatten(solution: Solution, problem: Problem, machine: Machine) -> tuple[Fra
     scratch, masked, mask = _room(solution, machine)
     everything = problem.everything
     flag: Content = everything if solution.state_in_flag else None
-    frame = Frame(
+    frame = FrameContext(
         solution, problem, machine, planes, states, scratch, everything,
         (*solution.planes, *[None] * (states + scratch), flag), masked, mask,
     )  # fmt: skip
@@ -229,7 +231,7 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | 
     return max(scratch, room - 1), None, None
 
 
-def _forgotten(frame: Frame, coming: int) -> int:
+def _forgotten(frame: FrameContext, coming: int) -> int:
     """Registers of which nothing is known when the answer `coming` begins."""
     demands = frame.problem.demands
     forgets = 0
@@ -248,7 +250,7 @@ def _forgotten(frame: Frame, coming: int) -> int:
     )
 
 
-def unflatten(frame: Frame, items: Sequence[Item]) -> Solution:
+def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
     """Items as a solution again; raises Illegal where no answer is left for a demand's segment."""
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
@@ -282,7 +284,7 @@ def _without_empty(segments: Sequence[Sequence[Gate]]) -> tuple[Segment, ...]:
     return tuple(tuple(segment) for segment in segments if segment)
 
 
-def _gate(item: Op, names: Sequence[str], frame: Frame) -> Gate:
+def _gate(item: GateOp, names: Sequence[str], frame: FrameContext) -> Gate:
     sources = tuple(names[i] for i in item.sources)
     if item.destination == frame.flag:
         return Gate("WHERE", "FLAG", sources)
@@ -292,7 +294,7 @@ def _gate(item: Op, names: Sequence[str], frame: Frame) -> Gate:
     return Gate(kinds[min(len(sources), 2)], names[item.destination], sources, mask)
 
 
-def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ...]]:
+def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:
     """The state before every item, and after the last; raises Illegal on anything wrong."""
     state = list(frame.start)
     states = []
@@ -304,7 +306,7 @@ def states_before(frame: Frame, items: Sequence[Item]) -> list[tuple[Content, ..
         elif not frame.legal(item):
             raise Illegal("the machine has no such word")
         frame.apply(item, state)
-        if isinstance(item, Op) and state[item.destination] is None:
+        if isinstance(item, GateOp) and state[item.destination] is None:
             raise Illegal("an operation reads what nobody knows")
     states.append(tuple(state))
     if frame.ends is not None:

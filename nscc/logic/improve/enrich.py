@@ -13,10 +13,17 @@ from dataclasses import replace
 from itertools import chain
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import REFRESH_WORDS, Illegal, Op, flatten, states_before, unflatten
+from nscc.logic.improve.code import (
+    REFRESH_WORDS,
+    GateOp,
+    Illegal,
+    flatten,
+    states_before,
+    unflatten,
+)
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import shrink
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
 # So many of the most promising vectors are tried for each register: each try is a search of its
@@ -43,7 +50,7 @@ def _richer(
     if slim is None:
         return None
     frame, items = flatten(solution, problem, machine)
-    run = Run(frame, items, budget)
+    run = TrackedRun(frame, items, budget)
     best: Solution | None = None
     least = run.words()
     for vector in _promising(run)[:TRIED]:
@@ -64,7 +71,7 @@ def _shortened(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> tuple[Solution, int]:
     """A shorter solution, and its words."""
-    run = Run(*flatten(solution, problem, machine), budget)
+    run = TrackedRun(*flatten(solution, problem, machine), budget)
     shrink(run, NEAR)
     shorter = unflatten(run.frame, run.items)
     frame, items = flatten(shorter, problem, machine)
@@ -81,12 +88,12 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
     if solution.scratch <= least:
         return None
     frame, items = flatten(solution, problem, machine)
-    items = Run(frame, items, Budget(1)).items
+    items = TrackedRun(frame, items, Budget(1)).items
     narrow = recoloured(frame, items, 1 << (frame.flag - 1))
     return None if narrow is None else unflatten(frame, narrow)
 
 
-def _promising(run: Run) -> list[int]:
+def _promising(run: TrackedRun) -> list[int]:
     """Truth vectors, those first that would save most words if they were there from the start."""
     frame = run.frame
     makers, feeds, readers = _flow(run)
@@ -98,7 +105,7 @@ def _promising(run: Run) -> list[int]:
     return sorted(worth, key=lambda vector: -gains[vector])
 
 
-def _flow(run: Run) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
+def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
     """Which items write each vector; whose values each item reads; and how many read its own.
 
     A plane that holds an item's value at the end counts as one that reads it.
@@ -108,9 +115,9 @@ def _flow(run: Run) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]
     feeds: list[set[int]] = []
     writer = [-1] * (frame.flag + 1)
     for k, item in enumerate(run.items):
-        read = item.sources if isinstance(item, Op) else (frame.flag,) * (item.need is not None)
+        read = item.sources if isinstance(item, GateOp) else (frame.flag,) * (item.need is not None)
         feeds.append({writer[r] for r in read if writer[r] >= 0})
-        if isinstance(item, Op):
+        if isinstance(item, GateOp):
             value = run.before[k + 1][item.destination]
             assert value is not None
             makers.setdefault(value, []).append(k)
@@ -121,7 +128,7 @@ def _flow(run: Run) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]
 
 
 def _saved(
-    run: Run, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
+    run: TrackedRun, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
 ) -> int:
     """Words that fall away with items whose results could be read elsewhere.
 
@@ -129,7 +136,7 @@ def _saved(
     """
     readers_left: dict[int, int] = {}
     # FLAG must be loaded all the same.
-    written = [item.destination for k in numbers if isinstance(item := run.items[k], Op)]
+    written = [item.destination for k in numbers if isinstance(item := run.items[k], GateOp)]
     saved = -written.count(run.frame.flag)
     gone = list(numbers)
     visited = set(gone)

@@ -12,23 +12,23 @@ from dataclasses import replace
 from itertools import chain
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.blocks import Block, Token, blocks_of
-from nscc.logic.improve.code import Check, Content, Frame, Illegal, Item
-from nscc.logic.improve.run import Run
+from nscc.logic.improve.blocks import Block, SegmentToken, blocks_of
+from nscc.logic.improve.code import Check, Content, FrameContext, Illegal, Item
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.truth import union
 
-Pass = Callable[[Frame, list[Item], Budget], list[Item]]
+Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
 """Makes items shorter that a frame, or a part of one, consists of."""
 
 
 def improve_kernels(
-    frame: Frame, items: list[Item], budget: Budget, shorten: Pass, room: int
+    frame: FrameContext, items: list[Item], budget: Budget, shorten: Pass, room: int
 ) -> list[Item]:
     """`items` with each kernel shortened by `shorten`, in all its places alike.
 
     Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
     """
-    run = Run(frame, items, budget)
+    run = TrackedRun(frame, items, budget)
     # Where each item of the run has gone: rewriting a block replaces its items by others.
     replacements: list[list[Item]] = [[item] for item in run.items]
     for block in blocks_of(frame, run.items, room):
@@ -45,7 +45,7 @@ def improve_kernels(
 
 
 def _shortened(
-    frame: Frame, run: Run, block: Block, budget: Budget, shorten: Pass
+    frame: FrameContext, run: TrackedRun, block: Block, budget: Budget, shorten: Pass
 ) -> list[Item] | None:
     """Items in place of those of the block's first place; None if there are no shorter ones."""
     size = (frame.everything.bit_length() + 7) // 8
@@ -78,8 +78,8 @@ def _joined(contents: Sequence[Content], size: int) -> Content:
 
 def _moved(
     items: Sequence[Item],
-    first: Sequence[Token],
-    target_tokens: Sequence[Token],
+    first: Sequence[SegmentToken],
+    target_tokens: Sequence[SegmentToken],
     new: Sequence[Item],
 ) -> list[Item]:
     """Items written for the block's first place, in another one."""

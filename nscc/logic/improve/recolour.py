@@ -16,7 +16,7 @@ from bisect import bisect_right
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from nscc.logic.improve.code import CLOSING, Check, Frame, Item, Op
+from nscc.logic.improve.code import CLOSING, Check, FrameContext, GateOp, Item
 from nscc.truth import set_bits
 
 
@@ -37,7 +37,7 @@ class _Value:
     sources: tuple[int, ...] = ()
 
 
-def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[Item] | None:
+def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
     """The same operations in other registers; None where registers do not go round.
 
     Every operation's result must be read by somebody. No value is put into the registers `without`
@@ -55,7 +55,7 @@ def recoloured(frame: Frame, items: Sequence[Item], without: int = 0) -> list[It
     return _Painter(frame, items, values, written).paint()
 
 
-def _values(frame: Frame, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
+def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
     """All values, those of the start first, and for each item the number of what it writes."""
     values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
     holds = list(range(frame.flag + 1))
@@ -98,7 +98,7 @@ class _Painter:
     """Gives out registers from front to back."""
 
     def __init__(
-        self, frame: Frame, items: Sequence[Item], values: list[_Value], written: list[int]
+        self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
     ) -> None:
         self.frame, self.items = frame, items
         self.values, self.written = values, written
@@ -135,7 +135,7 @@ class _Painter:
                 out.append(self.frame.op(item.inverted, target, sources, item.place, item.segment))
         return self._bring_home(out)
 
-    def _choose(self, k: int, item: Op, value: _Value, sources: Sequence[int]) -> int | None:
+    def _choose(self, k: int, item: GateOp, value: _Value, sources: Sequence[int]) -> int | None:
         masked, mask = self.frame.masked, self.frame.mask
         if item.destination == masked:
             return masked
@@ -193,7 +193,7 @@ class _Painter:
         import networkx as nx  # most builds end without it, a tenth of a second sooner
 
         segment = max(
-            (item.segment for item in out if isinstance(item, Op) and item.place == CLOSING),
+            (item.segment for item in out if isinstance(item, GateOp) and item.place == CLOSING),
             default=0,
         )
 
@@ -225,5 +225,5 @@ def _from_first(circle: list[int], rank: dict[int, int]) -> list[int]:
     return circle[first:] + circle[:first]
 
 
-def _copies(item: Op) -> bool:
+def _copies(item: GateOp) -> bool:
     return not item.inverted and len(item.sources) == 1

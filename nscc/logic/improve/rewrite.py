@@ -16,9 +16,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
-from nscc.logic.improve.code import Check, Content, Item, Op
+from nscc.logic.improve.code import Check, Content, GateOp, Item
 from nscc.logic.improve.covers import gate, inner
-from nscc.logic.improve.run import HORIZON, Run
+from nscc.logic.improve.tracked_run import HORIZON, TrackedRun
 
 
 @dataclass(frozen=True)
@@ -32,9 +32,9 @@ class Rewrite:
 
 
 def rewrite(
-    run: Run,
+    run: TrackedRun,
     start: int,
-    lead: Sequence[Op],
+    lead: Sequence[GateOp],
     dropped: Collection[int],
     *,
     least: int,
@@ -51,7 +51,7 @@ def rewrite(
 
 class _Walk:
     def __init__(
-        self, run: Run, start: int, least: int, deepen: bool, order: Sequence[int] | None
+        self, run: TrackedRun, start: int, least: int, deepen: bool, order: Sequence[int] | None
     ) -> None:
         self.run = run
         self.frame = run.frame
@@ -64,7 +64,7 @@ class _Walk:
         self.gain = 0
         self.out: list[Item] = []
 
-    def go(self, lead: Sequence[Op], dropped: Collection[int]) -> Rewrite | None:
+    def go(self, lead: Sequence[GateOp], dropped: Collection[int]) -> Rewrite | None:
         run, frame, items = self.run, self.frame, self.run.items
         run.budget.spend(run.step)
         self.gain = sum(frame.words(items[k]) for k in dropped)
@@ -108,7 +108,7 @@ class _Walk:
         else:
             self.changed |= 1 << register
 
-    def _insert(self, item: Op) -> bool:
+    def _insert(self, item: GateOp) -> bool:
         value = self.frame.value(item, self.state)
         if value is None:
             return False
@@ -116,11 +116,11 @@ class _Walk:
         self.gain -= self.frame.words(item)
         return True
 
-    def _store(self, item: Op, value: Content) -> None:
+    def _store(self, item: GateOp, value: Content) -> None:
         self.out.append(item)
         self.state[item.destination] = value
 
-    def _follow(self, k: int, item: Op) -> bool:
+    def _follow(self, k: int, item: GateOp) -> bool:
         """Operation k in the present state: as it is, dropped or repaired."""
         target = item.destination
         # In this order: nothing to do any more; as before; what it would overwrite is as good; its
@@ -145,7 +145,7 @@ class _Walk:
         self.gain += self.frame.words(item)
         return self._repair(k, item, required & matters, matters & ~required)
 
-    def _repair(self, k: int, item: Op, ones: int, zeros: int) -> bool:
+    def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
         """Other sources for operation k, or another gate before it; `gain` is kept up to date."""
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
@@ -173,7 +173,7 @@ class _Walk:
         conflicts = ((previous or 0) & zeros | ~(previous or 0) & ones) & ~mask
         return None if conflicts else (ones & mask, zeros & mask)
 
-    def _single(self, item: Op, ones: int, zeros: int, *, in_place: bool) -> Op | None:
+    def _single(self, item: GateOp, ones: int, zeros: int, *, in_place: bool) -> GateOp | None:
         frame, target = self.frame, item.destination
         written = self._written(target, ones, zeros)
         if written is None:
@@ -194,7 +194,7 @@ class _Walk:
         new = frame.op(chosen[0], target, chosen[1], item.place, item.segment)
         return new if frame.legal(new) else None
 
-    def _double(self, k: int, item: Op, ones: int, zeros: int) -> bool:
+    def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
         """A new gate in a free register, then operation k with other sources."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)

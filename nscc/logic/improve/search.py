@@ -6,11 +6,11 @@ from contextlib import suppress
 from itertools import count
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import Frame, Illegal, Item, flatten, states_before, unflatten
+from nscc.logic.improve.code import FrameContext, Illegal, Item, flatten, states_before, unflatten
 from nscc.logic.improve.kernels import improve_kernels
 from nscc.logic.improve.recolour import recoloured
-from nscc.logic.improve.run import Run
 from nscc.logic.improve.shrink import shrink
+from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.improve.wander import wander
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
@@ -47,13 +47,13 @@ def improve(
         if keep_kernels:
             items = _kernels(frame, items, budget, room)
         else:
-            items = _exhausted(Run(frame, items, budget), WALK_STEPS, PATIENCE)
+            items = _exhausted(TrackedRun(frame, items, budget), WALK_STEPS, PATIENCE)
     except Illegal:
         return solution
     return settled(frame, items)
 
 
-def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list[Item]:
+def _kernels(frame: FrameContext, items: list[Item], budget: Budget, room: int) -> list[Item]:
     """Kernels made shorter until that gains nothing: what is shorter leaves room for more."""
     words = frame.total(items) + 1
     while frame.total(items) < words and budget.left > 0:
@@ -62,12 +62,12 @@ def _kernels(frame: Frame, items: list[Item], budget: Budget, room: int) -> list
     return items
 
 
-def _kernel(frame: Frame, items: list[Item], budget: Budget) -> list[Item]:
+def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item]:
     """Shorter items, found by sweeps and a short walk."""
-    return _exhausted(Run(frame, items, budget), KERNEL_STEPS, patience=1)
+    return _exhausted(TrackedRun(frame, items, budget), KERNEL_STEPS, patience=1)
 
 
-def settled(frame: Frame, items: list[Item], *, as_long: bool = False) -> Solution:
+def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
     """`items` as a solution if they are one and take fewer words than that of the frame (`as_long`:
     or as many), which otherwise comes back itself."""
     solution = frame.solution
@@ -82,7 +82,7 @@ def settled(frame: Frame, items: list[Item], *, as_long: bool = False) -> Soluti
     return candidate if gain > 0 or (as_long and gain == 0) else solution
 
 
-def _exhausted(run: Run, steps: int, patience: int) -> list[Item]:
+def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
     """The items of a run after sweeps until they gain nothing, then walks of so many steps and
     sweeps, until no step is left or `patience` walks gained nothing."""
     try:
@@ -100,7 +100,7 @@ def _exhausted(run: Run, steps: int, patience: int) -> list[Item]:
     return run.items
 
 
-def _sweep(run: Run) -> None:
+def _sweep(run: TrackedRun) -> None:
     words = run.words() + 1
     while run.words() < words:
         words = run.words()
@@ -108,7 +108,7 @@ def _sweep(run: Run) -> None:
         _recolour(run)
 
 
-def _recolour(run: Run) -> None:
+def _recolour(run: TrackedRun) -> None:
     items = recoloured(run.frame, run.items)
     if items is not None and run.frame.total(items) < run.words():
         with suppress(Illegal):

@@ -5,12 +5,12 @@ From the last one to the first: what an early operation is read for may fall awa
 
 from __future__ import annotations
 
-from nscc.logic.improve.code import Op
+from nscc.logic.improve.code import GateOp
 from nscc.logic.improve.rewrite import rewrite
-from nscc.logic.improve.run import Run
+from nscc.logic.improve.tracked_run import TrackedRun
 
 
-def shrink(run: Run, span: int) -> None:
+def shrink(run: TrackedRun, span: int) -> None:
     """Tries to do without each operation, then without any two at most `span` apart."""
     for k in reversed(range(len(run.items))):
         if k < len(run.items):
@@ -25,9 +25,9 @@ def shrink(run: Run, span: int) -> None:
         k -= 1
 
 
-def _drop(run: Run, *dropped: int) -> bool:
+def _drop(run: TrackedRun, *dropped: int) -> bool:
     """Does without items, the first of them first, if they are operations and words are gained."""
-    if not all(isinstance(run.items[k], Op) for k in dropped):
+    if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
     rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
     if rewriting is not None:

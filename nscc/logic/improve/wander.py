@@ -13,15 +13,15 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
-from nscc.logic.improve.code import Check, Op
+from nscc.logic.improve.code import Check, GateOp
 from nscc.logic.improve.rewrite import Rewrite, rewrite
-from nscc.logic.improve.run import Run
+from nscc.logic.improve.tracked_run import TrackedRun
 
 # Operations so far from one another are dropped together, or change places: an answer, mostly.
 SPAN = 12
 
 
-def wander(run: Run, seed: int, steps: int) -> int:
+def wander(run: TrackedRun, seed: int, steps: int) -> int:
     """At most `steps` steps of the budget; returns the words gained."""
     choose = random.Random(seed)
     until = max(run.budget.left - steps, 0)
@@ -34,7 +34,7 @@ def wander(run: Run, seed: int, steps: int) -> int:
     return gained
 
 
-def _try(run: Run, choose: random.Random) -> Rewrite | None:
+def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
     k = choose.randrange(len(run.items))
     item = run.items[k]
     run.budget.spend(1)
@@ -45,7 +45,7 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
     # Half of the steps drop one to three operations; a quarter write elsewhere, an eighth earlier,
     # and an eighth put in a NOR of some registers in place of one or two operations.
     kind = choose.randrange(8)
-    lead: tuple[Op, ...] = ()
+    lead: tuple[GateOp, ...] = ()
     dropped = [k]
     start = k
     if kind <= 3:
@@ -65,7 +65,7 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
         if start == k:
             return None
         first = run.items[start]
-        assert isinstance(first, Op)
+        assert isinstance(first, GateOp)
         lead = (replace(item, segment=first.segment),)
     else:
         target = choose.randrange(run.frame.flag)
@@ -86,7 +86,7 @@ def _try(run: Run, choose: random.Random) -> Rewrite | None:
     return rewriting
 
 
-def _nearby_operations(run: Run, k: int) -> list[int]:
+def _nearby_operations(run: TrackedRun, k: int) -> list[int]:
     """Operations of the same answer around k, without k."""
     operations: list[int] = []
     for indices in (
@@ -100,7 +100,7 @@ def _nearby_operations(run: Run, k: int) -> list[int]:
     return operations
 
 
-def _earlier(run: Run, k: int, choose: random.Random) -> int:
+def _earlier(run: TrackedRun, k: int, choose: random.Random) -> int:
     """A place before k in the same answer."""
     low = k
     while low > 0 and k - low < SPAN and not isinstance(run.items[low - 1], Check):

@@ -7,7 +7,7 @@ from hashlib import sha256
 from typing import Any
 
 from nscc.emit.report import report
-from nscc.emit.stream import stream_report
+from nscc.emit.sending_report import stream_report
 from nscc.limits.families import families
 from nscc.limits.survey import limit_of
 from nscc.pipeline import Compiled, Options

@@ -25,16 +25,16 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Source
-from nscc.toml.files import file_bytes, file_table, file_text
 from nscc.toml.kinds import Axis, Several, Text
-from nscc.toml.schema import Codes, Key, Schema
+from nscc.toml.schema import FileCodes, Key, Schema
+from nscc.toml.schema_files import file_bytes, file_table, file_text
 from nscc_training.sweep.evaluating import RUN
 from nscc_training.sweep.kinds import KINDS
 from nscc_training.sweep.point import OF_RUN, GridPoint, PointFault, Values
 
 MOST_POINTS = 100_000
 
-_CODES = Codes("NS0830", "NS0830", unknown="NS0831", wrong_value="NS0832", missing="NS0832")
+_CODES = FileCodes("NS0830", "NS0830", unknown="NS0831", wrong_value="NS0832", missing="NS0832")
 _START = "`nscc sweep --schema KIND` prints a complete part to start from"
 _KIND = Key(
     "", "kind", Text(tuple(KINDS)), "; ".join(f"{k.name}: {k.summary}" for k in KINDS.values()), ""

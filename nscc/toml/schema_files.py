@@ -12,7 +12,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.source import Source
 from nscc.toml.schema import KeyValues, Row, Schema
-from nscc.toml.text import LARGEST_FILE, NotToml, parsed, written
+from nscc.toml.toml_text import LARGEST_FILE, NotToml, parsed, written
 
 WIDTH = 100
 _REMARK_COLUMN = 42

@@ -13,7 +13,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.planes import (
+from nscc.program.field_planes import (
     Plane,
     Stored,
     first_place,
@@ -73,14 +73,17 @@ def codes_from_file(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
+    """For a compiled program, read pixel codes from a file and return the row of `table.codes` at
+    each pixel.
 
-    The file holds for each field of `table`, by name, an array as `nscc.program.planes.planes_of`
-    takes it: integers (rows, cols), or single bits. For messages,
-    `shown` is the path, `mode` says whether `table` holds every legal code ("open"), and `ranges`
-    is asked for what the fields may be. Raises Rejected: NS0313 and NS0314 for the file; with the
-    first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
-    code that the program forbids, NS0319 for one that it was not compiled for.
+    The file holds one array for each field of `table`, under the field's name: integers (rows,
+    cols), or single bits (see `nscc.program.field_planes.planes_of`). In messages `shown` is the
+    path. `mode` "open" says that `table` holds every legal code. `ranges` returns the ranges of the
+    fields.
+
+    Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
+    NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
+    about pixels name the first such pixel and their number.
     """
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes: list[Stored] = []

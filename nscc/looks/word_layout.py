@@ -14,12 +14,12 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Problem, Segment, Solution
-from nscc.looks.plan import LookingPlan, Moment
+from nscc.looks.looking_plan import LookingPlan, Moment
 from nscc.looks.solve import LookingSolution, SetIn
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
+from nscc.lower.exposure_plan import RESET, ExposurePlan, PlanStep
 from nscc.lower.lowered import Lowered
-from nscc.lower.plan import RESET, ExposurePlan, Step
 from nscc.lower.schedule import Schedule, kernel_us, refreshed_registers
 from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op
@@ -178,7 +178,7 @@ def _kernels(
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
     """The analog half, as reports show it."""
-    steps = [Step(0, "setup", -1, None, _setup(plan))]
+    steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
         "latch" if plan.latches else "edges", tuple(steps), plan.registers, plan.bucket_registers,
@@ -186,24 +186,24 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
     )  # fmt: skip
 
 
-def _steps(plan: LookingPlan, moment: Moment) -> list[Step]:
+def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
     """What a moment does to which lanes."""
-    steps: list[Step] = []
+    steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))
     for comparison in moment.comparisons:
         steps.append(
-            Step(moment.boundary, "look", max(comparison.signal, 0), None, (sample, compare))
+            PlanStep(moment.boundary, "look", max(comparison.signal, 0), None, (sample, compare))
         )
     for bucket, (fall, rise) in enumerate(zip(moment.falls, moment.rises, strict=True)):
         register = plan.bucket_registers[bucket]
         add = sample, op("bus", (register,), plan.scratched)
         if fall:
-            steps.append(Step(moment.boundary, "fall", bucket, fall, add))
+            steps.append(PlanStep(moment.boundary, "fall", bucket, fall, add))
         if rise:
-            steps.append(Step(moment.boundary, "rise", bucket, rise, add))
+            steps.append(PlanStep(moment.boundary, "rise", bucket, rise, add))
     if moment.resets:
-        steps.append(Step(moment.boundary, "reset", -1, moment.resets, RESET))
+        steps.append(PlanStep(moment.boundary, "reset", -1, moment.resets, RESET))
     return steps
 
 

@@ -19,7 +19,7 @@ from itertools import chain
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.lower.plan import Misfit, analog_registers
+from nscc.lower.exposure_plan import Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.truth import vector

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from nscc.logic.cubes import Budget
-from nscc.logic.improve.code import REFRESH_WORDS, Check, Frame, Item, states_before
+from nscc.logic.improve.code import REFRESH_WORDS, Check, FrameContext, Item, states_before
 
 # How far an influence is followed; what reaches further is taken to matter in every shutter, which
 # is safe.
@@ -22,11 +22,11 @@ HORIZON = 4000
 STEP_SHUTTERS = 16384
 
 
-class Run:
+class TrackedRun:
     """Items; `before[k]` is the state before item k, `live[k]` the registers (a bit mask) whose
     content there is still read, or must be there when the frame ends."""
 
-    def __init__(self, frame: Frame, items: Sequence[Item], budget: Budget) -> None:
+    def __init__(self, frame: FrameContext, items: Sequence[Item], budget: Budget) -> None:
         self.frame = frame
         self.budget = budget
         self.step = 1 + frame.everything.bit_length() // STEP_SHUTTERS

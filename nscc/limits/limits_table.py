@@ -7,7 +7,7 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.columns import columns
-from nscc.limits.search import Trial
+from nscc.limits.search import SizeTrial
 from nscc.limits.survey import Limit
 from nscc.lower.resources import time_text
 
@@ -107,6 +107,6 @@ def _limit_values(limit: Limit) -> dict[str, Any]:
     }
 
 
-def _trial_values(trial: Trial) -> dict[str, Any]:
+def _trial_values(trial: SizeTrial) -> dict[str, Any]:
     why = {"code": trial.code, "reason": trial.reason, "proved": trial.proved}
     return {"size": trial.size, "fits": trial.fits, **(trial.figures if trial.fits else why)}

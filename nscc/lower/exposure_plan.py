@@ -34,7 +34,7 @@ LoweringOption = Lowering | Literal["auto"]
 Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
-class Step(NamedTuple):
+class PlanStep(NamedTuple):
     """Analog words that run at one boundary in the pixels of `predicate`.
 
     `predicate` None means every pixel, whatever FLAG was. `bucket` is the bucket's number, -1 for
@@ -57,7 +57,7 @@ class ExposurePlan:
     """
 
     lowering: Lowering
-    steps: tuple[Step, ...]
+    steps: tuple[PlanStep, ...]
     registers: dict[str, str]
     bucket_registers: tuple[str, ...]
     shutters: int
@@ -172,7 +172,7 @@ def analog_registers(
     return AnalogRegisters(free[: len(buckets)], level, target.analog_scratch, holders)
 
 
-def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
+def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, int]:
     """See ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
@@ -207,7 +207,7 @@ class _Builder:
         self.zero = () if self.reference is None else (self.reference,)
         self.slots = len(program.frame.slot_us)
         self.everywhere = (1 << len(program.table.shutters)) - 1
-        self.steps: list[Step] = []
+        self.steps: list[PlanStep] = []
 
     def build(self) -> ExposurePlan:
         self._setup()
@@ -225,16 +225,16 @@ class _Builder:
         """Adds a step, unless no shutter takes part in it."""
         if predicate:
             taking_part = None if predicate == self.everywhere else predicate
-            self.steps.append(Step(boundary, role, bucket, taking_part, words))
+            self.steps.append(PlanStep(boundary, role, bucket, taking_part, words))
 
     def _setup(self) -> None:
         scratch = self.scratch
         clear = (op("bus", (scratch,)), *(op("bus", (a,), (scratch,)) for a in self.registers))
-        self.steps.append(Step(0, "setup", -1, None, clear))
+        self.steps.append(PlanStep(0, "setup", -1, None, clear))
         sample: tuple[Op, ...] = ()
         if self.reference is not None:
             sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(Step(0, "reset", -1, None, (*RESET, *sample)))
+        self.steps.append(PlanStep(0, "reset", -1, None, (*RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """register += PIX - reference."""
@@ -250,7 +250,7 @@ class _Builder:
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
-                self.steps.append(Step(slot, "reset", -1, None, RESET))
+                self.steps.append(PlanStep(slot, "reset", -1, None, RESET))
             for bucket, add in enumerate(adds):
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
