@@ -25,14 +25,14 @@ from nscc.shutter_program import ShutterProgram, compile
 
 
 class CellRejected(Rejected):
-    """What is wrong with a cell. IPython shows it without the calls that led to it."""
+    """The errors of a cell. IPython shows them without a traceback."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
 
 
 class _Usage(Exception):
-    """The first line of a cell asks for what there is not."""
+    """Invalid options in the first line of a cell."""
 
     def _render_traceback_(self) -> list[str]:
         return str(self).splitlines()
@@ -44,7 +44,7 @@ class _Line(argparse.ArgumentParser):
 
 
 def _line() -> _Line:
-    """The options of `nscc build`, as the first line of a cell has them."""
+    """The parser of a cell's first line, with the options of `nscc build`."""
     parser = _Line("%%nsl", add_help=False, allow_abbrev=False)
     parser.add_argument("name", nargs="?", metavar="NAME")
     parser.add_argument("-O", dest="level", type=int, choices=LEVELS)

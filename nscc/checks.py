@@ -1,6 +1,6 @@
-"""What must be true of a value between two passes; where it is not, the compiler is at fault.
+"""Consistency checks between two passes; a failed check is a fault of the compiler.
 
-Each check is cheap beside the pass that made its value, and shares nothing with it.
+A check takes little time compared with the pass, and shares no code with it.
 """
 
 from __future__ import annotations
@@ -36,11 +36,11 @@ _ROUNDING = 1e-9
 
 
 class Inconsistent(Exception):
-    """A pass made a value that is not what it promises: a fault of the compiler."""
+    """The output of a pass violates its invariants: a fault of the compiler."""
 
 
 def check_tree(source: Source, tree: File) -> None:
-    """The statements lie in the text, one behind the other."""
+    """Check that statements lie inside the text and do not overlap."""
     end = 0
     for statement in tree.statements:
         _require(end <= statement.span.start <= statement.span.end, "statements overlap")
@@ -49,7 +49,7 @@ def check_tree(source: Source, tree: File) -> None:
 
 
 def check_program(program: Program) -> None:
-    """The decode table has one row for each code, and shutters of the frame and its buckets."""
+    """Check that the decode table has one row for each code, and the frame's slots and buckets."""
     table = program.table
     _, buckets, slots = table.shutters.shape
     _require(len(table.codes) == len(table.shutter_of_code), "a code without a shutter")
@@ -60,7 +60,7 @@ def check_program(program: Program) -> None:
 
 
 def check_plans(planned: Planned) -> None:
-    """Every plan's predicates, played through the frame, are the shutters."""
+    """Check that the predicates of every plan reproduce the shutters."""
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
@@ -68,7 +68,8 @@ def check_plans(planned: Planned) -> None:
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
-    """For each slot, the shutters whose pixels keep its light; `first` are those open in slot 0."""
+    """For each slot, the shutters whose light is collected; `first` is the set of shutters open in
+    slot 0."""
     at = {
         (s.boundary, s.role): plan.everywhere if s.predicate is None else s.predicate
         for s in plan.steps
@@ -95,7 +96,7 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
 
 
 def check_gates(gated: Gated) -> None:
-    """Every solution, replayed on truth vectors, meets its demands."""
+    """Replay every solution on truth vectors and check that it meets its demands."""
     machine = Machine.of(gated.program.target)
     for decoding in gated.decodings:
         fault_text = fault(decoding.problem, machine, decoding.solution)
@@ -103,7 +104,8 @@ def check_gates(gated: Gated) -> None:
 
 
 def check_looking_plan(plan: LookingPlan) -> None:
-    """Every change of a node's open buckets is a moment that closes and opens these buckets."""
+    """Check that every change of a node's open buckets is a moment that closes or opens these
+    buckets."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
     _require(boundaries == sorted(set(boundaries)), "moments out of their order")
@@ -118,7 +120,8 @@ def check_looking_plan(plan: LookingPlan) -> None:
 
 
 def _check_moment(moment: Moment, machine: StateMachine) -> None:
-    """Buckets that were open, less those that close and with those that open, are open then."""
+    """Check that the buckets open before a moment, minus `falls`, plus `rises`, are those open
+    after it."""
     _require(moment.comparisons == machine.at(moment.boundary), "other comparisons")
     lanes, boundary = len(moment.before), moment.boundary
     reset = _lanes(moment.resets, lanes)
@@ -138,7 +141,7 @@ def _lanes(vector: int, lanes: int) -> NDArray[np.bool_]:
 
 
 def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
-    """Codes and states can be told apart, and each comparison is made at its moment."""
+    """Check that encodings are injective, and that every comparison is made at its boundary."""
     for lowered in lowerings:
         solution, machine = lowered.looking, lowered.program.machine
         assert solution is not None
@@ -170,7 +173,8 @@ def check_looking_gates(lowerings: Sequence[LookingLowered]) -> None:
 
 
 def check_route(sending: Sending) -> None:
-    """The light of every slot goes to the tap of the bucket that is open, or to no bucket's."""
+    """Check that the light of every slot goes to the tap of the open bucket, or to no bucket's
+    tap."""
     route, shutters = sending.route, sending.program.table.shutters
     place = np.where(route.bits, route.ones, route.zeros)[:, None]
     collected = place == np.arange(shutters.shape[1])[:, None]
@@ -178,7 +182,7 @@ def check_route(sending: Sending) -> None:
 
 
 def check_loadings(sending: Sending) -> None:
-    """Every plane is loaded, as long as its rows take, before it acts and before the next one."""
+    """Check that every plane is completely loaded before it acts and before the next one loads."""
     load_us, begin_us = sending.program.target.plane_load_us, 0.0
     ended_us = -inf
     for slot_us, loading in zip(sending.program.frame.slot_us, sending.loadings, strict=True):
@@ -192,7 +196,7 @@ def check_loadings(sending: Sending) -> None:
 
 
 def check_schedule(choice: Choice) -> None:
-    """Every layout launches its kernels in time and names registers that the chip has."""
+    """Check that kernels are launched at increasing boundaries and name registers of the chip."""
     for lowered in choice.lowerings:
         schedule, target, slots = lowered.schedule, lowered.program.target, lowered.plan.slots
         places = schedule.allocation.places
@@ -210,7 +214,8 @@ def check_schedule(choice: Choice) -> None:
 
 
 def check_words(container: Container) -> None:
-    """Every shutter has an encoding, every bucket a readout, every launch a kernel."""
+    """Check that every shutter has an encoding, every bucket a readout and every launch a
+    kernel."""
     shape = len(container.table.shutters), len(container.target.digital_registers)
     _require(container.encoding.shape == shape, "an encoding of other shutters")
     read = [readout.bucket for readout in container.readouts]
@@ -222,7 +227,7 @@ def check_words(container: Container) -> None:
 
 
 def check_proof(proof: Proof) -> None:
-    """The words do what the decode table says."""
+    """Check that the proof of the words holds."""
     _require(proof.holds, f"the proof fails: {proof.failure}")
 
 

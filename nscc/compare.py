@@ -1,4 +1,4 @@
-"""One program on several chips: whether it fits each, how short its slots may be, what is sent."""
+"""One program compiled for several chips: whether it fits, shortest slots, data rates."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ NoiseOf = Callable[[Container], tuple[float, float] | None]
 
 @dataclass(frozen=True, eq=False)
 class OnChip:
-    """A program on a chip: compiled, or the first reason why not.
+    """A program compiled for one chip, or the first error.
 
-    `shortest_slot_us` is None where that is not known; `frame_us` includes the readout.
-    `sent_bits` go to the chip for every frame, `bits_per_us` while it is sent; `stored` says what
-    the chip keeps. `noise_e` is in the dark and at half a full well, None where it is not known.
+    `shortest_slot_us` is None if unknown; `frame_us` includes the readout. `sent_bits` is the data
+    per frame, `bits_per_us` the rate while data is sent; `stored` describes the chip's memory use.
+    `noise_e` is the noise in the dark and at half a full well, None if unknown.
     """
 
     target: Target
@@ -44,9 +44,9 @@ class OnChip:
 def compare(
     path: Path, targets: Sequence[Target], level: int, noise_of: NoiseOf | None = None
 ) -> list[OnChip]:
-    """The program of a file on each chip.
+    """Compile the program of a file for each chip.
 
-    Raises Rejected for what is wrong with the program on any chip: its text, names and types.
+    Raises Rejected for errors that do not depend on the chip: syntax, names and types.
     """
     return [_on(path, target, level, noise_of) for target in targets]
 
@@ -82,7 +82,8 @@ def _on(path: Path, target: Target, level: int, noise_of: NoiseOf | None) -> OnC
 
 
 def compared_text(chips: Sequence[OnChip]) -> str:
-    """A column a chip, and below what keeps the program from fitting one, with a way out."""
+    """A table with one column for each chip, followed by the errors and ways out of those that do
+    not fit."""
     rows: list[tuple[str, ...]] = [("", *(chip.target.name for chip in chips))]
     for title, cell_text in _ROWS.items():
         rows.append((title, *(cell_text(chip) for chip in chips)))
@@ -98,7 +99,7 @@ def compared_text(chips: Sequence[OnChip]) -> str:
 
 
 def compared_json(chips: Sequence[OnChip]) -> list[dict[str, Any]]:
-    """The same as JSON values; what is not known is null."""
+    """The comparison as JSON values; unknown values are null."""
     return [
         {
             "target": chip.target.name,

@@ -1,4 +1,4 @@
-"""Compiling, as every caller asks for it: the pipeline, and ways out of what does not fit."""
+"""The compiler's entry points: the pipeline, and ways out for programs that do not fit."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ CHECK = Options(level=1, unproved_is_error=False)
 def compile_file(
     path: Path, options: Options | None = None, see: Observer | None = None
 ) -> Compiled:
-    """Compiles a `.nsl` file. Raises Rejected with everything that is wrong with it."""
+    """Compile a `.nsl` file. Raises Rejected with all errors."""
     return compile_source(read_source(path), path.parent, options or Options(), see)
 
 
 def compile_source(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compiles a program's text; `base` is the folder that its paths are relative to.
+    """Compile a program's text; paths in it are relative to the folder `base`.
 
-    Raises Rejected with everything that is wrong with it. Where it only does not fit, nearby
-    programs are compiled, and the diagnostics offer those that do.
+    Raises Rejected with all errors. If the program only does not fit, nearby programs are compiled,
+    and the diagnostics offer those that fit.
     """
     try:
         return run_passes(source, base, options, see)
@@ -42,7 +42,7 @@ def compile_source(
 def _with_ways_out(
     diagnostics: tuple[Diagnostic, ...], program: Program, base: Path, options: Options
 ) -> list[Diagnostic]:
-    """The same diagnostics; nearby programs are compiled for those that ask for less."""
+    """Add compiled ways out to the diagnostics that can have some."""
     if not any(has_ways_out(d) for d in diagnostics):
         return list(diagnostics)
     from nscc.limits.ways_out import ways_out  # only for what does not fit

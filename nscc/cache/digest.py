@@ -1,4 +1,4 @@
-"""Digests of frozen values: what decides a result, in 64 hexadecimal digits."""
+"""Digests of frozen values, in 64 hexadecimal digits."""
 
 from __future__ import annotations
 
@@ -22,20 +22,20 @@ _DECIDES = (".py", ".toml", ".safetensors")
 
 
 def digest(value: Any) -> str:
-    """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays, numbers.
+    """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays and
+    numbers.
 
-    Values of different type or structure have different digests. Raises TypeError for a type
-    that is none of these: leaving something out would let two different things pass for one.
+    Values of different type or structure have different digests. Raises TypeError for other types,
+    because ignoring a member could give two values one digest.
     """
     return sha256(_token(value, {})).hexdigest()
 
 
 @cache
 def version_digest() -> str | None:
-    """The digest of this compiler: its own sources, those of the generators that other
-    distributions add to it, and what they run on.
+    """The digest of this compiler: its sources, added generators, Python and the libraries.
 
-    None where sources cannot be read.
+    None if sources cannot be read.
     """
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
@@ -48,7 +48,7 @@ def version_digest() -> str | None:
 
 @cache
 def package_digest(name: str) -> str | None:
-    """The same of another package that is installed, by the name under which it is imported."""
+    """Like `version_digest`, of another installed package, given its import name."""
     spec = find_spec(name)
     if spec is None or not spec.submodule_search_locations:
         return None
@@ -56,7 +56,8 @@ def package_digest(name: str) -> str | None:
 
 
 def _digest_of(roots: Mapping[str, Path]) -> str | None:
-    """The digest of what decides in these folders and files, and of what runs them."""
+    """The digest of these source folders and files, and of the versions of Python and the
+    libraries."""
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():
@@ -72,7 +73,7 @@ def _digest_of(roots: Mapping[str, Path]) -> str | None:
 
 
 def _deciding(root: Path) -> list[Path]:
-    """The file `root`, or those of the folder that decide what its code does."""
+    """The files under `root` that the behaviour of its code depends on."""
     if root.is_file():
         return [root]
     return sorted(
@@ -84,7 +85,8 @@ def _deciding(root: Path) -> list[Path]:
 
 
 def _token(value: Any, known: dict[int, bytes]) -> bytes:
-    """Bytes that stand for a value. `known` holds those of parts by identity: many are shared."""
+    """The bytes that stand for a value in the digest; `known` caches them by identity, as many
+    members are shared."""
     if isinstance(value, Enum):
         return f"e{type(value).__name__}.{value.name}".encode()
     if value is None or isinstance(value, bool | float):

@@ -1,8 +1,7 @@
-"""What the search for gates found, by everything that decides it.
+"""Cached results of the search for gates.
 
-A result is kept for a whole problem: demands, plan, times, target, level and the compiler itself
-with the generators added to it (`nscc.cache.digest.version_digest`): whatever of them changed never
-sees an old one.
+The key covers the whole problem: demands, plan, times, target, level, and the compiler itself with
+its added generators (`nscc.cache.digest.version_digest`). A change of any of them changes the key.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ LEAST_LEVEL = 2
 
 @dataclass
 class Results:
-    """Results of one compilation: read from the store while `trusted`, and kept there.
+    """Search results of one compilation, read from the store while `trusted` and written to it.
 
     `read` counts the results that came from the store.
     """
@@ -61,7 +60,7 @@ class Result:
         return solutions if self.known is None else (self.known,)
 
     def keep(self, best: Solution) -> None:
-        """Keeps the best of those found."""
+        """Store the best solution of a search."""
         if self.store is not None and self.known is None:
             self.store.write(self.key, to_json(best))
 
@@ -73,7 +72,7 @@ def results_of_user() -> Results | None:
 
 
 def _solution(data: bytes | None, problem: Problem, machine: Machine) -> Solution | None:
-    """The solution in an entry; None unless it meets the problem that it is kept for."""
+    """Decode the solution in an entry; None unless it solves the problem."""
     if data is None:
         return None
     try:

@@ -1,7 +1,7 @@
-"""Frozen dataclasses as JSON and back: strict, so that no file can smuggle in anything else.
+"""Frozen dataclasses as JSON and back, with strict types.
 
-A dataclass is the list of its fields' values, a tuple a list, an integer of any size a number or
-hexadecimal digits. What comes back has exactly the types that the annotations name.
+A dataclass becomes the list of its field values, a tuple a list, a large integer a hexadecimal
+string. Reading returns exactly the annotated types or raises ValueError.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def to_json(value: Any) -> bytes:
 
 
 def from_json(kind: type[T], data: bytes) -> T:
-    """The inverse of `to_json`; raises ValueError for anything that it would not have written."""
+    """The inverse of `to_json`; raises ValueError for data that `to_json` cannot have written."""
     import json
 
     try:

@@ -1,8 +1,7 @@
-"""Targets by name or from a file: the builtin tables, those that packages add, a user's own.
+"""Targets by name or from a file: built-in tables, tables of other packages, user files.
 
-A name that ends in `.toml` or holds a `/` is a file, anything else a target's name. In a user's
-file every key must be known; keys about what is not public may be left out and then have scamp5's
-value.
+A name that ends in `.toml` or contains `/` is a file. In a user's file every key must be known.
+Keys for which the chip's maker published no value may be missing and then have scamp5's value.
 """
 
 from __future__ import annotations
@@ -31,13 +30,13 @@ _TABLES = Path(__file__).with_name("tables")
 
 
 def builtin_names() -> tuple[str, ...]:
-    """The names of the tables that come with nscc, in alphabetical order."""
+    """The names of the built-in targets, sorted."""
     return tuple(sorted(path.stem for path in _TABLES.glob("*.toml")))
 
 
 @cache
 def builtin_target(name: str) -> Target:
-    """The builtin table of that name, which must exist."""
+    """The built-in target `name`, which must exist."""
     values = tomllib.loads((_TABLES / f"{name}.toml").read_text(encoding="utf-8"))
     key_values, problems = schema_of(values.get("kind")).read(values, complete=name == DEFAULT_NAME)
     if problems:
@@ -46,7 +45,7 @@ def builtin_target(name: str) -> Target:
 
 
 def target_names() -> tuple[str, ...]:
-    """The names of all targets: the builtin ones, then those of `added_targets`."""
+    """The names of all targets, the built-in ones first."""
     return (*builtin_names(), *added_targets())
 
 
@@ -54,8 +53,8 @@ def target_names() -> tuple[str, ...]:
 def added_targets() -> dict[str, Target]:
     """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
 
-    Raises Rejected (NS0905) for one that is none of these, has a name of nscc's own or not the
-    name that its table gives, with what is wrong in its table.
+    Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name that
+    differs from the one in the table, and for an invalid table.
     """
     return {
         name: _added(name, value)
@@ -72,9 +71,9 @@ def load_target(
 ) -> Target:
     """The target that a `target` statement or `--target` names; files are relative to `base`.
 
-    `source` and `span` are where the name stands, for messages. Raises Rejected: NS0230 for a name
-    that is not known, NS0232 to NS0236 for what is wrong in a file, all at once (status 1 in a
-    `source`, which they reject, else 2), NS0231 (status 2) for a file that cannot be read.
+    `source` and `span` are the place of the name, for messages. Raises Rejected: NS0230 for an
+    unknown name, NS0231 (status 2) for an unreadable file, NS0232 to NS0236 for all errors in a
+    file (status 1 if a `source` names it, else 2).
     """
     if name_or_path.endswith(".toml") or "/" in name_or_path or "\\" in name_or_path:
         data = read_target(name_or_path, base, source, span)
@@ -101,12 +100,12 @@ def load_target(
 
 
 def target_dict(target: Target) -> dict[str, Any]:
-    """The target as JSON values: sections of keys, every key present, in the order of a file."""
+    """The target as JSON values: sections of keys in the order of a file, every key present."""
     return schema_of(target.kind).plain(_values(target))
 
 
 def target_from_dict(values: Mapping[str, Any]) -> Target:
-    """The target of `target_dict`'s values; ValueError with the first fault if they are none."""
+    """The inverse of `target_dict`; ValueError with the first error of invalid values."""
     key_values, problems = schema_of(values.get("kind")).read(values, complete=True)
     problems += _contradictions(key_values)
     if problems:
@@ -133,7 +132,7 @@ def target_toml(target: Target) -> str:
 def read_target(
     name: str, base: Path, source: Source | None = None, span: Span | None = None
 ) -> bytes:
-    """What a user's file holds, for `parse_target`; arguments and NS0231 as of `load_target`."""
+    """Read the bytes of a user's target file; raises NS0231 as `load_target` does."""
     try:
         return file_bytes(SCHEMA, base / name, name)
     except Rejected as error:
@@ -147,9 +146,9 @@ def read_target(
 
 
 def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
-    """The target of a user's TOML text; `name` is the file's for messages.
+    """Parse the TOML text of a target; messages call the file `name`.
 
-    Raises Rejected, NS0232 to NS0236, with everything that is wrong and that exit status.
+    Raises Rejected with `status` and all errors, NS0232 to NS0236.
     """
     key_values, problems, source = file_values(
         SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
@@ -161,9 +160,10 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """The target of values that are right; scamp5's where they say nothing, nor the key does.
+    """The target with these values; missing keys have their default or scamp5's value.
 
-    A chip without logic has no registers."""
+    A chip without logic has no registers.
+    """
     values: dict[str, Any] = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):
@@ -183,7 +183,7 @@ def _values(target: Target) -> dict[str, Any]:
 
 
 def _contradictions(key_values: KeyValues, source: Source | None = None) -> list[Diagnostic]:
-    """NS0236: keys that are right by themselves and cannot stand together."""
+    """NS0236 for valid keys that contradict each other."""
     streamed = key_values.get("kind") == "stream"
     section, find_contradictions = (
         ("stream", tap_contradictions) if streamed else ("registers", contradictions)
@@ -199,7 +199,7 @@ def _contradictions(key_values: KeyValues, source: Source | None = None) -> list
 
 
 def _added(name: str, value: object) -> Target:
-    """The target that a package adds under that name."""
+    """The target `name` that a package adds as `value`."""
     reason = "its table is wrong"
     diagnostics: tuple[Diagnostic, ...] = ()
     try:

@@ -1,4 +1,4 @@
-"""What registers or taps of a target must be together, each of them being well formed."""
+"""Contradictions between the registers or taps of a target, whose single values are valid."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ _MOST_TAPS = 16
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """Everything that is wrong, each as its key, a message and a help ("" for none).
+    """All contradictions, each as its key, a message and a help ("" for none).
 
-    `registers` are the keys of [registers] that could be read, by name.
+    `registers` maps the names of the keys of [registers] that could be read to their values.
     """
     for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
         for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
@@ -40,7 +40,7 @@ def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str
 
 
 def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """The same of a chip whose pixels have taps and no registers; `stream` are its keys."""
+    """Like `contradictions`, for the keys of [stream] of a chip with taps."""
     taps, drain, gains = map(stream.get, ("taps", "drain", "tap_gain"))
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
@@ -56,7 +56,7 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
 
 
 def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, str]]:
-    """What is wrong with a list of registers that words know as `known`."""
+    """The errors in a list of registers; `known` are the registers that words can name."""
     for index, name in enumerate(names):
         if name in names[:index]:
             yield f"{shown(name)} twice", ""

@@ -52,7 +52,7 @@ _MOST = 32
 
 
 class OwnWords(Kind):
-    """The words of a target's own, as rows of the table of operations."""
+    """The `[[words]]` of a target as rows of the table of operations."""
 
     @property
     def allowed(self) -> str:
@@ -77,7 +77,7 @@ class OwnWords(Kind):
 
 
 def words_toml(rows: Iterable[Operation]) -> list[str]:
-    """The lines of a target file that say these words."""
+    """The lines of a target file that define these words."""
     lines = []
     for row in rows:
         lines += ["", "[[words]]", *(f"{key} = {written(v)}" for key, v in _plain(row).items())]
@@ -100,7 +100,8 @@ def _plain(row: Operation) -> dict[str, Any]:
 
 
 def _row(values: Any, who: str) -> Operation:
-    """One word; ValueError with what is wrong with it."""
+    """The operation that one `[[words]]` table defines; ValueError with the reason if it is
+    invalid."""
     if not isinstance(values, Mapping):
         raise ValueError(f"{who} is no table of keys")
     if isinstance(values.get("name"), str):
@@ -143,7 +144,7 @@ def _row(values: Any, who: str) -> Operation:
 
 
 def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tuple[int, int]]:
-    """How many registers a word writes and reads."""
+    """The numbers of registers that a word writes and reads; `who` names the word in errors."""
     digital = effect in _DIGITAL
     most = len(DIGITAL_WRITE if digital else ANALOG_WRITE) if effect in _WRITES else 0
     if not _is_integer_within(written_, int(effect in _WRITES), most):
@@ -159,7 +160,7 @@ def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tu
 
 
 def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
-    """The control lines of these names, in their order on the chip."""
+    """The control lines `names`, in the chip's order."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ValueError(f"{who} has lines that are no list of names")
     for name in names:
@@ -171,13 +172,14 @@ def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
 
 
 def _operand_lines(digital: bool) -> frozenset[int]:
-    """The lines that say which registers a word reads and writes."""
+    """The control lines that select the registers a word reads and writes."""
     reads, writes = (DIGITAL_SOURCES, DIGITAL_WRITE) if digital else (ANALOG_SOURCES, ANALOG_WRITE)
     return frozenset({*(line for name in reads for line in READ_LINES[name]), *writes.values()})
 
 
 def _alike(first: Operation, second: Operation) -> bool:
-    """Whether two operations could be one word: equal but for the lines of their operands."""
+    """Whether two operations can encode to one word: all control lines equal except those of
+    operands."""
     if first.clock != second.clock:
         return False
     operands = _operand_lines(not first.analog)
@@ -187,7 +189,7 @@ def _alike(first: Operation, second: Operation) -> bool:
 
 
 def _meet(first: tuple[int, int | None], second: tuple[int, int | None]) -> bool:
-    """Whether a number of operands is in both ranges; None is no limit."""
+    """Whether two ranges of operand counts overlap; None is no limit."""
     return (second[1] is None or first[0] <= second[1]) and (
         first[1] is None or second[0] <= first[1]
     )

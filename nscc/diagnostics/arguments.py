@@ -1,4 +1,4 @@
-"""What a Python call is told whose arguments are of another kind than it takes."""
+"""Errors for wrong arguments of Python calls."""
 
 from __future__ import annotations
 
@@ -14,23 +14,23 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an argument that it does not take (NS0789, status 2).
+    """A call got an invalid argument (NS0789, status 2).
 
-    Python's own exceptions for such calls catch it, too.
+    It is also a ValueError and a TypeError.
     """
 
 
 def wrong_argument(
     message: str, *, notes: Sequence[str] = (), helps: Sequence[str] = ()
 ) -> WrongArgument:
-    """The exception for a call's wrong argument, said in one sentence."""
+    """The exception for a wrong argument; `message` is one sentence."""
     return WrongArgument(
         Diagnostic("NS0789", message, notes=tuple(notes), helps=tuple(helps)), status=2
     )
 
 
 def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> None:
-    """Raises WrongArgument unless the call's argument `name` has one of the allowed values."""
+    """Raise WrongArgument unless the argument `name` of `call` is one of `allowed`."""
     plain = isinstance(value, str | int | np.integer) and not isinstance(value, bool)
     if plain and value in allowed:
         return
@@ -44,7 +44,7 @@ def one_of(call: str, name: str, value: object, allowed: Collection[Any]) -> Non
 def require_whole_number(
     call: str, name: str, value: object, least: int = 0, most: int = 2**63 - 1
 ) -> None:
-    """Raises WrongArgument unless the call's argument `name` is a whole number within limits."""
+    """Raise WrongArgument unless the argument `name` of `call` is an integer in `least`..`most`."""
     is_number = isinstance(value, int | np.integer) and not isinstance(value, bool)
     if not is_number or not least <= int(value) <= most:  # type: ignore[call-overload]
         limits = f"from {least}" + ("" if most == 2**63 - 1 else f" to {most}")
@@ -52,16 +52,16 @@ def require_whole_number(
 
 
 def warn(diagnostics: Iterable[Diagnostic]) -> None:
-    """Warnings among diagnostics as Python's own, at the place that the caller was called from."""
+    """Issue warnings among diagnostics as Python warnings at the caller's caller."""
     for diagnostic in diagnostics:
         if diagnostic.severity is Severity.WARNING:
             warnings.warn(render([diagnostic], "human").rstrip(), stacklevel=3)
 
 
 def shown(value: object) -> str:
-    """What a value is, in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
+    """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
 
-    Told by what a value has, so that nothing is imported to name somebody else's kinds.
+    Arrays are recognised by their attributes, so that no array library is imported.
     """
     if isinstance(value, np.generic):
         value = value.item()

@@ -1,4 +1,4 @@
-"""What nscc tells its user, and the exception that carries it."""
+"""The public names for diagnostics, and the exception that carries them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What may stand next at a place of a text."""
+"""Completion of words, names and files in a program's text."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ _ONCE = ("nsl", "target", "frame", "reset")
 
 @dataclass(frozen=True, slots=True)
 class Offer:
-    """What may stand here, what it is, and a line about it."""
+    """A completion: its text, its kind and a line of description."""
 
     text: str
     kind: Literal["word", "name", "target", "file", "digest"]
@@ -47,8 +47,8 @@ class Offer:
 
 
 def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
-    """What of the text would be replaced, and by what: words that the grammar takes here, the names
-    that this place knows, targets, files, and the digest of a file that was named."""
+    """The span that a completion replaces, and the completions at `offset`: grammar words, visible
+    names, targets, files and the digest of a named file."""
     before = document.text[:offset]
     tokens = lex(Source(document.name, before))
     end = tokens.span(len(tokens.kinds) - 1).end if tokens.kinds else 0
@@ -66,7 +66,7 @@ def complete(document: Document, offset: int) -> tuple[Span, list[Offer]]:
 
 @dataclass(frozen=True)
 class _Place:
-    """A place between tokens: those before it, and which of them begin statements."""
+    """The tokens before a place in the text, and the indices of those that begin statements."""
 
     document: Document
     tokens: Tokens
@@ -101,7 +101,7 @@ class _Place:
                 yield Offer(word, "word", FORMS[word][0])
 
     def _names(self, statement: str, begin: int) -> Iterator[Offer]:
-        """The names that mean something at this place of a statement."""
+        """The names that are visible at this place of a statement."""
         kinds, declared = self.tokens.kinds[begin:], self.document.declared
         last, first = kinds[-1], len(kinds) == 1
         if last == "exposure":
@@ -144,7 +144,8 @@ class _Place:
 def _in_quotes(
     document: Document, tokens: Tokens, starts: list[int], offset: int
 ) -> tuple[Span, list[Offer]]:
-    """Files of the kind that a statement names; after `sha256` the digest of the file it named."""
+    """Completions inside quotes: files that fit the statement, or the digest of its file after
+    `sha256`."""
     opening = len(tokens.kinds) - 1
     span = Span(tokens.span(opening).start + 1, offset)
     begin = starts[-1] if starts else 0
@@ -159,7 +160,7 @@ def _in_quotes(
 
 
 def _files(document: Document, typed: str, ending: str) -> Iterator[Offer]:
-    """Files with that ending, and folders, in the folder of the path that was begun."""
+    """Files that end in `ending`, and folders, in the folder of the typed path."""
     inside = typed[: typed.rfind("/") + 1]
     try:
         entries = sorted(os.scandir(document.folder / inside), key=lambda entry: entry.name)
