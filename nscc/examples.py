@@ -1,4 +1,4 @@
-"""Programs that come with nscc, and one to begin a program of one's own with."""
+"""The example programs of nscc, and a template for new programs."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ pixels stop  = tile [[64, 32],
 
 
 def examples() -> Mapping[str, Path]:
-    """The example programs and configurations by name, a file's without `.nsl`."""
+    """The paths of example programs and configurations, keyed by file name without `.nsl`."""
     installed = Path(__file__).with_name("example_files")
     folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "examples"
     files = sorted(path for path in folder.iterdir() if path.suffix in _ENDINGS)
@@ -48,7 +48,7 @@ def examples() -> Mapping[str, Path]:
 
 
 def example(name: str) -> Path:
-    """The file of an example; Rejected (NS0787) where there is none of that name."""
+    """The path of an example; raises Rejected (NS0787) for an unknown name."""
     known = examples()
     path = known.get(name.removesuffix(".nsl"))
     if path is None:
@@ -64,7 +64,7 @@ def example(name: str) -> Path:
 
 
 def about(path: Path) -> str:
-    """What an example says of itself: the first sentence of the comment at its head."""
+    """The description of an example: the first sentence of its leading comment."""
     words: list[str] = []
     for line in path.read_text(encoding="utf-8").splitlines():
         if not line.startswith("#"):

@@ -1,4 +1,4 @@
-"""What stands at a place of a text, in words: for the box that an editor opens there."""
+"""The text of the box that an editor shows for a place in a program."""
 
 from __future__ import annotations
 
@@ -23,15 +23,15 @@ _MOST_VALUES = 12
 
 @dataclass(frozen=True, slots=True)
 class Hover:
-    """A place, and what is to be said of it, in Markdown."""
+    """A place, and its description in Markdown."""
 
     span: Span
     text: str
 
 
 def hover(document: Document, offset: int) -> Hover | None:
-    """What a name means and which values it has, what a statement's word begins, what the frame and
-    its slots cost, and the page of each message at this place; None where there is nothing."""
+    """Describe the place `offset`: the meaning and values of a name, the form of a statement, the
+    cost of the frame or a slot, and the pages of messages; None if there is nothing to say."""
     texts: list[str] = []
     span: Span | None = None
     for topic in (_name(document, offset), _frame(document, offset), _word(document, offset)):
@@ -66,7 +66,7 @@ def _bucket(document: Document, mention: Mention) -> str | None:
 
 
 def _open_slots(shutters: np.ndarray[tuple[int, int], np.dtype[np.bool_]]) -> str:
-    """Of shutters bool (shutters, N), how long they are open."""
+    """How long `shutters` bool (shutters, N) are open, in words."""
     opened = shutters.sum(axis=1)
     least, most = int(opened.min()), int(opened.max())
     slots = shutters.shape[1]
@@ -152,7 +152,7 @@ def _predefined(document: Document, name: str) -> str | None:
 
 
 def _frame(document: Document, offset: int) -> Hover | None:
-    """What the frame costs; on one of listed slots, what that one does."""
+    """The cost of the frame, or of the listed slot at `offset`."""
     for statement in document.parsed[0].statements:
         if not isinstance(statement, tree.EqualSlots | tree.ListedSlots):
             continue
@@ -181,7 +181,7 @@ def _lengths(document: Document, statement: tree.EqualSlots | tree.ListedSlots) 
 
 
 def _word(document: Document, offset: int) -> Hover | None:
-    """How a statement is written, at the word that begins it."""
+    """The syntax of a statement, at its first word."""
     for statement in document.parsed[0].statements:
         start = statement.span.start
         if not start <= offset <= statement.span.end:

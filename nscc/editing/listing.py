@@ -1,4 +1,4 @@
-"""Assembly text as an editor has it: what `nscc asm` says of it, and what may stand next."""
+"""Assembly text in an editor: the errors of `nscc asm`, and completions."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _KERNEL = re.compile(r"^[ \t]*\.kernel[ \t]+(\w+)", re.MULTILINE)
 
 @dataclass(frozen=True)
 class Listing:
-    """Assembly text, which need not be saved or right. Members as of Document."""
+    """Assembly text, possibly unsaved or invalid; attributes as of Document."""
 
     name: str
     text: str
@@ -33,7 +33,7 @@ class Listing:
 
     @cached_property
     def checked(self) -> CheckResult:
-        """What `nscc asm` says."""
+        """The result of `nscc asm`."""
         try:
             assemble(Source(self.name, self.text), self.folder)
         except Rejected as rejected:
@@ -42,7 +42,7 @@ class Listing:
 
     @cached_property
     def target(self) -> Target:
-        """The chip that the text names; scamp5 where it names none that can be had."""
+        """The chip that the text names; scamp5 if it names none or one that cannot be loaded."""
         named = _TARGET.search(self.text)
         try:
             return load_target(named[1] if named else DEFAULT_NAME, self.folder)
@@ -54,8 +54,8 @@ Text = Document | Listing
 
 
 def complete_listing(listing: Listing, offset: int) -> tuple[Span, list[Offer]]:
-    """What of the text would be replaced, and by what: directives and instructions where a line
-    begins, then chips, kernels or registers, as the word that begins it takes."""
+    """The span that a completion replaces, and the completions at `offset`: directives and
+    instructions at the start of a line, then targets, kernels or registers."""
     line = listing.text[:offset].rpartition("\n")[2]
     typed = match.group() if (match := _TYPED.search(line)) else ""
     before = line[: len(line) - len(typed)]

@@ -1,5 +1,5 @@
-"""Where names stand in a text and what they name. Told from the tokens, so that a statement that is
-not finished hides no name."""
+"""The places of names in a text and what they refer to, from tokens alone: this works for
+incomplete statements."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ DECLARES = ("let", "code", "shutters", "sense", "state")
 
 @dataclass(frozen=True, slots=True)
 class Mention:
-    """A name at a place; `declares` where the statement is the one that gives it its meaning."""
+    """A name at a place; `declares` if this statement declares it."""
 
     name: str
     span: Span
@@ -27,7 +27,7 @@ class Mention:
 
 
 def mentions(document: Document) -> list[Mention]:
-    """All names of a text in its order, but for those of targets and of arrays in files."""
+    """All names in a text in order, except names of targets and of arrays in files."""
     tokens, kinds = document.tokens, document.tokens.kinds
     listed = []
     for index, kind in enumerate(kinds):
@@ -43,12 +43,12 @@ def mentions(document: Document) -> list[Mention]:
 
 
 def mention_at(document: Document, offset: int) -> Mention | None:
-    """The name that holds a character or ends before it."""
+    """The name that contains `offset` or ends there."""
     return next((m for m in mentions(document) if m.span.start <= offset <= m.span.end), None)
 
 
 def alike(document: Document, mention: Mention) -> list[Mention]:
-    """All mentions of what one names, itself among them, in the text's order."""
+    """All mentions of the thing that `mention` names, including itself, in order."""
     identity = (mention.name, mention.kind)
     return [
         candidate
@@ -58,5 +58,5 @@ def alike(document: Document, mention: Mention) -> list[Mention]:
 
 
 def declaration(document: Document, mention: Mention) -> Mention | None:
-    """The first mention that gives the name its meaning; None for predefined and unknown ones."""
+    """The mention that declares the name; None for predefined and unknown names."""
     return next((candidate for candidate in alike(document, mention) if candidate.declares), None)

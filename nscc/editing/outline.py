@@ -1,4 +1,4 @@
-"""What a program declares, statement by statement."""
+"""The outline of a program: its declarations."""
 
 from __future__ import annotations
 
@@ -30,10 +30,10 @@ _LONGEST = 60
 
 @dataclass(frozen=True, slots=True)
 class OutlineEntry:
-    """A statement: its name, what is written behind that, in short, what it is, and its place.
+    """A statement in the outline.
 
-    `kind` is the word that begins it, and its name where it has no other; `at` is the place of the
-    name.
+    `kind` is its first word, which is also its name if it declares none; `detail` is a short form
+    of the rest; `at` is the place of the name.
     """
 
     name: str
@@ -44,7 +44,7 @@ class OutlineEntry:
 
 
 def outline(document: Document) -> list[OutlineEntry]:
-    """Those statements that have a name, the frame and the rule, in the order written."""
+    """The named statements, the frame and the rule, in the order of the text."""
     entries = []
     for statement in document.parsed[0].statements:
         kind = _KINDS.get(type(statement))

@@ -1,4 +1,4 @@
-"""Another name for what a program declares."""
+"""Rename what a program declares."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 class CannotRename(ValueError):
-    """Says in a sentence why a name stays what it is."""
+    """The reason, in one sentence, why a name cannot be changed."""
 
 
 def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
-    """The places that have to become `name`, so that the program means the same.
+    """The places to replace by `name` so that the program keeps its meaning.
 
-    Raises CannotRename where no name that the text declares stands at `offset`, where `name` is
-    none or means something else already, and where a file knows the field by its old name.
+    Raises CannotRename if there is no declared name at `offset`, if `name` is invalid or in use, or
+    if an array in a file has the old name.
     """
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
@@ -43,7 +43,7 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
 
 
 def renameable(document: Document, offset: int) -> Mention:
-    """The name at `offset`, if it may have another one. Raises CannotRename as `renamed` does."""
+    """The name at `offset`, if it can be renamed; raises CannotRename as `renamed` does."""
     mention = mention_at(document, offset)
     if mention is None:
         raise CannotRename("no name of the program stands here")

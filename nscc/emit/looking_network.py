@@ -1,4 +1,5 @@
-"""The network of gates of a program whose pixels look at the light.
+"""The gate network of programs with senses (see `nscc.emit.network` for nodes): from codes, states
+and answers to shutter changes, resets and next states.
 
 As `nscc.emit.network`, which says what its nodes are: from code, states and answers to what opens,
 closes and resets, and to the states as the frame leaves them.
@@ -20,7 +21,7 @@ from nscc.words.machine import LIGHT, Comparison, Machine
 
 
 def network_of(lowered: Lowered) -> nx.DiGraph:
-    """The network of any program's gates; see `nscc.emit.network` for nodes and attributes."""
+    """The gate network of any program; see `nscc.emit.network` for nodes and attributes."""
     if isinstance(lowered, LookingLowered) and lowered.looking is not None:
         return _Maker(lowered, lowered.looking).build_network()
     return gate_network(lowered)
@@ -50,7 +51,7 @@ class _Maker(NetworkMaker):
         return measured(self.network)
 
     def _word(self, word: Op, boundary: int, looks: Iterator[Comparison]) -> None:
-        """An analog word: it may write FLAG, or ask for it."""
+        """Add an analog word, which writes FLAG or depends on it."""
         effect = word.operation.effect
         if effect is Effect.FLAG_ALL:
             self.holds["FLAG"] = self.value("gate", "SET", "FLAG", (word,), boundary)
@@ -72,7 +73,7 @@ class _Maker(NetworkMaker):
                 self.demand("reset", "", boundary)
 
     def _ends(self) -> None:
-        """The code as it was, and the states that are read or kept."""
+        """Add the final values: restored code, and states that are read out or kept."""
         ended = set()
         for state, names in zip(self.machine.states, self.solution.registers, strict=True):
             for bit, name in enumerate(names):
@@ -91,6 +92,6 @@ def _machine(lowered: LookingLowered) -> Machine:
 
 
 def _in_order(comparisons: tuple[Comparison, ...]) -> list[Comparison]:
-    """The comparisons of a boundary as `nscc.looks.solve` makes them: those of one signal together,
-    light last."""
+    """The comparisons of a boundary in the order of `nscc.looks.solve`: grouped by signal, light
+    last."""
     return sorted(comparisons, key=lambda comparison: -comparison.signal)

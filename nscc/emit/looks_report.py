@@ -1,4 +1,4 @@
-"""What a program that looks compares and remembers, for summaries and reports."""
+"""The comparisons and states of a program with senses, for summaries and reports."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ _MOST_SHOWN = 12
 
 
 def looks_lines(machine: Machine, buckets: tuple[str, ...], target: Target) -> list[str]:
-    """The comparisons, a line for each signal and level as IN has it, and the states."""
+    """The comparisons, one line for each signal and level, and the states."""
     at: dict[tuple[int, int], list[int]] = {}
     for comparison in machine.comparisons:
         at.setdefault((comparison.signal, comparison.level), []).append(comparison.boundary)
@@ -33,7 +33,7 @@ def looks_lines(machine: Machine, buckets: tuple[str, ...], target: Target) -> l
 
 
 def looks_report(machine: Machine, target: Target) -> dict[str, Any]:
-    """The same as JSON values, for `--emit report`."""
+    """The comparisons and states as JSON values, for `--emit report`."""
     return {
         "boundaries": list(machine.looks),
         "comparisons": [

@@ -1,4 +1,4 @@
-"""A program as a notebook shows it: its shutters over time, and what its words cost."""
+"""Notebook views of a program: its shutters over time."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """When shutters bool (shutters, buckets, N) are open, a line each, time to scale.
+    """Chart of shutters bool (shutters, buckets, N) over time, one row each.
 
-    Of more than a screenful some are shown, evenly chosen; the first and the last are among them.
+    At most a screenful is shown: evenly spaced rows, including the first and the last.
     """
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
@@ -57,7 +57,7 @@ def shutter_chart(
 def _bars(
     places: NDArray[np.float64], share: NDArray[np.float64], top: float, height: float, bucket: int
 ) -> list[str]:
-    """Runs of columns that are open alike, one path for each shade."""
+    """SVG paths for runs of equally open columns, one path for each shade."""
     shade = np.ceil(share * _SHADES - 1e-9).astype(int)
     starts = np.concatenate(([0], np.flatnonzero(np.diff(shade)) + 1))
     ends = np.concatenate((starts[1:], [len(shade)]))

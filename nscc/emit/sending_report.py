@@ -1,4 +1,4 @@
-"""A program for a chip without logic, as people read it and as the chip's driver does."""
+"""Reports and driver files of programs for chips without logic."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ PLANES_FORMAT = "nscc-planes-1"
 
 
 def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
-    """What `nscc check` prints of it beside class and codes, as labels with what they say."""
+    """Rows (label, text) that `nscc check` prints after class and codes."""
     program, target = sending.program, sending.program.target
     slots = len(program.frame.slot_us)
     taps = target.taps[: len(program.buckets)]
@@ -53,7 +53,7 @@ def stream_rows(sending: Sending, proof: Proof) -> list[tuple[str, str]]:
 
 
 def rate_text(bits_per_us: float) -> str:
-    """A rate of data in the unit that suits it."""
+    """A data rate with a suitable unit."""
     if bits_per_us >= 1e3:
         return f"{bits_per_us / 1e3:.4g} Gbit/s"
     return f"{bits_per_us:.4g} Mbit/s" if bits_per_us >= 1 else f"{bits_per_us * 1e3:.4g} kbit/s"
@@ -64,7 +64,8 @@ def _place(place: int, target: Target) -> str:
 
 
 def sending_text(sending: Sending) -> str:
-    """A line a slot: when its plane is sent and acts, and where 1 and 0 lead."""
+    """One line for each slot: when its plane is sent and acts, and where bits 1 and 0 send the
+    light."""
     target, way = sending.program.target, sending.route
     lines = [
         f"{len(way.ones)} planes of {target.rows} x {target.cols} bits, "
@@ -81,7 +82,7 @@ def sending_text(sending: Sending) -> str:
 
 
 def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
-    """The report as JSON values: the keys of other chips' that mean something here, and planes."""
+    """The build report as JSON values: the applicable keys of other chips, and the planes."""
     program, target = sending.program, sending.program.target
     names = [bucket.name for bucket in program.buckets]
     return {
@@ -111,10 +112,10 @@ def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
 
 
 def planes_bytes(container: Container) -> bytes:
-    """Planes and their schedule for a driver of the chip, as an .npz; docs/targets.md has the keys.
+    """The planes and their schedule for the chip's driver, as an .npz file; docs/targets.md lists
+    the keys.
 
-    Raises Rejected (NS0511) where pixels have no codes: a chip with logic takes any later, this
-    one is sent bits of pixels.
+    Raises Rejected (NS0511) if the pixels have no codes, because the planes depend on them.
     """
     from nscc.words.stream import schedule
 
@@ -152,7 +153,7 @@ def planes_bytes(container: Container) -> bytes:
 
 
 def sent_lines(container: Container) -> Iterator[str]:
-    """A container of planes in lines for `--print-after words`."""
+    """The planes of a container as lines for `--print-after words`."""
     yield f"{container!r}"
     for readout in container.readouts:
         yield f"{readout.bucket} is read from {readout.register}, gain {readout.gain:g}"

@@ -1,8 +1,8 @@
-"""Loading the pixels' codes: by address patterns where a plane is a tile, else from an image.
+"""C++ that loads the pixel codes: as address patterns for tiled planes, else from images.
 
-Digital memory fades, and an image takes 0.1 to 0.3 s to draw: all code registers are refreshed
-after each plane, while an image is awaited and every few rows of a drawing. The register that is
-masked comes first, while its mask can be held at 1, and the mask's own code last.
+Digital memory fades, and drawing an image takes 0.1 to 0.3 s. Therefore all code registers are
+refreshed after each plane, while waiting for an image, and every few rows of a drawing. The masked
+register is loaded first, while its mask is 1, and the mask's own code last.
 """
 
 from __future__ import annotations
@@ -26,10 +26,10 @@ _REFRESHES_IN_A_LIFE = 4
 
 @dataclass(frozen=True)
 class PlaneLoad:
-    """How one code register is filled.
+    """How one code register is loaded.
 
-    Without `patterns` its plane comes as the image `file`. `scratch` gathers one pattern after the
-    other; where no register is free for that, several patterns are drawn pixel by pixel.
+    Without `patterns` its plane comes from the image `file`. `scratch` holds each pattern before it
+    is added; without a scratch register, several patterns are drawn pixel by pixel.
     """
 
     register: str
@@ -40,42 +40,42 @@ class PlaneLoad:
 
     @property
     def gathered(self) -> bool:
-        """Whether the plane is put together from several patterns."""
+        """Whether the plane is the union of several patterns, added one by one."""
         return self.patterns is not None and len(self.patterns.matches) > 1
 
     @property
     def drawn(self) -> bool:
-        """Whether its patterns are drawn pixel by pixel."""
+        """Whether the patterns are drawn pixel by pixel."""
         return self.gathered and self.scratch is None
 
     @property
     def cleared(self) -> tuple[str, ...]:
-        """The registers that are cleared before."""
+        """The registers that are cleared before the load."""
         return (self.register, self.scratch) if self.gathered and self.scratch else (self.register,)
 
 
 @dataclass(frozen=True)
 class CodeLoading:
-    """The loads in their order, for the registers of `target`."""
+    """The loads in order, for the registers of `target`."""
 
     target: Target
     loads: tuple[PlaneLoad, ...]
 
     @property
     def images(self) -> tuple[PlaneLoad, ...]:
-        """The loads whose planes come as images."""
+        """The loads that need images."""
         return tuple(load for load in self.loads if load.patterns is None)
 
     @property
     def words(self) -> int:
-        """Words of the kernels that load and refresh."""
+        """Stored words of the kernels that load and refresh."""
         kernels = [self.refresh_calls()] if self.loads else []
         for load in self.loads:
             kernels += self.kernels_of(load)
         return sum(map(calls_words, kernels))
 
     def refresh_calls(self) -> list[Call]:
-        """A kernel that writes every code register back to itself."""
+        """The calls of the kernel that refreshes every code register."""
         registers = [load.register for load in self.loads]
         masked, mask = self.target.masked_register, self.target.mask_register
         out: list[Call] = []
@@ -91,18 +91,18 @@ class CodeLoading:
         return out + [("REFRESH", (register,)) for register in registers]
 
     def clear_calls(self, load: PlaneLoad) -> list[Call]:
-        """The kernel before a load."""
+        """The calls of the kernel that runs before a load."""
         mask = self.target.mask_register
         mask_call = [("SET", (mask,))] if load.masked and mask is not None else []
         return [*mask_call, ("CLR", load.cleared)]
 
     def add_calls(self, load: PlaneLoad) -> list[Call]:
-        """The kernel that adds one pattern."""
+        """The calls of the kernel that adds one pattern."""
         assert load.scratch is not None
         return [("OR", (load.register, load.scratch)), ("CLR", (load.scratch,))]
 
     def kernels_of(self, load: PlaneLoad) -> list[list[Call]]:
-        """All kernels of one load."""
+        """The kernels of one load."""
         kernels = [self.clear_calls(load)]
         if load.gathered and load.scratch:
             kernels.append(self.add_calls(load))
@@ -112,9 +112,9 @@ class CodeLoading:
 
 
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
-    """How to fill the code registers with `planes`, given in the order of loading.
+    """Choose how to load `planes`, which are in loading order.
 
-    Images are named after `stem`.
+    File names of images start with `stem`.
     """
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
@@ -133,7 +133,7 @@ def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: st
 
 
 def loading_lines(loading: CodeLoading) -> Iterator[str]:
-    """Tables and functions, the last of which is `load_codes`."""
+    """The C++ tables and functions for loading; the last function is `load_codes`."""
     rows, cols = loading.target.rows, loading.target.cols
     yield from template_lines("fading")
     if loading.refresh_calls()[0][0] == "WHERE":
@@ -200,6 +200,7 @@ def _operands(match: Match) -> str:
 
 
 def loading_rate(target: Target) -> int:
-    """A rate in Hz for the loop that awaits images: several refreshes in the life of a bit."""
+    """The rate in Hz of the loop that waits for images: several refreshes within the retention
+    time."""
     life_us = RETENTION_SHARE * target.digital_retention_us
     return max(1, ceil(_REFRESHES_IN_A_LIFE * 1e6 / life_us))

@@ -1,9 +1,8 @@
-"""The schedule of a frame: which kernel at what moment, with which value of IN, as rows of a table.
+"""The launch schedule of a frame as a C++ table: time, kernel and value of IN of each launch.
 
-Moments are absolute: each launch waits for a clock that runs from the frame's first word on, so
-that no error of a wait, a launch or a word adds up. The exposure begins a whole number of
-microseconds after the first word, and launches come at the microsecond at which their boundary is
-over, never before it.
+Times are absolute, measured from the frame's first word, so that errors of waits, launches and
+words do not accumulate. The exposure begins a whole number of microseconds after the first word.
+Each launch comes in the first whole microsecond after its boundary, never before it.
 """
 
 from __future__ import annotations
@@ -50,13 +49,13 @@ class Row:
 
     @property
     def times(self) -> int:
-        """How often."""
         return len(self.instants)
 
 
 @dataclass(frozen=True)
 class LaunchSchedule:
-    """The rows of a frame. It exposes from `begin_us` on, and its last slot ends at `end`."""
+    """The rows of a frame, whose exposure begins at `begin_us` and whose last slot ends at
+    `end`."""
 
     rows: tuple[Row, ...]
     begin_us: int
@@ -64,24 +63,24 @@ class LaunchSchedule:
 
     @property
     def waits(self) -> bool:
-        """Whether it has moments at which nothing is launched."""
+        """Whether some rows only wait."""
         return any(row.kernel is None for row in self.rows)
 
     @property
     def in_whole_us(self) -> bool:
-        """Whether all moments are whole microseconds."""
+        """Whether all times are whole microseconds."""
         return all(
             moment.denominator == 1 for row in self.rows for moment in (row.at, row.interval_us)
         )
 
     @property
     def sets_in(self) -> bool:
-        """Whether launches set IN."""
+        """Whether some launches set IN."""
         return any(row.level is not None for row in self.rows)
 
 
 def schedule_of(container: Container) -> LaunchSchedule:
-    """The schedule of a container's launches."""
+    """The launch schedule of a container."""
     begin_us = ceil(_setup_us(container))
     boundary = list(accumulate(map(exact, container.slot_us), initial=Fraction(begin_us)))
     rows: list[Row] = []
@@ -98,12 +97,12 @@ def schedule_of(container: Container) -> LaunchSchedule:
 
 
 def exact(value: float) -> Fraction:
-    """The decimal fraction that a number was written as."""
+    """The decimal fraction that prints as `value`."""
     return Fraction(Decimal(repr(float(value))))
 
 
 def kernel_us(kernel: Kernel, target: Target) -> Fraction:
-    """Time of one launch of a kernel."""
+    """Time of one launch of a kernel, in microseconds."""
     analog = sum(decode(word).analog for word in kernel.words)
     digital = len(kernel.words) - analog
     return (
@@ -129,14 +128,14 @@ def _setup_us(container: Container) -> Fraction:
 
 
 def _rests(before: Fraction, at: Fraction, instant: int) -> Iterator[Row]:
-    """The moments in between where the clock could go round unseen."""
+    """The extra waits between two launches that keep each interval below the clock's period."""
     while at - before > LONGEST_GAP_US:
         before += LONGEST_GAP_US
         yield Row(before, Fraction(0), None, None, (instant,))
 
 
 def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
-    """Launches of one kernel, with one level, that follow each other in equal steps, as one row."""
+    """Merge launches of one kernel and one level at equal intervals into one row."""
     start = 0
     while start < len(rows):
         first, end = rows[start], start + 1
@@ -155,12 +154,12 @@ def _repeated(rows: Sequence[Row]) -> Iterator[Row]:
 
 
 def kernel_name(number: int) -> str:
-    """What the function of a container's kernel is called."""
+    """The C++ name of a kernel."""
     return f"k{number}"
 
 
 def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[str]:
-    """The table of kernels, the schedule and the function that runs a frame."""
+    """The C++ table of kernels, the schedule and the function that runs a frame."""
     count = len(container.kernels)
     if schedule.waits:
         yield "void rest() {}                      // no kernel: a moment to wait for"
@@ -201,7 +200,7 @@ def schedule_lines(schedule: LaunchSchedule, container: Container) -> Iterator[s
 
 
 def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
-    """A row as C++: moments in microseconds, and in 2^-32 of one where some are not whole."""
+    """A row as C++: times in microseconds, plus units of 2^-32 us if some times are fractional."""
     numbers: list[int] = []
     for moment in (row.at, row.interval_us):
         fixed = ceil(moment * _PART)
@@ -215,7 +214,7 @@ def _row_text(row: Row, rest_kernel: int, schedule: LaunchSchedule) -> str:
 
 
 def _expose(schedule: LaunchSchedule, target: Target) -> Iterator[str]:
-    """The function that runs a frame."""
+    """The C++ function that runs a frame."""
     moment = template_lines("moment" if schedule.in_whole_us else "moment_parts")
     after = template_lines("after" if schedule.in_whole_us else "after_parts")
     settle = (

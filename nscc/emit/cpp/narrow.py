@@ -1,7 +1,7 @@
-"""Words with more sources than a call takes, as several words that do the same.
+"""Replace words with more sources than a library call accepts by several equivalent words.
 
-A result gathers in the register that it goes to, for no native word reads that; FLAG can gather
-nothing, so that a WHERE of many sources goes through a register that the program does not use.
+The result accumulates in the destination register, which no native word reads. FLAG cannot
+accumulate, so a WHERE with many sources uses a register that the program does not use.
 """
 
 from __future__ import annotations
@@ -15,7 +15,8 @@ from nscc.words.encoding import decode
 
 
 def narrowed(container: Container) -> list[list[Op]] | None:
-    """The kernels in words that all have calls; None where a WHERE lacks a register."""
+    """The kernels in words that all have calls; None if a WHERE needs a register and none is
+    free."""
     kernels = [[decode(word) for word in kernel.words] for kernel in container.kernels]
     scratch = _unused(container, kernels)
     try:
@@ -25,7 +26,7 @@ def narrowed(container: Container) -> list[list[Op]] | None:
 
 
 class _NoRegister(Exception):
-    """No register is left."""
+    """There is no free register."""
 
 
 def _unused(container: Container, kernels: Sequence[Sequence[Op]]) -> str | None:
@@ -63,7 +64,7 @@ def _kernel(kernel: Sequence[Op], scratch: str | None) -> Iterator[Op]:
 
 
 def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """`register` := `kind` of many sources, none of which it is."""
+    """`register` := `kind` of `sources`, which do not include `register`."""
     most = MOST_SOURCES["OR"]
     if len(sources) <= most:
         yield op(kind, (register,), sources)
@@ -73,7 +74,7 @@ def _gathered(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
 
 
 def _in_place(read: Op, write: Op) -> Iterator[Op]:
-    """A pair that reads its own register and at most one more has a call."""
+    """A read-write pair, unchanged if the library has a call for it, else split."""
     (register,) = write.destinations
     other_sources = tuple(name for name in read.sources if name != register)
     if len(other_sources) < 2 or register not in read.sources:
@@ -83,7 +84,7 @@ def _in_place(read: Op, write: Op) -> Iterator[Op]:
 
 
 def _accumulate_sources(kind: str, register: str, sources: Sequence[str]) -> Iterator[Op]:
-    """`register` := `kind` of itself and the sources, one at a time."""
+    """`register` := `kind` of itself and `sources`, one source at a time."""
     for source in sources[:-1]:
         yield from pair("OR", register, (register, source))
     yield from pair(kind, register, (register, sources[-1]))
