@@ -1,4 +1,4 @@
-"""Files written whole or not at all, one or several together, and never over what was read."""
+"""Atomic writing of one or several files that never overwrites input files."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default
 
 @contextmanager
 def inputs_kept() -> Iterator[None]:
-    """Within it, a file that was noted with `reads` is never written to: one command, one scope."""
+    """A context in which files noted by `reads` are protected from being written: one command."""
     token = _inputs.set({})
     try:
         yield
@@ -38,7 +38,7 @@ def inputs_kept() -> Iterator[None]:
 
 
 def reads(*paths: Path) -> None:
-    """Note input files, by what they are and not by their names; other paths are passed over."""
+    """Note input files by device and inode; ignore other paths."""
     known = _inputs.get()
     for path in paths if known is not None else ():
         try:
@@ -52,8 +52,8 @@ def reads(*paths: Path) -> None:
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
     """Read an input file, and note it with `reads`.
 
-    Raises OSError where it cannot be read, ValueError where it has more than `most_bytes`, however
-    long it says that it is: a device has no end.
+    Raises OSError if it cannot be read, and ValueError if it has more than `most_bytes`. The size
+    on disk is not trusted, because devices have none.
     """
     reads(path)
     with open(path, "rb") as file:
@@ -72,18 +72,18 @@ def file_sha256(path: Path) -> str:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file whole or not at all; one that is replaced keeps its rights.
+    """Write a file atomically, keeping the permissions of a file that it replaces.
 
-    Raises Rejected (NS0784, status 2) where it cannot be written.
+    Raises Rejected (NS0784, status 2) if it cannot be written.
     """
     write_together({path: data})
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write several files, none of them before the bytes of all are on the disk.
+    """Write several files; none is replaced before all data is on the disk.
 
-    Raises Rejected (status 2), and leaves no partial file: NS0784 where one cannot be written,
-    NS0785 where one is an input of the same command (`reads`), unless nothing in it would change.
+    Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,
+    NS0785 if it is an input of the same command (`reads`) and would change.
     """
     for path, data in products.items():
         _refuse_input(path, data)
@@ -107,7 +107,7 @@ def write_together(products: Mapping[Path, Product]) -> None:
 
 
 def write_back(path: Path, data: Product) -> None:
-    """As `write_whole`, of an input that its user asked to have changed."""
+    """Like `write_whole`, for an input file that the user asked to change."""
     known = _inputs.get()
     if known:
         for identity in [key for key, name in known.items() if name == path]:
@@ -116,7 +116,7 @@ def write_back(path: Path, data: Product) -> None:
 
 
 def write_new(products: Mapping[Path, Product]) -> None:
-    """Write several files as `write_together`; Rejected (NS0788, status 2) where there is one."""
+    """Like `write_together`; raises Rejected (NS0788, status 2) if a file exists."""
     for path in products:
         if path.exists():
             raise rejected(
@@ -128,9 +128,9 @@ def write_new(products: Mapping[Path, Product]) -> None:
 
 
 def refuse_same(paths: Collection[Path], options: str) -> None:
-    """Raises Rejected (NS0745, status 2) where two of the products would be one file.
+    """Raise Rejected (NS0745, status 2) if two products have the same path.
 
-    `options` are those that name them.
+    `options` are the options that name them.
     """
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
@@ -141,8 +141,8 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
 
 
 def refuse_inputs(*paths: Path) -> None:
-    """Raises Rejected (NS0785) where a product would replace an input: before work is done in
-    vain. Writing looks once more."""
+    """Raise Rejected (NS0785) if a product would replace an input, before any work is done. Writing
+    checks again."""
     for path in paths:
         _refuse_input(path, lambda _: None)
 
@@ -165,8 +165,8 @@ def _refuse_input(path: Path, data: Product) -> None:
 
 
 def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
-    """Write to a temporary neighbour of `path`, with the rights of a file that is there already;
-    a pipe or device is written directly."""
+    """Write to a temporary file in the folder of `path`, with the permissions of an existing file;
+    write pipes and devices directly."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
     # Asked of the name itself: what a descriptor's link points to need not have a path.
@@ -195,10 +195,9 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 
 
 def _temporary_beside(final: Path) -> Path:
-    """A short name in the folder of `final` that no other write uses at the same time.
+    """A short file name in the folder of `final` that no other write uses.
 
-    The digest tells products and machines apart, the process number processes, the count the
-    writes of one process.
+    It is unique by digest (products and machines), process number, and count of writes.
     """
     from hashlib import sha256
 

@@ -1,4 +1,4 @@
-"""What an installation of the compiler has: packages, grammar, targets, the cache."""
+"""Checks of the installation: packages, grammar, targets, cache."""
 
 from __future__ import annotations
 
@@ -23,14 +23,14 @@ _OWN_WORK = ("bench", "test")
 
 
 class Finding(NamedTuple):
-    """What was looked at and its state: GOOD, ABSENT (which only some commands need) or WRONG."""
+    """A result of a check with its state: GOOD, ABSENT (only some commands need it) or WRONG."""
 
     state: str
     text: str
 
 
 def findings() -> Iterator[Finding]:
-    """Everything about the compiler that is looked at, one after the other."""
+    """Yield the results of all checks of the compiler's installation."""
     yield Finding(GOOD, f"nscc {__version__}")
     python, system = platform.python_version(), f"{platform.system()} {platform.machine()}"
     yield Finding(GOOD, f"Python {python} on {system}")
@@ -41,7 +41,7 @@ def findings() -> Iterator[Finding]:
 
 
 def _packages() -> Iterator[Finding]:
-    """Those that every command needs, and what each extra brings besides."""
+    """Check the required packages and those of every extra."""
     of = extras()
     for extra in sorted({*of.values()}.difference(_OWN_WORK)):
         version_of = {name: _version(name) for name in sorted(of) if of[name] == extra}

@@ -1,9 +1,9 @@
-"""Mnemonics: what an assembly line may say, written out as operations of the table.
+"""Assembly mnemonics and their expansion to operations.
 
-Every name of the table that is a whole word is a mnemonic. Besides there are the macros of the
-public SCAMP-5 library under their own names, and the in-place forms (`NOT d`, `OR d, x`,
-`NOR d, x`, `REFRESH d`), which are pairs of half-words. `OR` and `NOR` with one source are always
-in place; with more they are where the destination is also written among the sources.
+Mnemonics are the names of whole words in the table of operations, the macros of the public SCAMP-5
+library, and the in-place forms (`NOT d`, `OR d, x`, `NOR d, x`, `REFRESH d`), which are pairs of
+half-words. `OR` and `NOR` with one source are in place; with more sources, if the destination is
+also one of them.
 
 Operands are register names, destinations first.
 """
@@ -36,7 +36,8 @@ SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
 
 
 class OperandError(Exception):
-    """Operands that a mnemonic does not take; `index` is the operand at fault, None for all."""
+    """Operands that a mnemonic does not accept; `index` is the wrong operand, None if it is not a
+    single one."""
 
     def __init__(self, message: str, index: int | None = None) -> None:
         super().__init__(message)
@@ -49,10 +50,10 @@ Ops = tuple[Op, ...]
 
 @dataclass(frozen=True)
 class Mnemonic:
-    """A name that an assembly line may begin with.
+    """The name at the start of an assembly instruction.
 
-    `usage` shows the forms; `counts` are the numbers of operands it takes (None: `least` or
-    more). `scratch` are registers that it overwrites on its way, so they cannot be operands.
+    `usage` shows its forms; it takes `least` to `most` operands (None: any number). It overwrites
+    the registers `scratch`, which cannot be operands.
     """
 
     name: str
@@ -98,7 +99,7 @@ def _count(mnemonic: Mnemonic) -> str:
 
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """A whole word, with its operands checked in the user's terms."""
+    """A whole word, after a check of its operands in the user's terms."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES
@@ -149,7 +150,8 @@ def _native(row: Operation) -> Mnemonic:
 
 # In-place forms and the mnemonics that share a name with them.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
-    """The pair that stores OR, NOR or REFRESH of all operands in the first one."""
+    """The pair of half-words that writes the OR, NOR or REFRESH of all operands to the first
+    one."""
     for index, register in enumerate(operands):
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:
@@ -219,7 +221,7 @@ _DISTINCT = {
 
 
 class _Form:
-    """A form of a macro: its operands, and the words that it stands for, written with them."""
+    """One form of a macro: its operand names and its expansion."""
 
     def __init__(self, line: str) -> None:
         self.head, _, words = line.partition(": ")
@@ -242,7 +244,7 @@ class _Form:
 
 
 def _macros() -> Iterator[Mnemonic]:
-    """The macros of the text above; what their words name outright is what they overwrite."""
+    """All macros; registers that an expansion names are scratch."""
     for name, lines in groupby(_MACROS.strip().split("\n"), lambda line: re.split("[ :]", line)[0]):
         shown, forms = [], {}
         for line in lines:

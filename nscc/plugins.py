@@ -22,10 +22,10 @@ Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encoding
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
-    """The objects that other distributions add to `group`, by name, in the order of their names.
+    """The objects that other distributions add to `group`, keyed and sorted by name.
 
-    Raises Rejected (NS0905) where one cannot be imported, two have one name, or one has a
-    `reserved` name.
+    Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
+    used twice.
     """
     loaded = _loaded(group)
     for name in loaded:
@@ -35,13 +35,13 @@ def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, An
 
 
 def sources(group: Group) -> dict[str, str]:
-    """The names of the modules that those objects come from. Raises as `added` does."""
+    """The names of the modules that define those objects. Raises as `added` does."""
     return {name: module for name, (_, module) in _loaded(group).items()}
 
 
 @cache
 def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
-    """The objects by name, each with its module, loaded once."""
+    """The objects and their modules by name, loaded once."""
     # A fiftieth of a second, which commands that need no more than nscc's own do not spend.
     from importlib.metadata import entry_points
 
@@ -58,7 +58,7 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
 
 
 def unusable(group: Group, name: str, reason: str) -> Rejected:
-    """NS0905: what a distribution adds under that name is not what nscc can take."""
+    """NS0905: nscc cannot use what a distribution adds under that name, for `reason`."""
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",

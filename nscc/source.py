@@ -21,9 +21,9 @@ class Span:
 
 @dataclass(frozen=True)
 class Source:
-    """A text with the name that messages show for it.
+    """A decoded text and the name that messages show for it.
 
-    `name` is the path as the user wrote it; `text` has been decoded already.
+    `name` is the path as the user wrote it.
     """
 
     name: str

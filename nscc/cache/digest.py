@@ -56,8 +56,7 @@ def package_digest(name: str) -> str | None:
 
 
 def _digest_of(roots: Mapping[str, Path]) -> str | None:
-    """The digest of these source folders and files, and of the versions of Python and the
-    libraries."""
+    """The digest of these source folders and files and of the versions of Python and numpy."""
     running = sha256(repr((sys.version_info[:3], np.__version__)).encode())
     try:
         for name, root in roots.items():

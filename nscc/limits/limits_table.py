@@ -1,4 +1,4 @@
-"""A survey as a table for people and as JSON values for programs."""
+"""A survey as a table and as JSON values."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _HEAD = (
 
 
 def limits_text(target: Target, level: int, limits: list[Limit]) -> str:
-    """One block for each slot length: the figures first, then every reason in words."""
+    """For each slot length a table of sizes, followed by the reasons."""
     blocks = [
         f"{target.name} at -O{level}, every legal code compiled; built: compiled and proved; "
         f"the store has {target.store_words} words"
@@ -68,7 +68,7 @@ def _reasons(limit: Limit) -> list[str]:
 
 
 def _trials_text(limit: Limit) -> str:
-    """What was compiled, with every size below the largest that did not fit."""
+    """The compiled sizes, and those below the largest fitting size that did not fit."""
     if limit.built is None:
         return "nothing that was tried fits"
     count = sum(trial.size <= limit.built.size for trial in limit.trials)
@@ -79,7 +79,7 @@ def _trials_text(limit: Limit) -> str:
 
 
 def limits_json(target: Target, level: int, limits: list[Limit]) -> dict[str, Any]:
-    """Everything that was found: the table's figures, reasons, and every trial."""
+    """The survey as JSON values: sizes, reasons and all trials."""
     return {
         "target": target.name,
         "level": level,

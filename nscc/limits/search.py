@@ -1,7 +1,7 @@
-"""Which sizes are worth compiling: powers of two, the sizes where one more bit is needed, and then
-what lies between the last that fits and the next that does not.
+"""The order in which sizes are compiled: powers of two, sizes that need one more bit, then
+bisection between fitting and failing sizes.
 
-Searches count what they compile and know no clock, so they end at the same sizes on any machine.
+Searches count compilations, not time, so they end at the same sizes on every machine.
 """
 
 from __future__ import annotations
@@ -22,10 +22,10 @@ _ALIKE = 1.02
 
 @dataclass(frozen=True)
 class SizeTrial:
-    """One program that was compiled: `fits` means that its words were proved.
+    """A compiled program of one size; `fits` means that its words were proved.
 
-    `figures` are its costs. Of one that does not fit, `code` and `reason` are the error's, and
-    `proved` says that no other compiler would help.
+    `figures` are its costs. If it does not fit, `code` and `reason` are those of the error, and
+    `proved` means that no compiler can make it fit.
     """
 
     size: int
@@ -37,7 +37,8 @@ class SizeTrial:
 
 
 def candidates(count: Count, least: int, most: int) -> list[int]:
-    """The sizes that a search looks at first, ascending; `count` as in `certain`."""
+    """The sizes that a search compiles first, ascending; `count(size)` is the number of
+    shutters."""
     steps = {least, most}
     bits = 0
     while (size := largest_with(count, 1 << bits, least, most)) < most:
@@ -51,10 +52,10 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 def explore(
     sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
 ) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
-    """Compiles the ascending `sizes`, then looks beyond the largest that fits.
+    """Compile the ascending `sizes`, then search beyond the largest that fits.
 
-    Yields each trial as it is made, at most `budget` of them, and returns all by size. The next
-    larger size is tried before the middle: limits tend to lie where one more bit is needed.
+    Yields at most `budget` trials as they end, and returns all by size. Each step tries the next
+    larger size before the middle, because limits often lie where one more bit is needed.
     """
     trials: dict[int, SizeTrial] = {}
 
@@ -83,10 +84,10 @@ def explore(
 
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
-    """The largest size in `least`..`most` that was found to fit, with at most `budget` attempts.
+    """The largest size in `least`..`most` that was found to fit in at most `budget` attempts.
 
-    `most` is tried first, and then halves: exact where what fits at a size fits at smaller ones
-    and the budget lasts.
+    Tries `most` first and then bisects. Exact if every smaller size of a fitting size fits and the
+    budget suffices.
     """
     if most < least or budget < 1:
         return None

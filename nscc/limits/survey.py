@@ -1,4 +1,4 @@
-"""The limits of a chip: every class compiled at the sizes that a search asks for."""
+"""The survey of a chip's limits: every family compiled at the sizes that the search chooses."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ BUDGET = 40
 
 @dataclass(frozen=True)
 class Limit:
-    """What is known of a family on a target: sizes built, impossible, and neither.
+    """The limit of a family on a target: built, impossible and unknown sizes.
 
-    `built` is the largest trial that fits, None if none does. From `impossible` on no program
-    exists, for `impossible_reason`; None where nothing is proved. `unknown_reason` says why the
-    sizes between are neither, "" if there are none.
+    `built` is the largest trial that fits, or None. From size `impossible` on no program exists,
+    for `impossible_reason`; None if nothing is proved. `unknown_reason` says why sizes in between
+    are unknown, "" if there are none.
     """
 
     family: Family
@@ -45,7 +45,7 @@ class Limit:
 
     @property
     def gaps(self) -> tuple[SizeTrial, ...]:
-        """Sizes below the largest built that did not fit."""
+        """Trials below the largest built size that did not fit."""
         built = self.built.size if self.built else 0
         return tuple(trial for trial in self.trials if trial.size < built and not trial.fits)
 
@@ -53,9 +53,9 @@ class Limit:
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[SizeTrial, None, list[Limit]]:
-    """Yields each trial as it is made and returns a limit for every slot length and family.
+    """Yield each trial as it ends; return the limit of every slot length and family.
 
-    Raises Rejected (NS0510) for a chip that any shutter fits.
+    Raises Rejected (NS0510) for a chip that fits every shutter.
     """
     refuse_planes(
         target,
@@ -72,7 +72,7 @@ def survey(
 def limit_of(
     family: Family, target: Target, options: Options, slot: str
 ) -> Generator[SizeTrial, None, Limit]:
-    """The same for one family at one slot length; every legal code is compiled."""
+    """Like `survey`, for one family and slot length, compiling every legal code."""
     options = replace(options, target=target, codes="open")
     capacity = impossible_from(family.shutters, target)
     most = family.ceiling if capacity is None else min(family.ceiling, capacity - 1)
@@ -122,7 +122,7 @@ def _attempt(family: Family, size: int, slot: str, options: Options) -> SizeTria
 
 
 def _unknown(limit: Limit) -> str:
-    """Why the sizes between those built and those impossible are neither."""
+    """Why the sizes between the largest built and the smallest impossible one are unknown."""
     family, first = limit.family, limit.unknown_from
     if first > MOST_SLOTS or (limit.impossible is not None and first >= limit.impossible):
         return ""
