@@ -1,15 +1,15 @@
-"""Cascades of cubes: one predicate from code planes, found from its last gate backwards.
+"""Cascades of cubes: one predicate computed from code planes, searched from its last gate
+backwards.
 
-The value sought must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere.
-Its last word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), of
-single planes, and of a value of the same kind with fewer points left to decide, which stands in
-FLAG or in a scratch register. So FLAG and scratch take turns, and a complement costs nothing. A
-beam keeps, for every number of words, the values that leave the least to decide.
+A value must be 1 at the points `on`, 0 at the points `off` and may be anything elsewhere. Its last
+word is an OR or a NOR of cubes (each a NOR of planes, one word in a scratch register), single
+planes, and an inner value of the same kind with fewer points to decide, held in FLAG or in a
+scratch register. FLAG and scratch alternate, and complements are free. A beam search keeps, for
+every number of words, the values with the least left to decide.
 
-Backwards, because that shows what does not matter: a value that is read by an OR must be 0 where
-the OR is, and 1 where the OR is and nothing else in it; where something else is, it may be either.
-So every link hands on fewer points than it got, and a cascade ends where planes and cubes alone
-decide what is left.
+The backward direction reveals don't-cares: a value that an OR reads must be 0 where the OR is 0,
+and 1 where the OR is 1 only because of it; elsewhere it is free. So every link passes on fewer
+points, and a cascade ends when planes and cubes decide all points.
 """
 
 from __future__ import annotations
@@ -42,7 +42,7 @@ _NEXT_CUBES = 2
 
 @dataclass(frozen=True)
 class Link:
-    """One link of a cascade: what its value is an OR of, or a NOR if `negated`.
+    """One link of a cascade: an OR, or a NOR if `negated`, of its inputs.
 
     The value goes to FLAG or to a scratch register. `cubes` are masks of planes, each a NOR in a
     scratch register of its own; `planes` are read as they are. A link that `reads_flag` also
@@ -58,7 +58,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Cascade:
-    """Links, the last to run first, and the words they take."""
+    """The links of a cascade, the last to run first, and its number of words."""
 
     links: tuple[Link, ...]
     words: int
@@ -80,10 +80,11 @@ _A_PAIR = 0.5
 
 @dataclass(frozen=True)
 class _Values:
-    """Values that a beam considers: what is left to decide, and how each one is reached.
+    """The values in a beam: undecided points, and how each value is reached.
 
-    `task` says for which predicate. `via` is the number of the value that reads this one, `negated`
-    how, and `cubes` (n, scratch) are masks of the cubes beside it, 0 where there are fewer.
+    `task` is the index of the predicate. `via` is the number of the value that reads this one, and
+    `negated` whether as a NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if
+    there are fewer.
     """
 
     on: Points
@@ -100,17 +101,17 @@ class _Values:
         return _Values(*(array[indices] for array in vars(self).values()))
 
     def swapped(self) -> _Values:
-        """The values as complements."""
+        """The complements of the values."""
         return _Values(self.off, self.on, self.task, self.via, ~self.negated, self.cubes)
 
     def undecided_bits(self) -> NDArray[np.float64]:
-        """What each value leaves to decide, in bits, more or less."""
+        """Estimate the information, in bits, that each value leaves to decide."""
         ones, zeros = sizes(self.on), sizes(self.off)
         bits: NDArray[np.float64] = _CHOICES[ones + zeros] - _CHOICES[ones] - _CHOICES[zeros]
         return bits + _A_POINT * (ones + zeros) + _A_PAIR * np.minimum(ones, zeros)
 
     def best(self, width: int) -> _Values:
-        """For every task the `width` values that leave the least to decide, each once."""
+        """For every task the `width` distinct values with the least left to decide."""
         undecided = self.undecided_bits()
         # Equal values have equal digests; two that share one by chance are no loss.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
@@ -137,7 +138,7 @@ in FLAG (for the way that ends a cascade: whether FLAG is read as it was before)
 
 
 class Search:
-    """Looks for cascades over one set of planes, with `scratch` registers to compute in."""
+    """Searches for cascades over one set of planes, with `scratch` registers."""
 
     def __init__(self, planes: Planes, machine: Machine, scratch: int, budget: Budget) -> None:
         self._table = planes
@@ -210,7 +211,7 @@ class Search:
         return [self._traced(end, on[i]) for i, end in enumerate(self._ends)]
 
     def _numbered(self, values: _Values, in_flag: bool) -> _Values:
-        """The same values as roots of further links, the way to them recorded."""
+        """Record the values as roots of further links."""
         first = 0
         if self._recorded:
             before, last, _ = self._recorded[-1]
@@ -222,7 +223,7 @@ class Search:
     def _links(
         self, values: _Values, in_flag: bool, words: int, width: int
     ) -> Iterator[tuple[int, bool, _Values]]:
-        """(words of the link, whether the inner value stands in FLAG, inner values)."""
+        """Yield (words of the link, whether the inner value is in FLAG, inner values)."""
         scratch = self._scratch
         most = self._most_cubes(in_flag)
         alone = self._without_planes(values, self._room(in_flag, cubes=False, inner=False))
@@ -257,11 +258,11 @@ class Search:
                         grown[used + 1, spent + price].append(wider)
 
     def _most_cubes(self, to_flag: bool) -> int:
-        """Most cubes in one link: a word into scratch also reads FLAG, and may read in place."""
+        """The most cubes in one link: a scratch register as destination can also be in place."""
         return min(self._scratch, self._where_limit if to_flag else self._or_limit - 1)
 
     def _room(self, to_flag: bool, *, cubes: bool, inner: bool) -> int:
-        """How many planes a link may read, with any cubes and an inner value or without."""
+        """The number of planes that a link can read besides its cubes and inner value."""
         if not to_flag:
             return self._or_limit - 1 - (self._most_cubes(to_flag) if cubes else 0)
         if not cubes:
@@ -269,7 +270,7 @@ class Search:
         return max(0, self._where_limit - self._most_cubes(to_flag) - self._reads_flag)
 
     def _without_planes(self, values: _Values, room: int) -> _Values:
-        """The values less what single planes of their own decide, `room` of them at most."""
+        """The values after removing the points that at most `room` single planes decide."""
         planes = self._table.planes
         if room <= 0:
             return values
@@ -290,7 +291,7 @@ class Search:
         return replace(values, on=on)
 
     def _with_cube(self, values: _Values, used: int) -> Iterator[tuple[int, _Values]]:
-        """(price, values less one cube more): the cubes that decide most, none that is wrong."""
+        """Yield (price, values after one more cube) for valid cubes that decide most points."""
         top = _FIRST_CUBES if used == 0 else _NEXT_CUBES
         for price, cubes, masks in self._table.groups:
             batch = max(1, _BATCH // cubes.size)
@@ -311,9 +312,9 @@ class Search:
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
-        """Remembers, for every task, the first value that has nothing left to decide.
+        """Record, for every task, the first value without undecided points.
 
-        With `inner`, what FLAG held before the cascade may decide the rest.
+        With `inner`, the content of FLAG before the cascade may decide points.
         """
         undecided = values.on
         if inner:
@@ -331,7 +332,7 @@ class Search:
                 self._most[task] = words - 1
 
     def _traced(self, end: tuple[int, _Way] | None, on: Points) -> Cascade | None:
-        """The links of a cascade that was found for `on`, with the planes that each one reads."""
+        """The links of the cascade found for `on`, with the planes that each one reads."""
         if end is None:
             return None
         words, way = end
@@ -360,7 +361,7 @@ class Search:
     def _read(
         self, on: Points, off: Points, cubes: tuple[int, ...], room: int
     ) -> tuple[tuple[int, ...], Points]:
-        """The planes that a link reads beside its cubes, no more than needed, and what is left."""
+        """The planes that a link needs besides its cubes, and the points left to decide."""
         target = on
         table = self._table.planes
         pure = disjoint(table, off[None])
@@ -386,9 +387,9 @@ class Search:
 
 @cache
 def _factors() -> NDArray[np.uint64]:
-    """Odd numbers, two for every word of the largest set.
+    """Odd numbers for hashing, two for each word of the largest set.
 
-    They are made when first needed: importing numpy.random takes longer than most programs.
+    Computed on first use, because importing numpy.random is slow.
     """
     numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
     return numbers * 2 + 1

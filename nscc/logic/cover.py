@@ -1,10 +1,10 @@
-"""Covers by one-word cubes: a predicate as an OR of NORs over values that stand in registers.
+"""Covers of a predicate: an OR of NORs (cubes) over values in registers.
 
-Two-level minimisation (prime cubes, then a cheapest choice of them: Quine and McCluskey, Petrick)
-with two turns of its own: only values as they stand are literals, and the price of a cube is
-shared. NOR(A) holds where every value of A is 0, so a cube lies inside a predicate when the values
-of A together reach every shutter outside it. A cube costs one word and needs no inverted literal.
-Cubes that lie inside the predicates to come as well may stay in a register: their word is shared.
+This is two-level minimisation (prime cubes, then the cheapest choice of them: Quine and McCluskey,
+Petrick) with two differences: literals are only values as stored, and the price of a cube is
+shared. NOR(A) is 1 where every value of A is 0, so the cube lies inside a predicate if the values
+of A cover all shutters outside. A cube costs one word and needs no inverted literal. A cube inside
+later predicates may stay in its register, and these demands share its word.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from nscc.truth import union
 
 @dataclass(frozen=True, slots=True)
 class Nor:
-    """A cube NOR(sources): its truth vector, and how many demands it serves from now on.
+    """A cube NOR(sources): its truth vector, and the number of demands that it serves from now on.
 
-    `words`: what it takes to make, more than one where a word may not have so many sources.
+    `words` is its price, more than one if it has more sources than one word accepts.
     """
 
     sources: tuple[int, ...]
@@ -31,15 +31,15 @@ class Nor:
 
     @property
     def cost(self) -> float:
-        """Words for each demand that it serves."""
+        """Words for each demand served."""
         return self.words / self.life
 
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """`positive`: indices of values whose OR, with that of `cubes`, is the wanted predicate.
+    """Indices `positive` of values and `cubes` whose OR is the predicate.
 
-    `cost` are words, those of cubes that live on shared among the demands that they serve.
+    `cost` is in words, with the words of lasting cubes divided among the demands served.
     """
 
     positive: tuple[int, ...]
@@ -56,9 +56,10 @@ _MOST_SEEDS = 40
 
 @dataclass(frozen=True)
 class Covers:
-    """Looks for covers within `budget`.
+    """Searches for covers within `budget`.
 
-    `everything` is the truth vector of all shutters, `fan_in` how many sources one word may have.
+    `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
+    accepts.
     """
 
     everything: int
@@ -68,11 +69,11 @@ class Covers:
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """The cheapest cover found of ahead[0] by values and cubes, None if there is none.
+        """Find a cheap cover of ahead[0] by values and cubes; None if not found.
 
-        `values` are truth vectors, `usable[i]` says whether value i may stand in the OR itself;
-        `ahead` are the predicates wanted now and by the demands to come, everything on which is
-        outside must stay outside.
+        `values` are truth vectors; `usable[i]` says whether value i may be in the OR itself.
+        `ahead` are the predicates of this demand and the following ones, for the choice of cubes
+        that last.
         """
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
@@ -127,10 +128,10 @@ class Covers:
     def _prime(
         self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
-        """A cube that avoids `outside`, from the literals `zeros`, grown as far as it goes.
+        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none.
 
-        Every literal dropped makes the cube larger. Of those that may go, the one goes that lets
-        in most of `uncovered`. When none may, the cube is prime: no larger one avoids `outside`.
+        It starts with all literals and drops one at a time, which makes the cube larger: the one
+        that adds most of `uncovered`. A cube is prime if no literal can be dropped.
         """
         if outside & ~union(values[i] for i in zeros):
             return None
@@ -167,7 +168,7 @@ class Covers:
 
 
 def life(vector: int, ahead: Sequence[int]) -> int:
-    """How many of the predicates `ahead`, from the first one on, contain `vector`."""
+    """The number of predicates, from ahead[0] on without a gap, that contain `vector`."""
     for count, predicate in enumerate(ahead):
         if vector & ~predicate:
             return count

@@ -1,4 +1,4 @@
-"""Digits of the code's own fields: rules are written in them, so predicates are simple in them."""
+"""Encoding by the digits of the code's fields, in which rules and predicates are simple."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ _MOST_COMBINED = 5_000
 
 
 def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Every field in mixed-radix thermometers or a plane for each value, in either polarity.
+    """Store every field in mixed-radix thermometers or one plane a value, in either polarity.
 
-    The choices that take most registers come first: they need fewest words.
+    Layouts with most registers come first, since they need fewest words.
     """
     room = machine.registers - 1
     fields = {
@@ -41,7 +41,7 @@ def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
-    """Ways to hold a field of values 0 .. max, each of at most `room` planes."""
+    """The layouts of a field with values 0 .. max that take at most `room` planes."""
     count = int(ranks.max()) + 1
     forms: list[Planes] = []
     sizes: set[int] = set()

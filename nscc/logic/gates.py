@@ -1,4 +1,4 @@
-"""Gates within the machine's fan-in, written down as they are emitted."""
+"""A list of gates, split to the machine's fan-in as they are added."""
 
 from __future__ import annotations
 
@@ -8,10 +8,10 @@ from nscc.logic.problem import Gate, Machine
 
 
 def words_of(sources: int, fan_in: int | None) -> int:
-    """Words of a NOR or OR of so many sources into a register that is not among them.
+    """The words of a NOR or OR of `sources` registers into another register.
 
-    The first word reads `fan_in` of them. Each further one is in place, a pair of words, and reads
-    one less, since what is gathered so far is a source too.
+    The first word reads `fan_in` of them. Each further pair of words is in place and reads one
+    source less, since the partial result is also a source.
     """
     if fan_in is None or sources <= fan_in:
         return 1
@@ -19,28 +19,28 @@ def words_of(sources: int, fan_in: int | None) -> int:
 
 
 class Gates:
-    """Collects gates; splits what has more sources than one word of the machine may read."""
+    """Collects gates; splits those with more sources than one word accepts."""
 
     def __init__(self, machine: Machine) -> None:
         self._machine = machine
         self._gates: list[Gate] = []
 
     def take(self) -> tuple[Gate, ...]:
-        """The gates since the last call."""
+        """Return and remove the collected gates."""
         gates = tuple(self._gates)
         self._gates.clear()
         return gates
 
     def add(self, gate: Gate) -> None:
-        """A gate that is within the machine's fan-in."""
+        """Add a gate that is within the machine's fan-in."""
         self._gates.append(gate)
 
     def nor(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """destination := NOR(sources), 1 if there are none. The destination may be among them."""
+        """destination := NOR(sources), 1 without sources. The destination may be a source."""
         self._gather("NOR", "NOT", destination, sources, mask)
 
     def or_(self, destination: str, sources: Sequence[str], mask: str | None = None) -> None:
-        """destination := OR(sources), 0 if there are none. The destination may be among them."""
+        """destination := OR(sources), 0 without sources. The destination may be a source."""
         self._gather("OR", "MOV", destination, sources, mask)
 
     def invert(self, register: str) -> None:
@@ -48,7 +48,7 @@ class Gates:
         self._gates.append(Gate("NOT", register, (register,)))
 
     def load_flag(self, sources: Sequence[str], scratch: str | None) -> None:
-        """FLAG := OR(sources); `scratch` may be overwritten, also when it is a source."""
+        """FLAG := OR(sources); may overwrite `scratch`, even if it is a source."""
         limit = self._machine.where_sources
         if limit is not None and len(sources) > limit:
             if scratch is None:

@@ -1,4 +1,4 @@
-"""The generators of encodings: what each serves, in which order, and at which level of effort."""
+"""The generators of encodings, their order, and the levels of effort that use them."""
 
 from __future__ import annotations
 
@@ -60,11 +60,11 @@ last      The dearest: every shutter of every predicate by itself. Few kernels s
 
 @dataclass(frozen=True)
 class Generator:
-    """An encoding: which predicate sets it serves, as a kind, and how it is made.
+    """A generator of solutions for one encoding.
 
-    `solve` (problem, machine, steps) gives its solutions, at least one, with no more search steps
-    than that each, and raises GaveUp where it does not serve the problem. `from_level` is the level
-    of effort from which on it is tried, None for its kind's.
+    `solve(problem, machine, steps)` yields at least one solution, each with at most `steps` search
+    steps, or raises GaveUp. `kind` decides when it is tried. `from_level` is the lowest level of
+    effort that tries it, None for its kind's default.
     """
 
     kind: Kind
@@ -119,9 +119,9 @@ _GROUP: Group = "nscc.encodings"
 
 
 def added_generators() -> dict[str, Generator]:
-    """The generators that other distributions add, each whole.
+    """The generators that other distributions add.
 
-    Raises Rejected (NS0905) for one that is none, or whose declaration is not as it must be.
+    Raises Rejected (NS0905) for an invalid generator or declaration.
     """
     generators: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, generator in generators.items():
@@ -138,7 +138,7 @@ def added_generators() -> dict[str, Generator]:
 
 @dataclass(frozen=True)
 class GeneratorFault:
-    """An exception of a generator, which its author did not expect."""
+    """An unexpected exception of a generator."""
 
     generator: str
     level: int
@@ -160,8 +160,8 @@ class GeneratorFault:
 def note_fault(
     error: Exception, name: str, level: int, faults: list[GeneratorFault] | None
 ) -> None:
-    """Adds an exception of `name` to `faults`; raises it again where nobody lists faults, and
-    where it is a diagnostic or a lack of memory."""
+    """Add an exception of the generator `name` to `faults`; raise it again if `faults` is None, or
+    if it is a diagnostic or a MemoryError."""
     if faults is None or isinstance(error, (Rejected, MemoryError)):
         raise error
     message = " ".join(f"{type(error).__name__}: {error}".split())[:200]
@@ -171,12 +171,11 @@ def note_fault(
 def solutions(
     problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
 ) -> Iterator[Solution]:
-    """Solutions of a problem, each from another generator; none where every one gives up.
+    """Solutions of a problem from different generators; none if every generator gives up.
 
-    They are made as they are asked for, those first that tend to be cheapest. The caller prices
-    them: what a solution costs depends on the words around it. A generator that raises an
-    unexpected exception is left out, and `faults` gets the exception; without `faults`, it is
-    raised.
+    They are computed lazily, those that tend to be cheapest first. The caller prices them, because
+    a price depends on the surrounding words. If a generator raises an unexpected exception,
+    `faults` gets it and the search goes on; without `faults` it propagates.
     """
     if not problem.demands:
         yield Solution("no code is needed", (), (), 0, 0, (), (), ())
@@ -185,7 +184,7 @@ def solutions(
     steps = SEARCH_STEPS[level]
 
     def solve_kinds(*kinds: Kind, allowed: int = steps) -> Yields[Solution, None, bool]:
-        """Solutions of generators of these kinds; returns whether there were any."""
+        """Yield solutions of generators of these kinds; return whether there were any."""
         any_solution = False
         for kind in kinds:
             for name, generator in generators.items():
@@ -222,7 +221,7 @@ def solutions(
 
 
 def _generators_at(level: int) -> dict[str, Generator]:
-    """The generators, by name, that are worth trying at a level of effort."""
+    """The generators by name that a level of effort uses."""
     known = GENERATORS if level < LEAST_ADDED else {**GENERATORS, **added_generators()}
     return {
         name: generator
@@ -233,7 +232,8 @@ def _generators_at(level: int) -> dict[str, Generator]:
 
 
 def _fewest_words(problem: Problem, machine: Machine) -> int:
-    """Words that every solution needs: one a demand, two for what cannot be stored as well."""
+    """The fewest words of any solution: one a demand, and two for each predicate that cannot be
+    stored."""
     unanswered = [d.predicate for i, d in enumerate(problem.demands) if not problem.answered(i)]
     return len(unanswered) + max(0, len(set(unanswered)) - machine.registers)
 
@@ -241,7 +241,8 @@ def _fewest_words(problem: Problem, machine: Machine) -> int:
 def _checked_solutions(
     name: str, generator: Generator, problem: Problem, machine: Machine, steps: int
 ) -> Iterator[Solution]:
-    """A generator's solutions, until it gives up. Raises NS0905 where one from outside is wrong."""
+    """The solutions of a generator until it gives up. Raises NS0905 for a wrong solution of an
+    added generator."""
     built_in = name in GENERATORS
     try:
         for solution in generator.solve(problem, machine, steps):
@@ -256,7 +257,7 @@ def _checked_solutions(
 
 
 def _solution_fault(problem: Problem, machine: Machine, solution: object) -> str | None:
-    """What is wrong with a solution of somebody else's."""
+    """Why a solution of an added generator is invalid; None if it is valid."""
     if not isinstance(solution, Solution):
         return f"it is no Solution but {type(solution).__name__}"
     hash(solution)  # raises where anything in it is not frozen: solutions are keys

@@ -1,9 +1,9 @@
-"""Gray codes: groups that follow one another differ in one bit of their codes.
+"""Gray codes: the codes of consecutive groups differ in one bit.
 
-A group's shutters are found by one NOR if every plane that is 1 in its code has been turned over.
-In binary the step from group to group turns two bits over on average, in a Gray code (F. Gray, US
-patent 2 632 058, 1953) always one. At the frame's end all must be back as they were; so the order
-of the codes, which is free as long as neighbours differ in one bit, is chosen for what that costs.
+One NOR selects a group's shutters if every plane that is 1 in its code has been inverted. Stepping
+to the next group inverts two bits on average in binary, always one in a Gray code (F. Gray, US
+patent 2 632 058, 1953). All planes must be restored at the frame's end; among all Gray codes, the
+one with the cheapest restoration is chosen.
 """
 
 from __future__ import annotations
@@ -24,12 +24,13 @@ _GOOD = 2
 
 
 def gray(number: Numbers) -> Numbers:
-    """The reflected binary code: the codes of neighbours differ in one bit."""
+    """The reflected binary Gray code of a number."""
     return number ^ (number >> 1)
 
 
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
-    """Codes whose last one, or last but one, is next to the first: few bits are turned back."""
+    """A Gray code whose last or last but one code is a neighbour of the first: few bits to
+    restore."""
     # There on the codes without the top bit and back on those with it: a circle. If the number is
     # odd, one more follows on the last.
     half = groups // 2
@@ -43,10 +44,10 @@ def cycle(groups: int, bits: int) -> tuple[int, ...]:
 
 @cache
 def rotation(groups: int, bits: int) -> tuple[int, ...] | None:
-    """Codes for bits that are turned over by a NOT into a free register, which costs one word.
+    """A Gray code for bits that are inverted by NOT into a free register, which costs one word.
 
-    Each turn moves a bit to another register. The codes are those after which fewest words bring
-    every bit back to where it was, as it was; None if the search is too large or finds none.
+    Each inversion moves a bit to another register. The code is chosen so that the fewest words
+    restore every bit and its place; None if the search is too large or finds none.
     """
     if bits > _WIDEST or groups > 1 << bits:
         return None
@@ -56,7 +57,8 @@ def rotation(groups: int, bits: int) -> tuple[int, ...] | None:
 
 
 class _Rotation:
-    """A depth-first search over codes; `place[b]` is the register of bit b, `free` the free one."""
+    """A depth-first search for codes; `place[b]` is the register of bit b, `free` the free
+    register."""
 
     def __init__(self, groups: int, bits: int) -> None:
         self.groups, self.bits = groups, bits
@@ -65,7 +67,7 @@ class _Rotation:
         self.words = 1 << 30
 
     def visit(self, codes: list[int], place: list[int], free: int) -> None:
-        """Tries all ways on from `codes`."""
+        """Try all continuations of `codes`."""
         self.left -= 1
         if self.left < 0 or self.words <= _GOOD:
             return
@@ -85,7 +87,8 @@ class _Rotation:
             place[bit] = was
 
     def _way_back(self, code: int, place: list[int]) -> int:
-        """Words that move every bit home, the right way round: one a move, two to turn in place."""
+        """Words that restore the register and polarity of every bit: one a move, two an inversion
+        in place."""
         # The moves home are chains, which end at the register that is free, and circles, which a
         # move to the free register opens (see `improve.recolour`; here only the words of it count).
         holder = {register: bit for bit, register in enumerate(place)}
