@@ -1,10 +1,10 @@
-"""Bumps in long frames: start and last slot in binary, in nearly all registers.
+"""Bumps in long frames: start and last slot in binary, using nearly all registers.
 
-The frame has two halves of 2^b slots. 2 b planes hold start and last slot modulo 2^b, one plane
-says in which half the last slot is, and the mask says in which half the start is. The masked
-register, which is empty at first, holds the open bumps. The planes at which a number n has a 0 are
-all 0 for the bumps whose number is a submask of n: n itself, and smaller numbers only. A bump with
-a smaller start or end is open or closed already, so no plane is ever inverted.
+The frame has two halves of 2^b slots. 2 b planes hold start and last slot modulo 2^b, one plane the
+half of the last slot, and the mask the half of the start. The masked register, initially 0, holds
+the open bumps. The NOR of the planes at which a number n has a 0 selects the bumps whose number is
+a submask of n: n itself, and smaller numbers. A bump with a smaller start or end is already open or
+closed, so no plane is ever inverted.
 """
 
 from __future__ import annotations
@@ -22,7 +22,8 @@ from nscc.truth import columns
 
 
 def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Twice as many planes as the slots of a half have bits, a half, and the masked pair."""
+    """Planes: the slot bits of start and last slot in a half, the half of the last slot, and the
+    masked pair."""
     bumps = two_ended(problem)
     bits = (bumps.steps - 1).bit_length() - 1
     if bits < 1 or 2 * bits + 3 > machine.registers:
@@ -35,12 +36,12 @@ def halved_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame down.
+    """Writes the gates of one frame.
 
     `half` is a plane, `masked` the masked register and `mask` its mask. In the first half, `half`
-    holds the bumps that end in the second one and `mask` those that are still to end; in the second
-    half, `half` holds the bumps that started in the first one. `flag_kept`
-    says for each demand whether FLAG keeps its value until then.
+    holds the bumps that end in the second half, and `mask` those that have not ended. In the second
+    half, `half` holds the bumps that started in the first half. `flag_kept` says for each demand
+    whether FLAG keeps its value until then.
     """
 
     def __init__(self, bumps: Bumps, bits: int, flag_kept: list[bool], gates: Gates) -> None:
@@ -48,7 +49,7 @@ class _Writer:
         self.half, self.mask, self.masked = (f"p{2 * bits + k}" for k in range(3))
 
     def script(self) -> Script:
-        """All planes and gates."""
+        """The script of all planes and gates."""
         border = 1 << self.bits
         # A shutter that never opens has its last slot before its start.
         start = np.where(self.bumps.never, 1, self.bumps.start)
@@ -77,11 +78,11 @@ class _Writer:
         return Script(name, planes, before=before, closing=(self.gates.take(),))
 
     def _starts(self, step: int) -> list[str]:
-        """Planes that are all 0 where the start is a submask of a step."""
+        """The planes whose NOR selects starts that are submasks of `step`."""
         return [f"p{i}" for i in range(self.bits) if not step >> i & 1]
 
     def _ends(self, step: int) -> list[str]:
-        """Planes that are all 0 where the last slot is a submask of the step before this one."""
+        """The planes whose NOR selects last slots that are submasks of `step` - 1."""
         return [f"p{self.bits + i}" for i in range(self.bits) if not step - 1 >> i & 1]
 
     def _first_half(self, step: int, flag_kept: bool) -> None:
@@ -97,8 +98,8 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _border(self) -> None:
-        """The first step of the second half: afterwards `mask` holds those that are waiting, to
-        start or for nothing because they ended in the first half."""
+        """The first step of the second half. Afterwards `mask` holds the bumps that wait for their
+        start, or that ended in the first half."""
         gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
         gates.load_flag([mask], None)
         gates.nor(mask, [half])
@@ -110,7 +111,7 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _from_waiting(self, step: int) -> None:
-        """`mask` holds those that wait; afterwards it holds those that ended in this half."""
+        """`mask` holds the waiting bumps before, and those that ended in this half after."""
         gates, masked, mask = self.gates, self.masked, self.mask
         gates.load_flag([mask], None)
         gates.nor(masked, [*self._starts(step), self.half], mask)
@@ -120,7 +121,7 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _from_done(self, step: int) -> None:
-        """`mask` holds those that ended in this half; afterwards it holds those that wait."""
+        """`mask` holds the bumps that ended in this half before, and the waiting ones after."""
         gates, masked, mask = self.gates, self.masked, self.mask
         gates.load_flag([mask, masked], None)
         gates.nor(mask, [*self._starts(step), self.half, "FLAG"])
@@ -130,7 +131,8 @@ class _Writer:
         gates.load_flag([masked], None)
 
     def _restore(self, waiting: bool) -> None:
-        """At the end nobody waits for a start: who ended in the first half waits."""
+        """Restore the planes: at the end, bumps that ended in the first half are the waiting
+        ones."""
         gates, masked, mask, half = self.gates, self.masked, self.mask, self.half
         gates.load_flag([half], None)
         gates.nor(half, [mask]) if waiting else gates.or_(half, [mask, masked])

@@ -1,7 +1,7 @@
-"""Nested demands: each contains the next (open until a stop) or the one before it.
+"""Generator for nested demands: each contains the next (open until a stop) or the previous one.
 
-Every shutter then has a rank, the number of demands that hold for it, and demand d asks whether
-rank > d. Ranks are written in digits, and digits in whatever makes that comparison cheap.
+Every shutter has a rank, the number of demands that it satisfies, and demand d is rank > d. Ranks
+are written in digits for which this comparison is cheap.
 """
 
 from __future__ import annotations
@@ -24,8 +24,8 @@ from nscc.truth import columns, rows
 
 @dataclass(frozen=True)
 class Nest:
-    """`ranks` (shutters,) in 0 .. steps; demand i asks for rank > step[i], or, where
-    `complemented[i]`, for rank <= step[i]."""
+    """`ranks` (shutters,) in 0 .. steps; demand i is rank > step[i], or its complement if
+    `complemented[i]`."""
 
     ranks: NDArray[np.int64]
     step: tuple[int, ...]
@@ -34,7 +34,7 @@ class Nest:
 
 
 def nest_of(problem: Problem) -> Nest:
-    """The ranks that nested demands give. Raises GaveUp where they are not nested."""
+    """The ranks of nested demands. Raises GaveUp if they are not nested."""
     kinds: dict[tuple[str, int], list[int]] = {}
     for demand in problem.demands:
         kinds.setdefault((demand.edge, demand.bucket), []).append(demand.predicate)
@@ -56,12 +56,12 @@ def nest_of(problem: Problem) -> Nest:
 
 
 def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Mixed-radix digits, each a thermometer; the highest may be bits that are turned over.
+    """Mixed-radix digits, each a thermometer; the highest may be bits that are inverted.
 
-    When a digit changes, one cube per higher digit says "greater already"; what is left of each
-    demand is a cube of one plane a digit. For digits a b and time A B, "rank > time" is a > A or
-    (a >= A and b > B): the first is made once for all of A's slots, the second is a NOR of two
-    planes.
+    When a digit changes, one cube for each higher digit computes "greater already"; the rest of
+    each demand is a cube with one plane a digit. For digits a b and time A B, "rank > time" is a >
+    A or (a >= A and b > B): the first is computed once for all of A's slots, the second is a NOR of
+    two planes.
     """
     nest = nest_of(problem)
     for bits in range(4):
@@ -95,12 +95,12 @@ _Flips = tuple[tuple[int, ...], ...]
 
 @cache
 def _turns(bits: int) -> tuple[_Flips, int]:
-    """The cheapest way to turn bits over, and the most cubes of a group.
+    """The cheapest sequence of inversions, and the most cubes of a group.
 
-    It is a shortest path through (group, polarities). In group h the bits must mask every lower
-    value but not h, and the values above h must be an OR of planes as they stand and a few cubes.
-    The path enters group 0 and leaves the last group with every bit as it was stored; an edge costs
-    two words a bit turned in place, and a cube's.
+    A shortest path through (group, polarities). In group h the bits must mask every lower value but
+    not h, and the values above h must be an OR of planes and a few cubes. The path starts in group
+    0 and ends after the last group with the stored polarities. An inversion costs two words, a cube
+    one.
     """
     import networkx as nx  # only from -O2 on: `check` starts without it
 
@@ -131,7 +131,7 @@ def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
 
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
-    """Cubes needed in group h when the planes stand in `polarity`; None where masks fail."""
+    """The number of cubes in group h if the planes have this `polarity`; None if no mask exists."""
     # What each plane is 1 for, as the values of the highest digit. A NOR that reads those of them
     # that are 0 at h holds for h, and for no lower value if together they are 1 for all of them.
     groups = range(1 << bits)
@@ -184,12 +184,12 @@ def _digit_script(
 
 
 def _back(turned: Sequence[int]) -> tuple[Segment, ...]:
-    """Turns over again those of the planes `turned` that do not stand as at the start."""
+    """Restore the polarity of planes that were inverted an odd number of times."""
     return turned_over(bit for bit in sorted(set(turned)) if turned.count(bit) % 2)
 
 
 class _Form(Enum):
-    """Where the state of a counted digit lives: (name, registers beside the planes)."""
+    """Where the state of a counted digit is: (name, registers besides the planes)."""
 
     DIGITS = "state in a register, digits inside"
     STATE = "state in a register"
@@ -205,12 +205,11 @@ _SUBMASK_BITS = (13, 6, 4, 2)
 
 
 def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """The highest digit in binary, "greater" a state that each group brings forward.
+    """The highest digit in binary, with a state "greater" that each group updates.
 
-    A cube of the planes where h has a 0 holds for the submasks of h (h's binary digits with some
-    more of them 0): for h itself and for lower values only. Taking it out of "greater" at each step
-    leaves exactly what is greater, and no plane is ever turned over. High bits in Gray code that
-    are turned over let kernels repeat.
+    The NOR of the planes where h has a 0 selects the submasks of h: h itself and lower values only.
+    Removing it from "greater" at each step leaves exactly the greater values, and no plane is
+    inverted. High bits in Gray code, which are inverted, let kernels repeat.
     """
     nest = nest_of(problem)
     values = nest.steps + 1
@@ -271,7 +270,8 @@ def _counted_script(
 
 
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
-    """Takes the shutters of cube NOR(equal) out of "greater"; `equal` empty: all of them."""
+    """Remove the shutters of the cube NOR(equal) from "greater"; all shutters if `equal` is
+    empty."""
     # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
     # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):

@@ -1,7 +1,7 @@
-"""Whether a solution meets its problem: its gates on truth vectors, all shutters at once.
+"""Check a solution against its problem: run its gates on truth vectors of all shutters.
 
-Whatever no pass may rely on (scratch at the start, FLAG after other words, what a refresh leaves
-out) counts as unknown, and no gate may read it.
+Contents on which no pass may rely (scratch at the start, FLAG after other words, registers without
+refresh) are unknown, and no gate may read them.
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ _INVERTED = ("NOR", "NOT", "SET")
 
 
 class _Wrong(Exception):
-    """What a solution does that it must not."""
+    """A violation by a solution."""
 
 
 def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
-    """Why `solution` does not meet `problem` on `machine`, in words; None where it does."""
+    """Why `solution` does not solve `problem` on `machine`, in words; None if it does."""
     try:
         _fits(problem, machine, solution)
         _Frame(problem, machine, solution).replay()
@@ -34,7 +34,7 @@ def fault(problem: Problem, machine: Machine, solution: Solution) -> str | None:
 
 
 def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
-    """Raises _Wrong for a solution that names what is not there."""
+    """Raise _Wrong for a solution that names missing registers."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     pair = solution.masked_pair()
     # Without masked gates, only a plane may live where a mask decides about writes.
@@ -76,7 +76,7 @@ def _possible(gate: Gate, registers: set[str], machine: Machine) -> bool:
 
 
 def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> bool:
-    """Whether the gate is masked where its destination is the masked register, and nowhere else."""
+    """Whether the gate is masked exactly if its destination is the masked register."""
     if gate.mask is None:
         return pair is None or gate.destination != pair[0]
     # A state is lost where a refresh sets the mask.
@@ -89,7 +89,7 @@ def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> 
 
 
 class _Frame:
-    """One frame of a solution; `contents` is what each register holds, None where nobody knows."""
+    """One frame of a solution; `contents` maps registers to truth vectors, None if unknown."""
 
     def __init__(self, problem: Problem, machine: Machine, solution: Solution) -> None:
         self.problem = problem
@@ -102,7 +102,7 @@ class _Frame:
         self.contents["FLAG"] = problem.everything if solution.state_in_flag else None
 
     def replay(self) -> None:
-        """Raises _Wrong at the first demand that is not met."""
+        """Run the frame; raises _Wrong at the first unmet demand."""
         solution, demands = self.solution, self.problem.demands
         self._run(solution.opening)
         for index, (demand, answer) in enumerate(zip(demands, solution.answers, strict=True)):
@@ -117,7 +117,7 @@ class _Frame:
                 raise _Wrong(f"{name} does not hold its code when the frame ends")
 
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
-        """Other words and boundaries pass."""
+        """Forget what other words and boundaries overwrite."""
         if self.solution.state_in_flag:
             self._forget(("t0",))  # where FLAG waits while analog words need it
         elif not flag_kept:
@@ -152,8 +152,8 @@ class _Frame:
 
 
 def _masked(machine: Machine, solution: Solution) -> str | None:
-    """The plane that `nscc.lower.allocate` gives the masked register where there are no masked
-    gates: where all registers are in use, the one that is written least. Its writes destroy t0."""
+    """The plane that `nscc.lower.allocate` puts in the masked register if there are no masked
+    gates: with all registers in use, the one written least. Its writes destroy t0."""
     used = len(solution.planes) + solution.states + solution.scratch
     if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
         return None

@@ -1,8 +1,8 @@
-"""Spans: bumps of any length, from a group and an offset for each end.
+"""Bumps of any length, stored as a group and an offset for each end.
 
-Time is cut into groups. A shutter is active in the groups that it touches; inside its first group
-it is closed up to its start's offset, inside its last one from its stop's offset on. Which groups
-are active is stored.
+Time is divided into groups. A shutter is active in the groups that it touches; it is closed in its
+first group before the offset of its start, and in its last group from the offset of its stop on.
+The active groups are stored.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ from nscc.truth import columns
 
 
 def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """A plane for each group: active in it. The first groups may be longer by a slot."""
+    """A plane for each group: whether the shutter is active in it. The first groups may be one slot
+    longer."""
     bumps = bumps_of(problem)
     for groups in range(min(machine.registers - 1, bumps.steps), 2, -1):
         # A plane a group, and two thermometers of size - 1.
@@ -41,7 +42,7 @@ def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 def _split(
     step: NDArray[np.int64], size: int, longer: int
 ) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
-    """Group and place in it; `longer` groups have `size` steps, those after them one less."""
+    """Group and place in it; the first `longer` groups have `size` steps, the others one less."""
     border = size * longer
     late = step >= border
     beyond = np.maximum(step - border, 0)
@@ -53,7 +54,7 @@ def _split(
 
 
 def _offsets(bumps: Bumps, start: NDArray[np.int64], last: NDArray[np.int64], size: int) -> Planes:
-    """Thermometers of both ends' places in their groups, in the sense that a NOR reads."""
+    """Thermometers of both ends' offsets, in the polarity that a NOR reads."""
     places = np.arange(size - 1)
     starts = columns(np.where(bumps.never, 0, start)[:, None] <= places)
     lasts = columns(np.where(bumps.never, size - 1, last)[:, None] > places)

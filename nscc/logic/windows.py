@@ -1,10 +1,9 @@
-"""Windows: bumps of one length, which only the end of the frame may cut.
+"""Bumps of one length, which only the end of the frame may cut.
 
-Time is cut into groups as long as the bump, so that an open bump began in this group or in the one
-before, and a start is a group and an offset. In one of the two groups the shutter is open from
-its offset on, in the other up to it. The planes of the offset are stored inverted for every other
-group, so that both cases read them alike, and groups are in Gray code: the planes that two
-neighbours share pick out both at once.
+Time is divided into groups of the bump's length, so an open bump started in this group or in the
+previous one; a start is a group and an offset. In the one case the shutter is open from its offset
+on, in the other before it. The offset planes are inverted in every other group, so that both cases
+read the same plane. Groups are in Gray code: the planes in which two neighbours agree select both.
 """
 
 from __future__ import annotations
@@ -24,7 +23,7 @@ from nscc.truth import set_bits
 
 
 def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Offsets in mixed-radix thermometers, some planes held both ways round where there is room."""
+    """Offsets in mixed-radix thermometers, with both polarities of some planes if there is room."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     bits = max(1, (-(-bumps.steps // length) - 1).bit_length())
@@ -55,8 +54,8 @@ _MOST_TRIED = 48
 
 
 class _Turns(Enum):
-    """When the bit in which a group differs from the one before is turned over: it is not read
-    in that group, unless one of the two groups has to be told from the other."""
+    """When the bit in which a group differs from the previous one is inverted; it is not read in
+    that group unless one of the two groups must be distinguished from the other."""
 
     WITH = "with the group"
     AFTER = "with the next group"
@@ -64,8 +63,8 @@ class _Turns(Enum):
 
 
 def toggled_windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
-    """Offsets in Gray code, few registers: every step turns the state of those that it hits over,
-    of those that began in this group as of those that began in the one before."""
+    """Offsets in Gray code, with few registers: every step toggles the state of the shutters whose
+    offset it equals, of this group and of the previous one."""
     bumps = bumps_of(problem)
     length = _length(bumps)
     high = max(1, (-(-bumps.steps // length) - 1).bit_length())
@@ -115,7 +114,7 @@ def _open_state(state: str) -> Segment:
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:
-    """state := state XOR t0; `roomy`: with three scratch registers, else with two.
+    """state := state XOR t0, with three scratch registers if `roomy`, else two.
 
     t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
     XOR.
@@ -151,9 +150,8 @@ def _script(
     low: int,
     turns: _Turns,
 ) -> Script:
-    """`codes` are those of the groups. `doubled`: offset planes both ways round; so are the `low`
-    lowest bits of the group.
-    """
+    """`codes` are those of the groups. With `doubled` both polarities of offset planes are stored;
+    also of the `low` lowest bits of the group."""
     # At place m those of this group are open if offset <= m, those of the group before if not. One
     # of the two groups is odd: with the planes of odd ones turned over, both read a plane alike.
     group = np.where(bumps.never, 0, bumps.start // length)

@@ -1,4 +1,4 @@
-"""Work moved to earlier slots: the slot with most words sets how short slots may be."""
+"""Move work to earlier slots, since the slot with most words limits the slot time."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def balance(
 
 
 def words_at(solution: Solution, problem: Problem, machine: Machine, slots: int) -> list[int]:
-    """Words of a solution's gates at each boundary 0..slots."""
+    """The words of a solution's gates at each boundary 0..slots."""
     frame, items = flatten(solution, problem, machine)
     return _Loads(frame, items, [0] * (slots + 1)).words
 
@@ -72,13 +72,13 @@ class _Loads:
         self.words = self.counted(items)
 
     def boundary(self, place: int) -> int:
-        """The boundary at which a place runs."""
+        """The boundary of a place."""
         if place == OPENING:
             return 0
         return len(self._other_words) - 1 if place == CLOSING else self._boundaries[place]
 
     def counted(self, items: Sequence[Item]) -> list[int]:
-        """Words at each boundary with these items."""
+        """The words at each boundary with these items."""
         words = list(self._other_words)
         for item in items:
             words[self.boundary(item.place)] += self._frame.words(item)
@@ -86,7 +86,7 @@ class _Loads:
 
 
 def _flatten_one(run: TrackedRun, loads: _Loads, most: int) -> bool:
-    """Moves one gate away from each boundary of `most` words; False where that fails."""
+    """Move one gate away from each boundary with `most` words; False if that fails."""
     # All of them, or the largest one is as large as before.
     full = [n for n, words in enumerate(loads.words) if words >= most]
     return all(_relieve(run, loads, n, most) for n in full)
@@ -124,7 +124,8 @@ def _earlier(run: TrackedRun, k: int, loads: _Loads, most: int) -> list[tuple[in
 
 
 def _take(run: TrackedRun, loads: _Loads, rewriting: Rewrite, boundary: int, most: int) -> bool:
-    """Accepts a rewriting that leaves the boundary below `most` and fills no other up to it."""
+    """Apply a rewriting if the boundary then has fewer than `most` words and no other boundary
+    grows to `most`."""
     words = loads.counted(
         [*run.items[: rewriting.start], *rewriting.items, *run.items[rewriting.end :]]
     )

@@ -1,8 +1,8 @@
-"""Sequences of segments that come again and again, found by merging the most frequent pairs.
+"""Repeated sequences of segments, found by merging the most frequent pairs.
 
-(Re-Pair; Larsson and Moffat, Proc. IEEE 2000.) Rewritten as one, a sequence gains more than its
-segments do each alone; but every sequence that is treated by itself has segments of its own in the
-store.
+This is Re-Pair (Larsson and Moffat, Proc. IEEE 2000). Improving a whole sequence gains more than
+improving its segments separately. But every sequence that is treated separately has its own
+segments in the store.
 """
 
 from __future__ import annotations
@@ -20,7 +20,8 @@ FEWEST = 2
 
 @dataclass(frozen=True, slots=True)
 class SegmentToken:
-    """items[start:end] of a run: a segment, or one check. `key` says what it does."""
+    """items[start:end] of a run: a segment, or one check. Tokens with the same `key` do the
+    same."""
 
     start: int
     end: int
@@ -53,10 +54,10 @@ def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
 
 
 def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
-    """Every distinct sequence; all their distinct segments stay within `room` words.
+    """The distinct sequences, most words a frame first; all their segments take at most `room`
+    words.
 
-    Without room, every segment is a sequence of its own. Those that take most words a frame come
-    first.
+    Without room, every segment is a sequence.
     """
     tokens = tokens_of(items)
     merger = _Merger(frame, items, tokens)
@@ -73,7 +74,7 @@ def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Blo
 
 
 class _Merger:
-    """The run as a sequence of symbols, each standing for some tokens."""
+    """The run as a sequence of symbols, each of which stands for several tokens."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], tokens: Sequence[SegmentToken]
@@ -87,7 +88,7 @@ class _Merger:
             self.words[number[token.key]] = words
 
     def merge(self, room: int) -> bool:
-        """Merges the pair of symbols that comes most often; False where nothing is to be done."""
+        """Merge the most frequent pair of symbols; False if no pair is worth it."""
         pairs = self._pairs()
         counts = Counter(self.sequence)
         stored = sum(self.words[symbol] for symbol in counts)
@@ -104,7 +105,7 @@ class _Merger:
         return False
 
     def _pairs(self) -> Counter[tuple[int, int]]:
-        """How often each pair of neighbours comes, of equal ones those that do not overlap."""
+        """Counts of neighbouring pairs; overlapping pairs of equal symbols count once."""
         pairs: Counter[tuple[int, int]] = Counter()
         run = 1
         for first, second in pairwise(self.sequence):

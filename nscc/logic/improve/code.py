@@ -1,10 +1,9 @@
-"""A solution as one straight run of operations on numbered registers, and back again.
+"""A solution as straight-line code on numbered registers, and back.
 
-Registers are numbered: planes, states, scratch, FLAG last. Because the shutters are known, what a
-register holds at any point is a truth vector, or None where nothing is known about it. There are no
-branches and no loops, so running the code once over truth vectors says all there is to know: two
-values are equal if and only if their vectors are, and whether a change is right is seen by running
-on from it. No Boolean reasoning about gates is needed anywhere in this folder.
+Registers are numbered: planes, states, scratch, FLAG last. Since all shutters are known, the
+content of a register is a truth vector, or None if it is unknown. The code has no branches, so one
+run over truth vectors is exact: two values are equal if and only if their vectors are, and a change
+is checked by running on from it.
 """
 
 from __future__ import annotations
@@ -26,16 +25,16 @@ REFRESH_WORDS = 2
 
 
 class Illegal(Exception):
-    """Operations that do not meet the problem, or that hang on what nobody knows."""
+    """Operations that do not solve the problem, or that depend on unknown contents."""
 
 
 @dataclass(frozen=True, slots=True)
 class GateOp:
-    """destination := OR(sources), or NOR if `inverted`; sources in rising order, without doubles.
+    """destination := OR(sources), or NOR if `inverted`; sources are ascending and distinct.
 
-    `place` is the answer to which the operation belongs, OPENING or CLOSING, and `segment` its
-    segment there. `reads` is the set of registers, as a bit mask, whose content decides the result:
-    the sources and, of a masked operation, its mask and its destination.
+    `place` is the answer that the operation belongs to, OPENING or CLOSING; `segment` is its
+    segment there. `reads` is the bit mask of registers that the result depends on: sources and, if
+    masked, also mask and destination.
     """
 
     inverted: bool
@@ -47,15 +46,15 @@ class GateOp:
 
     @property
     def function(self) -> tuple[bool, int, tuple[int, ...]]:
-        """What the operation does, wherever it stands."""
+        """What the operation does, without its place."""
         return self.inverted, self.destination, self.sources
 
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point where FLAG must equal `need` (if not None), and what is unknown after it.
+    """A point at which FLAG must equal `need` (if not None), at the end of `place`.
 
-    It ends `place`. `forgets` is a bit mask of registers.
+    `forgets` is the bit mask of registers whose contents are unknown afterwards.
     """
 
     need: int | None
@@ -68,11 +67,11 @@ Item = GateOp | Check
 
 @dataclass(frozen=True)
 class FrameContext:
-    """What does not change while a solution is improved: problem, registers, limits, first state.
+    """The constants of an improvement: problem, registers, limits, initial state.
 
-    Operations that write `masked`, the register in the masked place if there is one, are masked:
-    they write where `mask` is 1. `ends` is None for a whole frame, at whose end the planes must be
-    as they were; for a part of one, the registers (a bit mask) that are read after it.
+    Operations that write `masked` (if not None) are masked: they write only where `mask` is 1. For
+    a whole frame `ends` is None, and the planes must be restored at its end; for a part of a frame
+    it is the bit mask of registers that are read afterwards.
     """
 
     solution: Solution
@@ -94,24 +93,24 @@ class FrameContext:
 
     @property
     def unscathed(self) -> int:
-        """Registers, as a bit mask, whose content matters at the end."""
+        """The bit mask of registers whose content matters at the end."""
         return (1 << self.planes) - 1 if self.ends is None else self.ends
 
     def words(self, item: Item) -> int:
-        """ICWs that an item takes."""
+        """The words of an item."""
         if isinstance(item, Check):
             return 0
         return 1 + (item.destination != self.flag and item.destination in item.sources)
 
     def total(self, items: Sequence[Item]) -> int:
-        """ICWs of a frame, with those that refresh planes nobody writes, or in some pixels only."""
+        """The words of a frame, including refresh of planes that are not written in all pixels."""
         left_alone = self.writes(items).count(0) if self.ends is None else 0
         return sum(map(self.words, items)) + REFRESH_WORDS * left_alone
 
     def op(
         self, inverted: bool, destination: int, sources: Iterable[int], place: int, segment: int
     ) -> GateOp:
-        """An operation; sources in any order."""
+        """An operation with sources in any order."""
         sources = tuple(sorted(set(sources)))
         reads = sum(1 << source for source in sources)
         if destination == self.masked and self.mask is not None:
@@ -119,7 +118,7 @@ class FrameContext:
         return GateOp(inverted, destination, sources, place, segment, reads)
 
     def value(self, item: GateOp, state: Sequence[Content]) -> Content:
-        """What the destination holds after an operation in a state; None if that is unknown."""
+        """The content of the destination after an operation; None if unknown."""
         disjunction = 0
         for source in item.sources:
             content = state[source]
@@ -135,7 +134,7 @@ class FrameContext:
         return None if mask is None or previous is None else result & mask | previous & ~mask
 
     def legal(self, item: GateOp) -> bool:
-        """Whether the machine has a word, or a pair, for an operation."""
+        """Whether the machine has a word, or a pair of words, for an operation."""
         count = len(item.sources)
         if item.destination == self.flag:
             limit = self.machine.where_sources
@@ -151,7 +150,7 @@ class FrameContext:
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
     def apply(self, item: Item, state: list[Content]) -> None:
-        """Brings a state from before an item to after it."""
+        """Update `state` by an item."""
         if isinstance(item, Check):
             for register in set_bits(item.forgets):
                 state[register] = None
@@ -159,7 +158,7 @@ class FrameContext:
         state[item.destination] = self.value(item, state)
 
     def writes(self, items: Iterable[Item]) -> list[int]:
-        """How often items write each plane in every pixel."""
+        """How often the items write each plane in every pixel."""
         times = [0] * self.planes
         for item in items:
             if isinstance(item, GateOp) and item.destination < self.planes:
@@ -175,9 +174,9 @@ class FrameContext:
 def flatten(
     solution: Solution, problem: Problem, machine: Machine
 ) -> tuple[FrameContext, list[Item]]:
-    """A solution as items, with as much scratch as the machine leaves room for.
+    """A solution as items, with as many scratch registers as the machine allows.
 
-    Where its gates are not masked and yet write the masked register, SET of the mask precedes them.
+    If gates without masks write the masked register, the items include SET of the mask before them.
     """
     planes, states = len(solution.planes), solution.states
     scratch, masked, mask = _room(solution, machine)
@@ -210,8 +209,8 @@ def flatten(
 
 
 def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | None]:
-    """How many scratch registers there may be; the registers in the masked place and in its mask,
-    by number, if any."""
+    """The number of possible scratch registers, and the numbers of the masked register and of its
+    mask, if any."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     room = machine.registers - planes - states
     mask = planes + states if scratch else None
@@ -232,7 +231,7 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | 
 
 
 def _forgotten(frame: FrameContext, coming: int) -> int:
-    """Registers of which nothing is known when the answer `coming` begins."""
+    """The registers whose contents are unknown when answer number `coming` begins."""
     demands = frame.problem.demands
     forgets = 0
     if frame.solution.state_in_flag:
@@ -251,7 +250,7 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
 
 
 def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
-    """Items as a solution again; raises Illegal where no answer is left for a demand's segment."""
+    """The solution of these items; raises Illegal if a demand's segment has no answer."""
     solution = frame.solution
     runs = {OPENING: solution.opening, CLOSING: solution.closing}
     runs |= dict(enumerate(solution.answers))
@@ -295,7 +294,7 @@ def _gate(item: GateOp, names: Sequence[str], frame: FrameContext) -> Gate:
 
 
 def states_before(frame: FrameContext, items: Sequence[Item]) -> list[tuple[Content, ...]]:
-    """The state before every item, and after the last; raises Illegal on anything wrong."""
+    """The state before every item, and after the last; raises Illegal for an invalid item."""
     state = list(frame.start)
     states = []
     for item in items:

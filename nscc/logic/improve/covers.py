@@ -1,10 +1,10 @@
-"""Single gates, and short chains of gates, for a value that matters only in some shutters.
+"""Single gates, and short chains of gates, for values with don't-cares.
 
-What is wanted is (one, zero): the shutters in which the result must be 1, and those in which it
-must be 0. An OR gives it if its sources avoid `zero` and together cover `one`; a NOR if they avoid
-`one` and cover `zero`. So the largest set of sources that may be read decides whether there is a
-gate at all, and a small cover among them is the gate. Small covers are found greedily: a word costs
-the same with one source as with all of them, so only a limit on sources makes it worth more.
+A target is (ones, zeros): the shutters in which the result must be 1 and those in which it must be
+0. An OR computes it if its sources avoid `zeros` and together cover `ones`; a NOR if they avoid
+`ones` and cover `zeros`. So a gate exists if all sources that may be read cover the target. Covers
+are made small greedily; their size matters only if the number of sources is limited, since a word
+costs the same with any number.
 """
 
 from __future__ import annotations
@@ -125,7 +125,7 @@ def inner(
 def _avoiding(
     avoid: int, state: Sequence[Content], readable: Sequence[int]
 ) -> list[tuple[int, int]]:
-    """Those of `readable`, with their contents, that hold 0 in all of `avoid`."""
+    """Those of `readable`, with their contents, that are 0 in all of `avoid`."""
     return [
         (register, content)
         for register in readable

@@ -1,7 +1,7 @@
-"""Spare registers filled before the frame: what many gates compute is part of the code instead.
+"""Use free registers for values that the host loads before the frame.
 
-A plane that no word writes costs its refresh and nothing else, and it may live in the masked
-register. So wherever a register can be spared, it may hold any truth vector from the start.
+A plane that no word writes costs only its refresh, and can be in the masked register. So a free
+register can hold any truth vector from the start.
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ HOLDER = "computed before the frame"
 
 
 def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """A solution with more planes and fewer words, or `solution` itself where none was found."""
+    """A solution with more planes and fewer words; `solution` if none is found."""
     with suppress(GaveUp, Illegal):
         while (richer := _richer(solution, problem, machine, budget)) is not None:
             solution = richer
@@ -45,7 +45,7 @@ def enrich(solution: Solution, problem: Problem, machine: Machine, budget: Budge
 def _richer(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> Solution | None:
-    """The best solution with one more plane; None if it is no better."""
+    """The best solution with one more plane; None if it is not better."""
     slim = _with_room(solution, problem, machine)
     if slim is None:
         return None
@@ -70,7 +70,7 @@ def _richer(
 def _shortened(
     solution: Solution, problem: Problem, machine: Machine, budget: Budget
 ) -> tuple[Solution, int]:
-    """A shorter solution, and its words."""
+    """A shortened solution, and its words."""
     run = TrackedRun(*flatten(solution, problem, machine), budget)
     shrink(run, NEAR)
     shorter = unflatten(run.frame, run.items)
@@ -80,7 +80,7 @@ def _shortened(
 
 
 def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Solution | None:
-    """The solution with a register to spare, its work done in fewer where need be."""
+    """The solution with a free register, obtained by recolouring if necessary."""
     used = len(solution.planes) + solution.states + solution.scratch
     if used < machine.registers:
         return solution
@@ -94,7 +94,7 @@ def _with_room(solution: Solution, problem: Problem, machine: Machine) -> Soluti
 
 
 def _promising(run: TrackedRun) -> list[int]:
-    """Truth vectors, those first that would save most words if they were there from the start."""
+    """Truth vectors that would save words if loaded before the frame, most words first."""
     frame = run.frame
     makers, feeds, readers = _flow(run)
     stored = set(frame.start[: frame.planes])
@@ -106,7 +106,8 @@ def _promising(run: TrackedRun) -> list[int]:
 
 
 def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
-    """Which items write each vector; whose values each item reads; and how many read its own.
+    """The items that write each vector, the items whose values each item reads, and the number of
+    readers of each item. A plane whose final value an item writes counts as a reader.
 
     A plane that holds an item's value at the end counts as one that reads it.
     """
@@ -130,9 +131,9 @@ def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counte
 def _saved(
     run: TrackedRun, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
 ) -> int:
-    """Words that fall away with items whose results could be read elsewhere.
+    """The words of items that become unused if their results are available elsewhere.
 
-    These are the items' fan-out-free cone: what feeds nothing else falls away with them.
+    This is the fan-out-free cone of the items.
     """
     readers_left: dict[int, int] = {}
     # FLAG must be loaded all the same.

@@ -1,8 +1,8 @@
-"""Segments that are equal stay equal: one rewriting serves all places where a kernel runs.
+"""Improve kernels so that equal segments stay equal: one rewriting serves all their places.
 
-What a sequence of segments does is a problem of its own, in which every shutter counts once for
-each place where the sequence runs: the truth vectors of all places are laid end to end. A rewriting
-that is right for these is right in every place, and all passes work on it unchanged.
+The problem of a sequence of segments has one shutter for each pair of shutter and place: the truth
+vectors of all places are concatenated. A rewriting that is correct for these is correct in every
+place, and all passes work unchanged.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
 def improve_kernels(
     frame: FrameContext, items: list[Item], budget: Budget, shorten: Pass, room: int
 ) -> list[Item]:
-    """`items` with each kernel shortened by `shorten`, in all its places alike.
+    """Shorten each kernel by the pass `shorten`, in the same way in all places.
 
-    Sequences of kernels are rewritten as one where there is `room` for all words (see `blocks_of`).
+    Sequences of kernels are improved as one if `room` allows (see `blocks_of`).
     """
     run = TrackedRun(frame, items, budget)
     # Where each item of the run has gone: rewriting a block replaces its items by others.
@@ -47,7 +47,7 @@ def improve_kernels(
 def _shortened(
     frame: FrameContext, run: TrackedRun, block: Block, budget: Budget, shorten: Pass
 ) -> list[Item] | None:
-    """Items in place of those of the block's first place; None if there are no shorter ones."""
+    """Shorter items for the first place of a block; None if not found."""
     size = (frame.everything.bit_length() + 7) // 8
     starts = [tokens[0].start for tokens in block]
     length = block[0][-1].end - starts[0]
@@ -71,7 +71,7 @@ def _shortened(
 
 
 def _joined(contents: Sequence[Content], size: int) -> Content:
-    """Truth vectors end to end, each in `size` bytes; None if one of them is unknown."""
+    """Concatenated truth vectors, each in `size` bytes; None if one of them is unknown."""
     known = [content.to_bytes(size, "little") for content in contents if content is not None]
     return int.from_bytes(b"".join(known), "little") if len(known) == len(contents) else None
 
@@ -82,7 +82,7 @@ def _moved(
     target_tokens: Sequence[SegmentToken],
     new: Sequence[Item],
 ) -> list[Item]:
-    """Items written for the block's first place, in another one."""
+    """Items for the block's first place, moved to another place."""
     segments: dict[tuple[int, int], tuple[int, int]] = {}
     checks = []
     for token, target_token in zip(first, target_tokens, strict=True):

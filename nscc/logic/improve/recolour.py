@@ -1,13 +1,11 @@
-"""Registers given out anew: a value written in place goes where a register is free instead.
+"""Register allocation: values written in place get free registers instead.
 
-NOT of a plane in place is two words; NOT of it into a free register is one, and leaves the old
-place free for the next. So planes wander in the frame; those that are not at home when it ends are
-copied there.
+NOT of a plane in place takes two words. NOT into a free register takes one, and frees the old
+register. So planes move in the frame, and are copied to their homes at the end.
 
-The code is straight, so a value lives from one point to another, and giving out registers is the
-colouring of intervals from left to right (linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It
-never fails for lack of registers, since there is a solution to begin with, unless some are left out
-or a value may not be everywhere; what is chosen among the free ones decides the words.
+In straight-line code live ranges are intervals, so this is interval colouring from left to right
+(linear scan; Poletto and Sarkar, ACM TOPLAS 21, 1999). It fails only if registers are excluded or
+values have banned registers. The choice among free registers determines the words.
 """
 
 from __future__ import annotations
@@ -22,11 +20,10 @@ from nscc.truth import set_bits
 
 @dataclass(slots=True)
 class _Value:
-    """What one operation writes, or what a register holds at the start.
+    """The result of an operation, or the initial content of a register.
 
-    `last` is the last item that reads it; `home` the register in which it is needed at the end.
-    `banned` are the registers (a bit mask) in which it would be lost meanwhile, or in the way of a
-    value that `masks` writes and so must be in the mask's register.
+    `last` is the last item that reads it; `home` the register required at the end. `banned` is the
+    bit mask of registers in which it would be overwritten, or would block a mask.
     """
 
     first: int
@@ -38,10 +35,9 @@ class _Value:
 
 
 def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
-    """The same operations in other registers; None where registers do not go round.
+    """The same operations with other registers; None if there are too few.
 
-    Every operation's result must be read by somebody. No value is put into the registers `without`
-    (a bit mask).
+    Every result must be read. The registers `without` (a bit mask) are not used.
     """
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
@@ -56,7 +52,7 @@ def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> 
 
 
 def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], list[int]]:
-    """All values, those of the start first, and for each item the number of what it writes."""
+    """All values, initial ones first, and for each item the number of its result."""
     values = [_Value(-1, -1) for _ in range(frame.flag + 1)]
     holds = list(range(frame.flag + 1))
     written = []
@@ -95,7 +91,7 @@ def _values(frame: FrameContext, items: Sequence[Item]) -> tuple[list[_Value], l
 
 
 class _Painter:
-    """Gives out registers from front to back."""
+    """Assigns registers from front to back."""
 
     def __init__(
         self, frame: FrameContext, items: Sequence[Item], values: list[_Value], written: list[int]
@@ -113,7 +109,7 @@ class _Painter:
                 self.homing[value.home] = value.first
 
     def paint(self) -> list[Item] | None:
-        """The items with new registers, planes brought home at the end."""
+        """The items with new registers and copies of planes to their homes."""
         out: list[Item] = []
         for k, item in enumerate(self.items):
             if isinstance(item, Check):
@@ -172,12 +168,11 @@ class _Painter:
         return min(free, key=price, default=None)
 
     def _bring_home(self, out: list[Item]) -> list[Item] | None:
-        """Copies every plane that is astray to its home; None where that takes a register more.
+        """Append copies of all displaced planes to their homes; None if a register is missing.
 
-        All copies should happen at once (a parallel move). One after the other, a plane comes when
-        the plane in its home has left: a topological order of the graph whose edges lead from each
-        plane to that in whose home it is. Every plane is in one place and has one home, so what has
-        no such order are plain circles; of each, one plane waits in a free register.
+        This is a parallel move. A plane is copied after the plane in its home has left, which is a
+        topological order of the graph "plane -> plane in its home". The rest are cycles; one plane
+        of each waits in a free register.
         """
         frame = self.frame
         current_place = {
@@ -220,7 +215,7 @@ class _Painter:
 
 
 def _from_first(circle: list[int], rank: dict[int, int]) -> list[int]:
-    """The circle from its plane of the lowest rank on."""
+    """The cycle, starting with its plane of lowest rank."""
     first = min(range(len(circle)), key=lambda i: rank[circle[i]])
     return circle[first:] + circle[:first]
 

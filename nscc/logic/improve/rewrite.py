@@ -1,14 +1,13 @@
-"""One change, and the repair of everything behind it until the run is as it was again.
+"""A local change, and the repair of the code after it.
 
-A change drops operations or puts others in front. From there the run is followed with the changed
-registers: an operation that would now write something else than before is given other sources, is
-preceded by a new gate in a free register, or is dropped, if its register holds what is wanted
-already. Only what matters later must come out the same.
+A change drops operations or inserts others. Then the code is followed with the changed registers.
+An operation whose result would change gets other sources, is preceded by a new gate in a free
+register, or is dropped if its register already holds the needed value. Only values that matter
+later must stay equal.
 
-(Resubstitution with don't-cares, and close to the transduction method for networks of NOR gates:
-Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989. There a gate's permissible
-functions are found first; here a change is tried, and followed for as long as it makes a
-difference.)
+This is resubstitution with don't-cares, and close to the transduction method for NOR networks
+(Muroga, Kambayashi, Lai and Culliney, IEEE Trans. Computers 38, 1989), which computes a gate's
+permissible functions first; here a change is tried and followed while it makes a difference.
 """
 
 from __future__ import annotations
@@ -23,7 +22,7 @@ from nscc.logic.improve.tracked_run import HORIZON, TrackedRun
 
 @dataclass(frozen=True)
 class Rewrite:
-    """`items` in place of items[start:end] of a run; `gain` words fewer."""
+    """Replacement of items[start:end] of a run by `items`, which saves `gain` words."""
 
     start: int
     end: int
@@ -41,10 +40,11 @@ def rewrite(
     deepen: bool = False,
     order: Sequence[int] | None = None,
 ) -> Rewrite | None:
-    """`lead` in front of item `start`, without the items `dropped`: at least `least` words gained.
+    """Insert `lead` before item `start`, drop the items `dropped`, and repair; None if it does not
+    save `least` words.
 
-    None if no repair was found. With `deepen`, new gates may be put in. `order` is the registers
-    in the order in which they are preferred as sources.
+    With `deepen`, the repair may insert gates. `order` lists the registers by preference as
+    sources.
     """
     return _Walk(run, start, least, deepen, order).go(lead, dropped)
 
@@ -97,7 +97,7 @@ class _Walk:
         return Rewrite(self.start, k, self.out, gain)
 
     def _compare(self, reference: Sequence[Content], register: int) -> None:
-        """Brings `changed` up to date where `register` (-1: any) may have been written."""
+        """Update `changed` after a possible write to `register` (-1: any)."""
         if register < 0:
             self.changed = 0
             for i, content in enumerate(self.state):
@@ -121,7 +121,7 @@ class _Walk:
         self.state[item.destination] = value
 
     def _follow(self, k: int, item: GateOp) -> bool:
-        """Operation k in the present state: as it is, dropped or repaired."""
+        """Process operation k in the current state: keep, drop or repair it."""
         target = item.destination
         # In this order: nothing to do any more; as before; what it would overwrite is as good; its
         # own new result is as good; other sources.
@@ -146,7 +146,7 @@ class _Walk:
         return self._repair(k, item, required & matters, matters & ~required)
 
     def _repair(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """Other sources for operation k, or another gate before it; `gain` is kept up to date."""
+        """Find other sources for operation k, or another gate before it; updates `gain`."""
         self.run.budget.spend(self.run.step)
         new = self._single(item, ones, zeros, in_place=False)
         if new is None and self.gain - 2 < self.least:
@@ -195,7 +195,7 @@ class _Walk:
         return new if frame.legal(new) else None
 
     def _double(self, k: int, item: GateOp, ones: int, zeros: int) -> bool:
-        """A new gate in a free register, then operation k with other sources."""
+        """Insert a gate in a free register, then operation k with other sources."""
         frame, target = self.frame, item.destination
         kinds = (False,) if target == frame.flag else (False, True)
         readable = [r for r in self._readable(target) if r != target]

@@ -1,4 +1,4 @@
-"""The passes over a finished solution, in turn for as long as they gain and steps are left."""
+"""The improvement passes in turn, while they save words and steps are left."""
 
 from __future__ import annotations
 
@@ -34,13 +34,12 @@ def improve(
     keep_kernels: bool = False,
     room: int = 0,
 ) -> Solution:
-    """A solution of the same problem in as many words a frame or fewer.
+    """A solution of the same problem with at most as many words a frame.
 
-    The encoding stays as it is. Steps of `budget` are taken until nothing seems left to gain; the
-    same input gives the same result. Segments that were equal may no longer be so, and then share
-    no kernel. With `keep_kernels` they stay equal: kernels are rewritten in all places alike, and
-    sequences of kernels that come again are rewritten as one while all distinct segments together
-    take no more than `room` words.
+    The encoding is unchanged. Deterministic: steps of `budget` are used until nothing is gained.
+    Equal segments may become different. With `keep_kernels` they stay equal: kernels are rewritten
+    in all places, and repeated sequences of kernels as one while all distinct segments take at most
+    `room` words.
     """
     frame, items = flatten(solution, problem, machine)
     try:
@@ -54,7 +53,7 @@ def improve(
 
 
 def _kernels(frame: FrameContext, items: list[Item], budget: Budget, room: int) -> list[Item]:
-    """Kernels made shorter until that gains nothing: what is shorter leaves room for more."""
+    """Shorten kernels until nothing is gained, since shorter kernels leave more room."""
     words = frame.total(items) + 1
     while frame.total(items) < words and budget.left > 0:
         words = frame.total(items)
@@ -63,13 +62,13 @@ def _kernels(frame: FrameContext, items: list[Item], budget: Budget, room: int) 
 
 
 def _kernel(frame: FrameContext, items: list[Item], budget: Budget) -> list[Item]:
-    """Shorter items, found by sweeps and a short walk."""
+    """Shorten the items of one kernel by sweeps and a short walk."""
     return _exhausted(TrackedRun(frame, items, budget), KERNEL_STEPS, patience=1)
 
 
 def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) -> Solution:
-    """`items` as a solution if they are one and take fewer words than that of the frame (`as_long`:
-    or as many), which otherwise comes back itself."""
+    """The solution of `items` if valid and shorter than the frame's solution (with `as_long`: or
+    equal), else the frame's solution."""
     solution = frame.solution
     try:
         candidate = unflatten(frame, items)
@@ -83,8 +82,8 @@ def settled(frame: FrameContext, items: list[Item], *, as_long: bool = False) ->
 
 
 def _exhausted(run: TrackedRun, steps: int, patience: int) -> list[Item]:
-    """The items of a run after sweeps until they gain nothing, then walks of so many steps and
-    sweeps, until no step is left or `patience` walks gained nothing."""
+    """The items after alternating sweeps and walks of `steps` steps, until the budget ends or
+    `patience` walks gain nothing."""
     try:
         _sweep(run)
         idle = 0

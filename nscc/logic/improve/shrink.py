@@ -1,6 +1,6 @@
-"""Sweeps that drop one operation, or two nearby, and repair what read them.
+"""Sweeps that drop one operation, or two nearby ones, and repair their readers.
 
-From the last one to the first: what an early operation is read for may fall away with later ones.
+From back to front, because the readers of an early operation may be dropped first.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from nscc.logic.improve.tracked_run import TrackedRun
 
 
 def shrink(run: TrackedRun, span: int) -> None:
-    """Tries to do without each operation, then without any two at most `span` apart."""
+    """Try to drop each operation, then each pair at most `span` apart."""
     for k in reversed(range(len(run.items))):
         if k < len(run.items):
             _drop(run, k)
@@ -26,7 +26,7 @@ def shrink(run: TrackedRun, span: int) -> None:
 
 
 def _drop(run: TrackedRun, *dropped: int) -> bool:
-    """Does without items, the first of them first, if they are operations and words are gained."""
+    """Drop operations, starting repair at the first, if that saves words."""
     if not all(isinstance(run.items[k], GateOp) for k in dropped):
         return False
     rewriting = rewrite(run, dropped[0], (), dropped, least=1, deepen=True)
