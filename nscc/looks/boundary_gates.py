@@ -1,8 +1,8 @@
-"""Gates at one boundary: predicates into FLAG, new values into the registers of states.
+"""Gates at one boundary: predicates in FLAG, new values in the registers of states.
 
-Everything is a truth vector over the boundary's lanes. What is wanted is an OR of NORs of what
-stands in registers (`nscc.logic.cover`), or the complement of one; where values as they stand do
-not tell lanes apart, complements are made in scratch.
+All values are truth vectors over the boundary's lanes. A target is an OR of NORs of register
+contents (`nscc.logic.cover`), or the complement of one. If the contents do not distinguish the
+lanes, complements are computed in scratch.
 """
 
 from __future__ import annotations
@@ -26,14 +26,13 @@ next one is always that which is cheapest then."""
 
 @dataclass(frozen=True)
 class GateSequence:
-    """Gates that bring a vector into a register, and what they leave in scratch."""
+    """Gates that compute a vector in a register, and the values that they leave in scratch."""
 
     gates: tuple[Gate, ...]
     scratch: tuple[tuple[str, int], ...]
 
     @property
     def words(self) -> int:
-        """Words of the gates."""
         return sum(gate.words for gate in self.gates)
 
     @property
@@ -44,10 +43,10 @@ class GateSequence:
 
 @dataclass
 class Board:
-    """The registers of a pixel at a boundary, while gates are chosen.
+    """The register contents at a boundary, while gates are chosen.
 
-    `values` are what registers hold, by name; FLAG is among them where it is known, and scratch
-    (t0, t1, ..) while it holds something. `gates` are those chosen so far.
+    `values` are the contents by name, with FLAG if it is known and the scratch registers (t0, t1,
+    ..) in use. `gates` are the gates chosen so far.
     """
 
     machine: Machine
@@ -57,11 +56,10 @@ class Board:
 
     @property
     def words(self) -> int:
-        """Words of the gates."""
         return sum(gate.words for gate in self.gates)
 
     def copy(self) -> Board:
-        """A board to try something on."""
+        """An independent copy."""
         return replace(self, values=dict(self.values), gates=list(self.gates))
 
     def fresh(self, excluded: Collection[str] = ()) -> str:
@@ -72,24 +70,24 @@ class Board:
         return f"t{number}"
 
     def keep(self, name: str) -> None:
-        """Copies a register, or FLAG, into scratch."""
+        """Copy a register, or FLAG, to scratch."""
         scratch = self.fresh()
         self.gates.append(Gate("MOV", scratch, (name,)))
         self.values[scratch] = self.values[name]
 
     def take(self, sequence: GateSequence, *changes: tuple[str, int]) -> None:
-        """Runs gates: scratch and `changes` have new values."""
+        """Append gates, and set scratch and `changes` to their new values."""
         self.gates += sequence.gates
         self.values.update((*sequence.scratch, *changes))
 
     def pop_gates(self) -> tuple[Gate, ...]:
-        """The gates since the last call."""
+        """Return and remove the chosen gates."""
         gates = tuple(self.gates)
         self.gates.clear()
         return gates
 
     def tells(self, vectors: Iterable[int]) -> bool:
-        """Whether what stands in registers tells the lanes of each vector from the others."""
+        """Whether the contents distinguish the lanes inside each vector from those outside."""
         groups = [self.everything]
         for v in self.values.values():
             groups = [p for group in groups for p in (group & v, group & ~v) if p]
@@ -136,8 +134,8 @@ class Board:
         )
 
     def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
-        """Several ways to make a vector, by a cover of it and of its complement; those of at most
-        `most` words are among them."""
+        """Gate sequences for a vector, from covers of it and of its complement; all of at most
+        `most` words are included."""
         # Of registers that hold the same, the first: those of code and states stand before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
@@ -210,9 +208,9 @@ class Board:
 
 
 def update(board: Board, new_values: dict[str, int]) -> None:
-    """Gives registers new values, all at once: no new value is read as if it were the old one.
+    """Write new values to registers simultaneously: gates read old values.
 
-    Raises GaveUp where the registers do not tell lanes apart that are to differ.
+    Raises GaveUp if the contents do not distinguish lanes with different new values.
     """
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best: Board | None = None
@@ -224,8 +222,8 @@ def update(board: Board, new_values: dict[str, int]) -> None:
 
 
 def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
-    """Boards on which scratch holds the lanes in which several registers become 1: each of them
-    then takes an OR."""
+    """Boards with a shared scratch value: the lanes in which several registers become 1, which each
+    of them then ORs."""
     rises = [v & ~board.values[name] for name, v in new_values.items()]
     for rise in dict.fromkeys(rises):
         if rises.count(rise) > 1 and rise not in board.values.values():
@@ -238,8 +236,8 @@ def _with_changes(board: Board, new_values: dict[str, int]) -> Iterator[Board]:
 
 
 def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Board | None:
-    """The board with all new values, written in the order of the fewest words; `best` if no order
-    takes fewer than that."""
+    """The board after writing all new values in the order of fewest words; `best` if no order takes
+    fewer words."""
     if best is not None and board.words + len(new_values) >= best.words:
         return best  # every value takes a word at least
     if not new_values:
@@ -268,8 +266,8 @@ def _without(name: str, new_values: dict[str, int]) -> dict[str, int]:
 
 
 def _written(board: Board, name: str, new_values: dict[str, int], most: float) -> Board | None:
-    """The board with one new value, and the old one saved if others need it; None: it cannot be
-    had in at most so many words in all."""
+    """The board after writing one new value, saving the old one if others need it; None if that
+    exceeds `most` words in all."""
     sequence = board.make(new_values[name], name, most - board.words)
     if sequence is None:
         return None

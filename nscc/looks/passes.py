@@ -1,4 +1,4 @@
-"""The passes of programs that look, as `nscc.pipeline` lists them."""
+"""The passes for programs with senses, as `nscc.pipeline` lists them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
 
 @dataclass(frozen=True)
 class LookingLowered(Lowered):
-    """A lowering whose container carries a machine."""
+    """A lowering whose container has a state machine."""
 
     looking: LookingSolution | None = None
 
@@ -33,7 +33,7 @@ class LookingLowered(Lowered):
 def plan_of(
     program: Program, lowering: LoweringOption
 ) -> tuple[LookingPlan | Misfit, Sequence[Diagnostic]]:
-    """The plan, or NS0413 or NS0414."""
+    """The plan, or the errors NS0413 or NS0414."""
     assert program.machine is not None
     plan = plan_looks(program, program.machine)
     if isinstance(plan, Misfit):
@@ -47,7 +47,7 @@ def plan_of(
 def lowered_of(
     plan: LookingPlan, level: int, most_words: int | None
 ) -> tuple[list[LookingLowered], Sequence[Diagnostic]]:
-    """Lowerings with several encodings, the best first, or NS0502."""
+    """Lowerings with several encodings, best first, or the error NS0502."""
     program = plan.program
     registers = len(program.target.digital_registers)
     time = frame_time(program)
@@ -83,7 +83,7 @@ def _with(lowered: Lowered, solution: LookingSolution) -> LookingLowered:
 
 
 def container_of(lowered: Lowered, level: int) -> Container:
-    """The container, with its machine and how registers hold its states."""
+    """The container, with its machine and the encodings of states."""
     assert isinstance(lowered, LookingLowered)
     assert lowered.looking is not None
     machine = lowered.program.machine

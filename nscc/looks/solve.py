@@ -21,7 +21,7 @@ from nscc.words.machine import LIGHT, Comparison
 
 @dataclass(frozen=True, slots=True)
 class SetIn:
-    """IN is `level` steps from here on."""
+    """Set IN to `level` steps."""
 
     level: int
 
@@ -33,9 +33,9 @@ Item = Gate | Op | SetIn
 class LookingSolution:
     """The words of a frame on virtual registers, by boundary.
 
-    p0, p1, .. hold what outlasts a frame: `planes` (behaviours,) are their truth vectors when the
-    first one starts; s0, s1, .. states inside a frame, which start at 0; t0, .. are scratch.
-    `registers` names the virtual registers of each state, in the order of the encoding's bits.
+    p0, p1, .. outlast a frame: `planes` (behaviours,) are their truth vectors before the first
+    frame. s0, s1, .. are states inside a frame, initially 0; t0, .. are scratch. `registers` names
+    the virtual registers of each state, in the order of the encoding's bits.
     """
 
     encoding: LooksEncoding
@@ -48,14 +48,14 @@ class LookingSolution:
 
 
 def room_of(target: Target, planes: int) -> int:
-    """The digital registers that a program with so many planes has: without code that rests, the
-    masked register stays unused, since every write to it needs its mask."""
+    """The digital registers that a program with `planes` planes can use. Without unchanging code
+    the masked register stays unused, since every write to it needs its mask."""
     return len(target.digital_registers) - (target.masked_register is not None and not planes)
 
 
 def solve(plan: LookingPlan, encoding: LooksEncoding, target: Target) -> LookingSolution:
-    """The words of a plan. Raises GaveUp where no gates are found for some moment, or where they
-    need more scratch than there are registers."""
+    """The words of a plan. Raises GaveUp if no gates are found for a moment or there are too few
+    scratch registers."""
     return _Solver(plan, encoding, target).solve()
 
 
@@ -107,7 +107,7 @@ class _Solver:
         )  # fmt: skip
 
     def vectors(self, nodes: NDArray[np.intp]) -> dict[str, int]:
-        """What every register holds in lanes at these nodes."""
+        """The content of every register in lanes at these nodes."""
         contents = dict(
             zip(
                 self.code,
@@ -130,7 +130,7 @@ class _Solver:
 
 
 class _Moment:
-    """The words of one moment."""
+    """Generates the words of one moment."""
 
     def __init__(self, solver: _Solver, moment: Moment) -> None:
         self.solver, self.moment, self.plan = solver, moment, solver.plan
@@ -143,7 +143,7 @@ class _Moment:
         """Whether the scratch register holds -PIX in every pixel."""
 
     def items(self) -> list[Item]:
-        """What runs at this boundary."""
+        """The words and gates of this boundary."""
         self._compare()
         moment = self.moment
         falls = [(v, self._fall(b)) for b, v in enumerate(moment.falls)]
@@ -173,7 +173,7 @@ class _Moment:
         return renamed(self.emitted)
 
     def _fall(self, bucket: int) -> tuple[Op, ...]:
-        """register += PIX - reset level, or := where it is empty."""
+        """register += PIX - reset level, or a copy of it into an empty register."""
         plan, register = self.plan, self.plan.bucket_registers[bucket]
         first = plan.sampled() if self.moment.copies[bucket] else plan.sampled(register)
         return first, op("bus", (register,), plan.scratched)
@@ -184,7 +184,7 @@ class _Moment:
         return plan.register_to_scratch(register), op("bus", (register,), (plan.scratch, "PIX"))
 
     def _compare(self) -> None:
-        """Brings the outcome of each comparison into a register, that of the last one into FLAG."""
+        """Make every comparison; store its answer in a register, the last one in FLAG."""
         moment = self.moment
         order = self.plan.machine.order(moment.boundary)
         signal: int | None = None
@@ -204,7 +204,8 @@ class _Moment:
                 del self.board.values[FLAG]
 
     def _take_signal(self, comparison: Comparison) -> None:
-        """Brings -signal into the scratch register of every pixel, or what adds up to it."""
+        """Put -signal into the scratch register of every pixel, or into registers whose sum is
+        -signal."""
         self.emitted.append(op("all"))
         if comparison.signal == LIGHT:
             self.emitted.append(self.plan.sampled())
@@ -229,7 +230,7 @@ class _Moment:
                 self.emitted.append(op("all"))
 
     def _load(self, v: int, later: Sequence[int]) -> None:
-        """Brings a vector into FLAG, and loses nothing that is still needed."""
+        """Load a vector into FLAG and keep everything that is needed later."""
         board = self.board
         if v == self.moment.everything:
             if board.values.get(FLAG) != v:
@@ -253,7 +254,7 @@ class _Moment:
         self.emitted += board.pop_gates()
 
     def _save_flag(self, later: Sequence[int], written: Sequence[tuple[str, int]]) -> None:
-        """Copies FLAG into scratch if what comes later cannot be told without it."""
+        """Copy FLAG to scratch if `later` vectors depend on it."""
         board = self.board
         if FLAG not in board.values:
             return
@@ -265,8 +266,8 @@ class _Moment:
 
 
 def renamed(gates: Sequence[Item]) -> list[Item]:
-    """The same gates with as few scratch registers as their values need while they are alive;
-    what stands between them reads none."""
+    """The same gates with as few scratch registers as live values need; the words between them read
+    none."""
     ends: dict[tuple[str, int], int] = {}
     writes: dict[str, int] = {}
     for place, gate in enumerate(gates):

@@ -1,7 +1,6 @@
-"""A solution's words in time: registers given out, kernels, launches with their value of IN.
+"""The words of a solution in time: registers, kernels, launches with their value of IN.
 
-IN is set between kernels, so that a kernel has one value of it; a boundary with comparisons of
-several levels is several kernels.
+IN is set between kernels, so a boundary with comparisons of several levels has several kernels.
 """
 
 from __future__ import annotations
@@ -32,9 +31,8 @@ _MOST_CLEARED = 4
 def lay_out_looks(
     plan: LookingPlan, solution: LookingSolution, time: Timeline, most_words: int | None
 ) -> Lowered | None:
-    """The words of a solution over the frame's boundaries; None where the mask would lose what it
-    holds. `most_words` as in Lowered.
-    """
+    """Lay out the words of a solution over the frame; None if the mask's register would lose its
+    value. `most_words` as in Lowered."""
     target = plan.program.target
     general = _general(solution, plan)
     allocation = allocate(general, target)
@@ -53,8 +51,8 @@ def lay_out_looks(
 
 
 def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
-    """Whether a write to the masked register, which sets its mask first, would lose a value that
-    the mask's register holds for later: kept states are written, and scratch waits meanwhile."""
+    """Whether a write to the masked register, which first sets its mask, overwrites a value in the
+    mask's register that is read later."""
     held_by = {place: name for name, place in allocation.places.items()}
     mask, masked = held_by.get(allocation.mask or ""), held_by.get(allocation.masked or "")
     if mask is None or masked is None:
@@ -71,7 +69,7 @@ def _mask_is_lost(solution: LookingSolution, allocation: Allocation) -> bool:
 
 
 def _general(solution: LookingSolution, plan: LookingPlan) -> Solution:
-    """The solution as the rest of the compiler knows one: its gates by boundary."""
+    """The solution in the general form, gates by boundary."""
     answers = tuple(
         (tuple(item for item in items if isinstance(item, Gate)),)
         for items in solution.items.values()
@@ -91,8 +89,8 @@ def _schedule(
     *,
     apart: bool,
 ) -> Schedule:
-    """The frame's kernels. With `apart` the gates after a boundary's last analog word are a kernel
-    of their own: what comes before them is then often that of other boundaries, too."""
+    """The kernels of the frame. With `apart`, the gates after a boundary's last analog word are a
+    separate kernel, because the words before them often repeat at other boundaries."""
     slots = plan.machine.slots
     boundaries: list[list[tuple[int | None, Words]]] = [[] for _ in range(slots + 1)]
     setup = (op("all"), *_setup(plan), *_cleared(solution, allocation))
@@ -124,7 +122,7 @@ def _schedule(
 
 
 def _setup(plan: LookingPlan) -> Words:
-    """Empties the buckets, resets PIX and keeps its level."""
+    """Clear the buckets, reset PIX and store its level."""
     scratch = plan.scratch
     clear = (op("bus", (a,), (scratch,)) for a in plan.bucket_registers)
     level: Words = (op("bus", (scratch,), ("PIX",)), op("bus", (plan.reference,), (scratch,)))
@@ -134,7 +132,7 @@ def _setup(plan: LookingPlan) -> Words:
 
 
 def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
-    """The states of a frame start at 0."""
+    """The words that clear the states at the start of a frame."""
     places = [allocation.places[f"s{i}"] for i in range(len(solution.states))]
     groups = [places[i : i + _MOST_CLEARED] for i in range(0, len(places), _MOST_CLEARED)]
     return tuple(op("CLR", group) for group in groups)
@@ -143,7 +141,7 @@ def _cleared(solution: LookingSolution, allocation: Allocation) -> Words:
 def _kernels(
     items: Sequence[Gate | Op | SetIn], allocation: Allocation, *, apart: bool
 ) -> list[tuple[int | None, Words]]:
-    """The kernels of a boundary, each with the value of IN that it needs."""
+    """The kernels of a boundary, each with its value of IN."""
     last = max((i for i, item in enumerate(items) if isinstance(item, Op)), default=-1)
     if apart and 0 <= last < len(items) - 1:
         head, tail = items[: last + 1], items[last + 1 :]
@@ -177,7 +175,7 @@ def _kernels(
 
 
 def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
-    """The analog half, as reports show it."""
+    """The analog part, for reports."""
     steps = [PlanStep(0, "setup", -1, None, _setup(plan))]
     steps += chain.from_iterable(_steps(plan, moment) for moment in plan.moments)
     return ExposurePlan(
@@ -187,7 +185,7 @@ def _exposure_plan(plan: LookingPlan) -> ExposurePlan:
 
 
 def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
-    """What a moment does to which lanes."""
+    """The steps of a moment, each with its lanes."""
     steps: list[PlanStep] = []
     sample = plan.sampled()
     compare = op("where", (), (*plan.scratched, "IN"))
@@ -208,7 +206,7 @@ def _steps(plan: LookingPlan, moment: Moment) -> list[PlanStep]:
 
 
 def _problem(plan: LookingPlan) -> Problem:
-    """There are no demands on codes alone."""
+    """A problem without demands, since no demand depends on codes alone."""
     return Problem((), len(plan.program.table.shutters), (), False, {})
 
 

@@ -1,4 +1,4 @@
-"""What a plan asks of the gates, and the gates that answer it."""
+"""The gates' problem that follows from a plan, and their solution."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ every pixel.
 class Decoding:
     """A plan with the gates that compute its predicates.
 
-    `problem` is what the plan demands of them, `actions` what each of its steps does to FLAG.
+    `problem` is the plan's problem, `actions` says what each step does to FLAG.
     """
 
     plan: ExposurePlan
@@ -42,7 +42,7 @@ class Decoding:
 def problem_of(
     program: Program, plan: ExposurePlan, time: Timeline, opens: Opens
 ) -> tuple[Problem, tuple[Before, ...]]:
-    """What the gates must compute for a plan, and what every step does to FLAG."""
+    """The problem that gates must solve for a plan, and the action of every step on FLAG."""
     actions = flag_actions(plan, time, program.target)
     demands: list[Demand] = []
     for step, action in zip(plan.steps, actions, strict=True):
@@ -59,9 +59,9 @@ def problem_of(
 
 
 def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """Every field's value in one code of each shutter; free bits are fields of their own.
+    """The value of every field in one code of each shutter; free bits are separate fields.
 
-    Of several codes one is taken whose values other shutters need anyway.
+    Of several codes, one whose values other shutters also need is chosen.
     """
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
@@ -90,7 +90,7 @@ def _code_of_shutter(table: DecodeTable) -> NDArray[np.int64]:
 
 
 def flag_actions(plan: ExposurePlan, time: Timeline, target: Target) -> list[Before]:
-    """What each step of a plan needs."""
+    """How each step of a plan obtains FLAG: keep, load, set all, or nothing."""
     actions: list[Before] = []
     flag_state: Literal["unknown", "all", "predicate"] = "unknown"
     loaded: int | None = None

@@ -1,4 +1,4 @@
-"""Gates for the plans of a program: searched for, priced by laying them out, the best first."""
+"""Search gates for the plans of a program, and price them by laying them out."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 @dataclass(frozen=True)
 class Gated:
-    """The plans for which gates were searched for and found, best first, and why others are none.
+    """The plans with gates, best first, and why others have none.
 
-    `fits`: whether the words of the best one do. `faults`: exceptions of generators, which were
-    left out.
+    `fits`: whether the words of the best one fit. `faults`: exceptions of generators, which were
+    ignored.
     """
 
     program: Program
@@ -41,9 +41,9 @@ def find_gates(
     results: Results | None = None,
     most_words: int | None = None,
 ) -> Gated:
-    """The gates of `planned`; without `price_all`, of its plans until no better one can follow.
+    """The gates of the plans of `planned`: without `price_all` until no better plan can follow.
 
-    `most_words` is the most that a boundary may have, None for any number.
+    `most_words` is the largest allowed number of words at a boundary, None for any.
     """
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
@@ -69,7 +69,8 @@ def find_gates(
 
 
 def _rank(lowered: Lowered) -> tuple[bool, float, int, int, int]:
-    """Fits, or how far from it; fewest analog writes on an open pixel; words; largest boundary."""
+    """Sort key: fits or distance from fitting; fewest analog writes on an open pixel; words;
+    largest boundary."""
     misfit, overload, *_ = lowered.price
     total, largest = lowered.schedule.words_total, max(lowered.words_per_boundary)
     return misfit, overload, lowered.plan.analog_writes[1], total, largest
@@ -83,11 +84,11 @@ def lower(
     most_words: int | None = None,
     faults: list[GeneratorFault] | None = None,
 ) -> Lowered | Misfit:
-    """The cheapest solution of a plan, whether it fits or not; a Misfit where none was found.
+    """The cheapest solution of a plan, whether it fits or not; a Misfit if none was found.
 
-    `most_words` as in Lowered. Levels 2 and 3 improve the best solutions. No level's solution is
-    dearer than that of the level below, or than another one that the level finds. What is already
-    known comes from `results`. `faults` as in `nscc.logic.generate.solutions`.
+    `most_words` as in Lowered. Levels 2 and 3 improve the best solutions. The solution of a level
+    is never more expensive than that of the level below, or than another one of this level. Known
+    solutions come from `results`. `faults` as in `nscc.logic.generate.solutions`.
     """
     program, target, time = planned.program, planned.program.target, planned.time
     if most_words is not None and level >= 2:

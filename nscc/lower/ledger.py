@@ -1,4 +1,4 @@
-"""Who holds which registers, in few words: one entry for all that differ in a number only."""
+"""Register usage in short form: one entry for holders that differ in a number only."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _LAST_NUMBER = re.compile(r"^(.*?)(\d+)(\D*)$", re.DOTALL)
 
 
 def ledger(holders: Mapping[str, str]) -> str:
-    """`R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch` of {register: what it holds}."""
+    """Format {register: holder} as `R1-R4 fall at boundary 4, 16, 64, 256; R0 scratch`."""
     groups: dict[tuple[str, str], list[tuple[str, str | None]]] = {}
     for register, holder in holders.items():
         match = _LAST_NUMBER.match(holder)
@@ -24,7 +24,7 @@ def ledger(holders: Mapping[str, str]) -> str:
 
 
 def _shortened(names: Sequence[str]) -> str:
-    """`R0-R3, R7` or `4, 16, 64`: registers or numbers, runs of three and more shortened."""
+    """Join registers or numbers, with runs of three and more as `R0-R3, R7`."""
     runs: list[list[str]] = []
     for name in names:
         if runs and _follows(runs[-1][-1], name):

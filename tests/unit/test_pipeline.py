@@ -95,7 +95,7 @@ def spoilt_schedule(choice):
     """The frame's words in another order."""
     laid = choice.best.schedule
     best = replace(choice.best, schedule=replace(laid, launches=laid.launches[::-1]))
-    return replace(choice, tried=(best,))
+    return replace(choice, lowerings=(best,))
 
 
 SPOILT = {
