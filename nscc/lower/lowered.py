@@ -130,8 +130,8 @@ class Lowered:
 
     @property
     def headroom_e(self) -> float:
-        """The most electrons a frame, at constant light with an open shutter, that no code
-        saturates.
+        """The largest constant light that saturates no code, in electrons a frame of an always-open
+        shutter.
 
         The limits are PIX between two resets and the frame registers.
         """

@@ -1,4 +1,4 @@
-"""How much the compiler enumerates, counted before it does: beyond that it refuses with numbers."""
+"""Limits on enumeration, checked before it starts."""
 
 from __future__ import annotations
 
@@ -36,9 +36,9 @@ MOST_BITS = MOST_SLOTS
 
 
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
-    """Operations that evaluating `expr` takes, an operand that varies costing one for each value.
+    """Operations to evaluate `expr`; each varying operand counts once for each of its values.
 
-    `sizes` gives the axis (0 or 1) and the length for every variable.
+    `sizes` gives the axis (0 or 1) and the length of every variable.
     """
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)

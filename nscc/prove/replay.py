@@ -1,4 +1,4 @@
-"""Replays the words of fixed shutters: a lane is a row of the container's encoding."""
+"""Replay of programs with fixed shutters; each lane is a row of the container's encoding."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.words.container import Container
 
 
 class Replay(Pixels):
-    """The pixels of all codes."""
+    """The simulated pixels of all codes."""
 
     def __init__(
         self, container: Container, kernels: Sequence[Sequence[Op]], *, lights: int = 1,
@@ -23,9 +23,9 @@ class Replay(Pixels):
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Runs one frame; `light` (N, lights) is in electrons a slot.
+        """Run one frame in `light` (N, lights), in electrons a slot.
 
-        Returns, by bucket, the exposure in electrons (lanes, lights).
+        Returns the exposure in electrons (lanes, lights) of each bucket.
         """
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
@@ -41,7 +41,7 @@ class Replay(Pixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Runs one frame in `light` (N,); raises Wrong where it is not the decode table's."""
+        """Run one frame in `light` (N,); raises Wrong if it differs from the decode table."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
@@ -56,7 +56,7 @@ class Replay(Pixels):
 
 
 def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:
-    """shutters @ light, a few rows at a time: as float64 a whole table may not fit in memory."""
+    """shutters @ light in blocks of rows, since a whole table as float64 may not fit in memory."""
     rows = max(1, (1 << 20) // max(1, shutters.shape[1]))
     blocks = [shutters[i : i + rows] @ light for i in range(0, len(shutters), rows)]
     return np.concatenate(blocks)
@@ -69,7 +69,7 @@ _SLOTS_A_LIGHT = 24
 
 def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
     """S[n] of every lane, (lanes, buckets, slots), found by replaying the words with light in one
-    slot at a time; None where a slot's weight in an exposure is neither 0 nor 1.
+    slot at a time; None if the weight of a slot is neither 0 nor 1.
 
     Lanes are the rows of `container.encoding`.
     """
