@@ -1,6 +1,6 @@
-"""What a key of a TOML file may hold: one small frozen value a kind.
+"""Kinds of values in a TOML file: small frozen classes.
 
-A kind reads the value of a file, says in words what it allows, and gives back what a file says.
+A kind reads a value from a file, describes the allowed values, and returns the form in a file.
 """
 
 from __future__ import annotations
@@ -23,19 +23,19 @@ class Kind(Protocol):
 
     @property
     def allowed(self) -> str:
-        """What ends the sentence "the key must be .."."""
+        """The end of the sentence "the key must be .."."""
 
     def read(self, value: Any) -> Any:
-        """The value as Python keeps it; ValueError for one that is not allowed."""
+        """The value in Python; raises ValueError if it is not allowed."""
 
     def plain(self, value: Any) -> Any:
-        """The value as a file says it: what `read` takes."""
+        """The inverse of `read`: the value in a file."""
         return value
 
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite number within `low`..`high`; the bounds themselves may be excluded.
+    """A finite number in `low`..`high`, with bounds that may be excluded.
 
     Its value is an int if `is_whole`, else a float. None is written as "any" if `unlimited`, as
     "auto" if `automatic`. If 0 is an excluded bound, the range ends at LEAST instead.
@@ -52,7 +52,7 @@ class Number(Kind):
 
     @property
     def _word(self) -> str:
-        """What stands for None, if anything."""
+        """The word for None, if any."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
@@ -164,9 +164,9 @@ class Several(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Axis(Kind):
-    """A value of one kind, or a list of different ones: as Python keeps it always a tuple.
+    """One value of a kind, or a list of distinct values; always a tuple in Python.
 
-    Of a kind whose values are lists themselves, a list of lists is several values.
+    If the values of the kind are lists, a list of lists is several values.
     """
 
     element: Kind

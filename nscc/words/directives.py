@@ -1,6 +1,6 @@
-"""The directives of assembly text, one function each: the pieces of a line into the draft.
+"""The directives of assembly text: functions that add the pieces of a line to the draft.
 
-The grammar, `assembly.lark`, has checked how many pieces there are and of which form.
+The grammar, `assembly.lark`, has checked the number and form of the pieces.
 """
 
 from __future__ import annotations
@@ -29,9 +29,11 @@ Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 @dataclass(frozen=True)
 class Directive:
-    """A directive: `read` takes its name, the pieces behind it, the draft and the faults, and
-    returns the block that lines behind bars go to. `needs` and `usage` are what a message says of
-    pieces that the grammar does not take."""
+    """A directive of assembly text.
+
+    `read` takes its name, the pieces after it, the draft and the faults, and returns the block for
+    the lines with bars below. `needs` and `usage` describe the pieces in messages.
+    """
 
     read: Read
     needs: str
@@ -120,7 +122,7 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
 
 
 def _names(attribute: str) -> Read:
-    """The directive that adds its pieces to a list of the draft."""
+    """A directive that adds its pieces to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).extend(tokens)
@@ -129,7 +131,7 @@ def _names(attribute: str) -> Read:
 
 
 def _row(attribute: str) -> Read:
-    """The directive that adds its pieces as a row to a list of the draft."""
+    """A directive that adds its pieces as one row to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).append(tuple(tokens))

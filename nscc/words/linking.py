@@ -1,4 +1,4 @@
-"""A draft put together: names resolved, indices and sizes checked, a container made."""
+"""Link a draft to a container: resolve names, check indices and sizes."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ NO_TABLE = {"table": "none"}
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
-    """The container of a draft. Raises Rejected with everything found, `faults` included."""
+    """The container of a draft. Raises Rejected with all errors, including those in `faults`."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -103,7 +103,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
-    """The target that the text names, scamp5 if it names none; None if it is at fault."""
+    """The target that the text names, by default scamp5; None after reporting an error."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -128,7 +128,7 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Note instructions that the target does not take, and kernels that overfill its store."""
+    """Report instructions that the target does not have, and kernels that exceed its store."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -157,7 +157,7 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
 
 
 def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
-    """The index of a name; notes a fault and gives 0 where it is not known."""
+    """The index of a name; reports an unknown name and returns 0."""
     index = names.get(token.text)
     if index is not None:
         return index
@@ -176,7 +176,7 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
-    """The buckets that `.bucket` lists; without it those of the readouts, or `frame`."""
+    """The buckets in `.bucket`, else those of the readouts, else `frame`."""
     if draft.buckets:
         return tuple(_indexed(draft.buckets, "bucket", faults))
     named = [readout.bucket.text for readout in draft.readouts if readout.bucket]
@@ -184,7 +184,7 @@ def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """All launches, by instant and then in the order of the text."""
+    """All launches, by instant, in the order of the text."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -242,7 +242,7 @@ def _loading_order(
     target: Target,
     faults: Faults,
 ) -> tuple[str, ...]:
-    """The order of `.load`; without it the masked register first, for its mask must still be 1."""
+    """The order in `.load`; by default the masked register first, while its mask is 1."""
     if stated and set(stated) != set(planes):
         message = "without a decode table .load names just the registers that have a .plane"
         faults.add("NS0715", message, draft.load[0].span)
@@ -250,9 +250,9 @@ def _loading_order(
 
 
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
-    """A table for pixels of which only the registers' contents are known: no slot is open.
+    """A table without open slots, for pixels with known register contents only.
 
-    All codes share one shutter where nothing is loaded; else each is its own.
+    Without planes all codes share one shutter, else each has its own.
     """
     return DecodeTable(
         ("code",) if planes else (),
@@ -265,7 +265,7 @@ def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTa
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """The decode table and the encoding that `.fields`, `.shutter` and `.code` lines give."""
+    """The decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):
