@@ -18,7 +18,7 @@ from nscc.program.problems import counted
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
-"""The noise in electrons that a chip is expected to have in the dark, and at half a full well."""
+"""Expected noise in electrons: in the dark, and at half a full well."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -14,7 +14,7 @@ from nscc.source import Source
 from nscc.syntax.parse import read_source
 
 CHECK = Options(level=1, unproved_is_error=False)
-"""How `nscc check` compiles: quickly, with a note where only a longer search can tell."""
+"""Options of `nscc check`: a quick search, with notes where only a longer one can tell."""
 
 
 def compile_file(

@@ -17,14 +17,14 @@ from typing import Any, Self
 from nscc.diagnostics.rejection import rejected
 
 STORE = "store.sqlite"
-"""The store in a folder of results."""
+"""The file name of the store in a folder of results."""
 CLAIMS = ".claims"
-"""The file of claims is called as the store, with this at the end."""
+"""The file of claims has the store's name with this suffix."""
 _BUSY_S = 60.0
-"""How long a write waits for those of other processes."""
+"""How long a write waits for other processes."""
 _POLL_S = 0.2
 _IN_USE = 1 << 60
-"""The byte of the file of claims on which every process that uses the store has a shared lock."""
+"""The byte of the claims file on which every process that uses the store holds a shared lock."""
 _TABLE = """
 CREATE TABLE IF NOT EXISTS measurement (
     experiment TEXT, name TEXT, value TEXT NOT NULL, label TEXT NOT NULL, seconds REAL NOT NULL,

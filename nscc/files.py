@@ -16,10 +16,10 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 Product = bytes | Callable[[BinaryIO], object]
-"""What goes into a file: its bytes, or a function that writes them to the open file."""
+"""The content of a file: its bytes, or a function that writes them to the open file."""
 
 _DESCRIPTOR = re.compile(r"/dev/(?:fd/\d+|stdin|stdout|stderr)|/proc/[^/]+/fd/\d+")
-"""Names of what a process has open: a pipe, a terminal, a file that a shell has opened."""
+"""Paths of open file descriptors: pipes, terminals, redirected files."""
 
 _writes = count()
 
@@ -169,7 +169,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     write pipes and devices directly."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
-    # Asked of the name itself: what a descriptor's link points to need not have a path.
+    # The name itself is checked, because the target of a descriptor's link need not have a path.
     if _DESCRIPTOR.fullmatch(str(path)) or (
         path.exists() and not stat.S_ISREG(path.stat().st_mode)
     ):
@@ -178,12 +178,12 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         return []
     final = Path(os.path.realpath(path))
     temporary = _temporary_beside(final)
-    # A process that was killed may have left it; in containers process numbers soon come again.
+    # A killed process may have left it, and process numbers repeat quickly in containers.
     temporary.unlink(missing_ok=True)
     old_mode = final.stat().st_mode & 0o777 if final.exists() else None
     mode = 0o666 if old_mode is None else old_mode
     try:
-        # Not even for a moment may others read what they could not read before.
+        # Permissions must be restricted from the start.
         with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             _fill(file, data)
         if old_mode not in (None, temporary.stat().st_mode & 0o777):

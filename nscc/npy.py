@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MOST_BYTES = 1 << 30
-"""What the arrays of one file may take in memory, unless its reader states another bound."""
+"""Default limit on the memory of the arrays in one file."""
 
 _MOST_HEADER_BYTES = 1 << 16
 _BLOCK_BYTES = 1 << 24

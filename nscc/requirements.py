@@ -7,7 +7,7 @@ from functools import cache
 
 _MODULES = {"cv2": "opencv-python-headless", "pil": "pillow", "pillow_heif": "pillow-heif",
             "serial": "pyserial"}  # fmt: skip
-"""Modules, in lower case, that are not named after the distribution that brings them."""
+"""Modules, in lower case, whose distribution has another name."""
 
 _REQUIREMENT = re.compile(
     r"""(?P<name>[\w.-]+)\s*(?:\[[\w,\s-]*\])?[^;]*(?:;.*\bextra\s*==\s*['"](?P<extra>[\w-]+)['"])?"""

@@ -17,7 +17,7 @@ from nscc.logic.problem import Machine, Problem, Solution
 from nscc.logic.replay import fault
 
 LEAST_LEVEL = 2
-"""Below this level a search is over sooner than its result would be read."""
+"""Below this level a search is faster than reading its result."""
 
 
 @dataclass

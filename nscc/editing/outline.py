@@ -23,7 +23,7 @@ _KINDS = {
     tree.StateRange: "state",
     tree.StateBit: "state",
 }
-"""The statements that are shown, by the words that begin them, however those were misspelt."""
+"""The statements in the outline, with the keyword of each."""
 
 _LONGEST = 60
 

@@ -225,7 +225,7 @@ def registers_needed(network: nx.DiGraph) -> int:
 def graphml_bytes(network: nx.DiGraph) -> bytes:
     """The network as GraphML."""
     out = io.BytesIO()
-    # The writer by name: `write_graphml` takes another one where lxml is installed.
+    # Named explicitly: `write_graphml` selects another writer if lxml is installed.
     nx.write_graphml_xml(network, out)
     return out.getvalue() + b"\n"
 

@@ -13,11 +13,11 @@ from typing import Any
 from nscc.program.capacity import Count, largest_with
 
 GIVE_UP_AFTER = 2
-"""Candidates in a row that do not fit before larger ones are left alone."""
+"""Number of consecutive failing candidates after which larger ones are skipped."""
 
 
 _ALIKE = 1.02
-"""A power of two tells nothing if a larger candidate is within this factor."""
+"""A power of two is skipped if a larger candidate is within this factor."""
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from nscc.source import Source
 from nscc.words.legality import refuse_planes
 
 BUDGET = 40
-"""Most programs compiled for one class at one slot length."""
+"""Most compilations for one class and slot length."""
 
 
 @dataclass(frozen=True)

@@ -35,14 +35,14 @@ from nscc.source import Source
 
 MOST_SHOWN = 3
 QUICK_LEVEL = 1
-"""Several programs are compiled for one error message: with no more effort than this each, but for
-the rows of a codebook."""
+"""Highest level for ways out, since one error message compiles several programs; not for codebook
+rows."""
 _FRAME_TRIALS = 8
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
 _LONGEST_BOOK = 256
 _MOST_DIGITS = 1 << 13
-"""Most digits of a codebook's first rows that are compiled for one error message."""
+"""Most digits of a codebook that is compiled for one error message."""
 
 
 class Attempt(Protocol):

@@ -47,10 +47,10 @@ class Cover:
     cost: float
 
 
-# Cubes are tried that stay valid for so many demands. What is longer-lived is smaller and pays off
-# over more demands; between two neighbouring lengths the cube is seldom another.
+# Numbers of demands for which cubes are tried. A longer-lived cube is smaller and shared by more
+# demands; neighbouring lengths rarely give different cubes.
 _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
-# Each one adds a cube or more; a demand that needs so many is too dear to be answered this way.
+# Each seed adds at least one cube; a demand that needs more is too expensive.
 _MOST_SEEDS = 40
 
 
@@ -82,7 +82,7 @@ class Covers:
             return Cover(_irredundant(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
-        # A single register is not kept for cubes that live on.
+        # A single register is not used for lasting cubes.
         cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
         chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)
         if not chosen:
@@ -135,13 +135,13 @@ class Covers:
         """
         if outside & ~union(values[i] for i in zeros):
             return None
-        # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
+        # A literal that alone keeps out a part of `outside` can never be dropped.
         free, once, twice = [(values[i], i) for i in zeros], 0, 0
         required: list[int] = []
         steps = 1 + self.everything.bit_length() // 512
         while True:
             self.budget.spend((len(free) + len(required)) * steps)
-            covered, again = once, twice  # by at least one literal, by at least two
+            covered, again = once, twice  # by at least one literal, and by at least two
             for v, _ in free:
                 again |= covered & v
                 covered |= v
@@ -198,8 +198,8 @@ def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> 
             if cost < best_cost - 1e-9:
                 best, best_cost = list(chosen), cost
             return
-        # Some cube must hold the first shutter left, so these are all the branches there are. Most
-        # choices are of two or three cubes; the limit is for the few that are not.
+        # Some cube must contain the first uncovered shutter, so the branching is complete. Most
+        # choices have two or three cubes; the limit is for the others.
         visits += 1
         if len(chosen) == most or visits > 2000:
             return

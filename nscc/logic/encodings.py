@@ -63,7 +63,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
-        # Shutters without such an event keep the number after the last: it never comes.
+        # Shutters without such an event keep the number after the last, which never occurs.
         numbers = np.full(problem.shutters, len(events), dtype=np.int64)
         for number, (_, shutters) in enumerate(events):
             numbers[shutters] = number
@@ -135,7 +135,8 @@ def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     """
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
-    # Every member is an equality of its own, of two words and more: beyond a few, others win.
+    # Every member is a separate equality test of at least two words; for more than a few, other
+    # encodings are cheaper.
     if _members(problem) > 4 * len(problem.demands):
         raise GaveUp("predicates hold too many shutters for an equality each")
     return _index_equalities(problem, machine)
@@ -159,7 +160,7 @@ def _index_equalities(problem: Problem, machine: Machine) -> Encoding:
     return Encoding("shutter number in Gray code, equalities", planes, cubes)
 
 
-# An equality takes no search, but its gates take about as long to write down as these steps.
+# Equality tests need no search, but emitting their gates takes about as long as this many steps.
 _STEPS_A_MEMBER = 100
 
 

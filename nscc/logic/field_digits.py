@@ -13,7 +13,7 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.script_walk import Script, walk
 from nscc.truth import columns
 
-# A walk takes milliseconds, to count the planes of a combination takes microseconds.
+# A walk takes milliseconds; counting the planes of a combination takes microseconds.
 _MOST_TRIED = 40
 _MOST_COMBINED = 5_000
 
@@ -34,7 +34,7 @@ def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
     options = [_forms(name, ranks, room) for name, ranks in fields.items()]
     combined = (list(chain(*chosen)) for chosen in islice(product(*options), _MOST_COMBINED))
     fitting = [planes for planes in combined if len(planes) <= room]
-    # The more planes, the more comparisons are there before the frame begins.
+    # The more planes, the more comparisons are precomputed before the frame.
     fitting.sort(key=len, reverse=True)
     for planes in fitting[:_MOST_TRIED]:
         yield from walk(problem, machine, Script("digits of the fields", planes), steps)
@@ -45,7 +45,7 @@ def _forms(name: str, ranks: NDArray[np.int64], room: int) -> list[Planes]:
     count = int(ranks.max()) + 1
     forms: list[Planes] = []
     sizes: set[int] = set()
-    # A radix r takes r - 1 planes: up to four digits fit where their sum is four more than the
+    # A radix r takes r - 1 planes, so up to four digits fit if their sum is four more than the
     # room.
     for radices in radices_of(room + 4, count):
         size = sum(radices) - len(radices)

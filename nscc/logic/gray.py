@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 Numbers = TypeVar("Numbers", int, NDArray[np.int64])
 
-# Codes that the search for a rotation may visit (some 0.05 s), the widest ones that it looks at,
-# and the words for the way back that are good enough to end it.
+# Limits of the search for a rotation: visited codes (some 0.05 s), bits, and the words for
+# restoration at which it stops.
 _MOST_VISITED = 20_000
 _WIDEST = 5
 _GOOD = 2
@@ -31,8 +31,8 @@ def gray(number: Numbers) -> Numbers:
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
     """A Gray code whose last or last but one code is a neighbour of the first: few bits to
     restore."""
-    # There on the codes without the top bit and back on those with it: a circle. If the number is
-    # odd, one more follows on the last.
+    # Count up without the top bit and down with it, which is a cycle. An odd number adds one code
+    # after the last.
     half = groups // 2
     ascending = [gray(i) for i in range(half)]
     top = 1 << bits - 1
@@ -89,8 +89,8 @@ class _Rotation:
     def _way_back(self, code: int, place: list[int]) -> int:
         """Words that restore the register and polarity of every bit: one a move, two an inversion
         in place."""
-        # The moves home are chains, which end at the register that is free, and circles, which a
-        # move to the free register opens (see `improve.recolour`; here only the words of it count).
+        # The moves home form chains, which end at the free register, and cycles, which a move to
+        # the free register opens (see `improve.recolour`; only the words count here).
         holder = {register: bit for bit, register in enumerate(place)}
         astray = {b for b in range(self.bits) if place[b] != b}
         words = 2 * sum(place[b] == b and code >> b & 1 for b in range(self.bits)) + len(astray)

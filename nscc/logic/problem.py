@@ -51,7 +51,7 @@ class Gate:
 
 
 Segment = tuple[Gate, ...]
-"""Gates that run one after the other and are worth storing as one kernel."""
+"""Consecutive gates that are worth storing as one kernel."""
 
 
 @dataclass(frozen=True, slots=True)

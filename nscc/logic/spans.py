@@ -24,7 +24,7 @@ def stored_spans(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
     longer."""
     bumps = bumps_of(problem)
     for groups in range(min(machine.registers - 1, bumps.steps), 2, -1):
-        # A plane a group, and two thermometers of size - 1.
+        # One plane a group, and two thermometers of size - 1 planes.
         size = -(-bumps.steps // groups)
         if size < 2 or groups + 2 * (size - 1) > machine.registers - 1:
             continue

@@ -40,7 +40,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
-        free.remove(target.mask_register)  # code stays out of the mask while there is room
+        free.remove(target.mask_register)  # code avoids the mask while there are other registers
     places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
@@ -114,7 +114,7 @@ def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[O
     plain = [r for r in registers if r != masked]
     if masked in registers and mask is not None:
         if mask in allocation.code_registers:
-            # The mask's code waits in FLAG; moving it back refreshes it too.
+            # The mask's code is saved in FLAG; writing it back also refreshes it.
             out += [op("WHERE", (), (mask,)), op("SET", (mask,))]
             out += [*pair("REFRESH", masked, (masked,)), op("MOV", (mask,), ("FLAG",))]
             plain = [r for r in plain if r != mask]

@@ -18,12 +18,9 @@ from nscc.program.wide import whole_name
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]
-"""What a step needs done to FLAG before its words.
-
-"nothing": FLAG does not matter; "all": set it everywhere; "load": bring the step's predicate;
-"keep": FLAG still holds the last predicate that was loaded, or 1 everywhere if the step is for
-every pixel.
-"""
+"""How a step obtains FLAG before its words. "nothing": FLAG does not matter; "all": set it in every
+pixel; "load": load the step's predicate; "keep": FLAG still holds the last loaded predicate, or 1
+everywhere if the step is for every pixel."""
 
 
 @dataclass(frozen=True)

@@ -177,7 +177,7 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     """See ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
-    # By identity: there are few tuples of words, and comparing them takes long.
+    # Compared by identity, because there are few tuples of words and comparing them is slow.
     distinct = {id(s.words): s.words for s in steps}
     alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
     for (predicate, known), times in alike.items():
@@ -191,7 +191,7 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 
 
-# Twice and a pause, as the library's respix does: one word is too short to empty the well.
+# Twice with a pause, as the library's respix does: one word is too short to reset the photodiode.
 RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
@@ -274,7 +274,7 @@ class _Builder:
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
         rises = [RESET if resets else self._subtract(register) for register in self.registers]
-        # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
+        # With a reference, PIX has the reset level at boundary 0, so there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():
             for bucket, (before, after) in enumerate(changes):

@@ -15,7 +15,7 @@ from nscc.lower.schedule import Schedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
-# Times are sums of decimal fractions: a slot just as long as its words is long enough.
+# Relative tolerance for times, which are sums of decimal fractions.
 _ROUNDING = 1 + 1e-9
 
 
@@ -75,7 +75,7 @@ class Lowered:
     def shortest_slot_launches(self) -> int:
         """Kernel launches included in `shortest_slot_us`."""
         boundary = self.busy_us.index(self.shortest_slot_us)
-        # The frame's first launch comes before the exposure starts.
+        # The first launch of the frame is before the start of the exposure.
         return sum(n == boundary for n, _ in self.schedule.launches[1:])
 
     @property
@@ -150,7 +150,7 @@ class Lowered:
         else:
             pix_share = float(share[: max(reads, default=0)].sum())
             if plan.lowering == "edges":
-                # A rising edge subtracts all the light before it.
+                # A rising edge subtracts all light before it.
                 last = max((s.boundary for s in plan.steps if s.role == "rise"), default=0)
                 register_share = max(register_share, float(share[:last].sum()))
         limits = [target.full_well_e / pix_share] if pix_share else []

@@ -8,7 +8,8 @@ from itertools import accumulate, pairwise
 
 from nscc.chips.target import Target
 
-# Words take time, and the retention is a typical figure: nothing is left to age beyond this share.
+# Share of the retention time that may be used: words take time, and the retention is a typical
+# value.
 RETENTION_SHARE = 0.9
 
 

@@ -22,7 +22,7 @@ from nscc.syntax.tree import Binary
 MOST_SHIFT = 61
 
 Data = Any
-"""An int or a bool, or an int64 or bool array that broadcasts against the others."""
+"""An int or a bool, or an int64 or bool array that broadcasts with others."""
 
 
 class Fault(NamedTuple):
@@ -38,7 +38,7 @@ class Fault(NamedTuple):
 
 
 Faults = Fault | NDArray[np.bool_] | None
-"""No fault, one that holds everywhere, or the places where there is one."""
+"""No fault, a fault everywhere, or the places of the fault."""
 
 
 class Value:
@@ -133,7 +133,7 @@ def _sum(node: Binary, a: Value, b: Value) -> Value:
     faults = either(a.faults, b.faults)
     return _bounded(
         node, a, b, low, high, faults, compute, lambda: np.abs(compute()) > LIMIT
-    )  # two values within the limit sum to less than 2^63: compute() itself never wraps
+    )  # two values within the limit sum to less than 2^63, so compute() does not wrap
 
 
 def _product(node: Binary, a: Value, b: Value) -> Value:

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from zipfile import ZipFile
 
 MOST_FILE_BYTES = 2**27
-"""Largest file that is read at all: twice the largest codebook, unpacked."""
+"""Largest file to read: twice the largest codebook, unpacked."""
 
 _MOST_KEYS = 4096
 _MOST_HEADER_BYTES = 2**16

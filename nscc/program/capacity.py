@@ -12,7 +12,7 @@ from nscc.chips.target import Target
 from nscc.program.limits import MOST_SLOTS
 
 Count = Callable[[int], int]
-"""How many different shutters a class has at a size; it never falls as the size grows."""
+"""The number of different shutters of a class as a non-decreasing function of its size."""
 
 
 def bits_needed(shutters: int) -> int:

@@ -133,7 +133,7 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
     slots_text = counted(longest, "slot")
     if not short.any():
         return Recognised("c", f"every shutter is one bump of {slots_text}{also}, {basis}")
-    # Two whole bumps show that one length is meant; a single one may be the longest of many.
+    # Two complete bumps show a common length; a single one may be the longest of many.
     if np.count_nonzero(full_length) > 1 and bool(at_an_edge[short].all()):
         cut = int(np.count_nonzero(short))
         return Recognised(

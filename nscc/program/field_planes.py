@@ -209,7 +209,7 @@ class _Maker:
                 self.problems.adopt(wrong, statement.path.span)
                 continue
             (plane, beyond), *higher_chunks = stored
-            # Only bits that the file gives one by one reach into the other parts.
+            # Only single bits from a file can set the other chunks.
             if any(chunk.any() for chunk, _ in higher_chunks):
                 planes.update(zip(names, (chunk_plane for chunk_plane, _ in stored), strict=True))
             else:
@@ -273,7 +273,7 @@ def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: 
 
 
 Stored = tuple[Plane, NDArray[np.bool_]]
-"""A plane, and where what was given is beyond int64."""
+"""A plane, and where the given values do not fit int64."""
 
 
 def stored_planes(

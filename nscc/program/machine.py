@@ -25,14 +25,14 @@ from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, Machine, State
 
 MOST_TRANSITIONS = 10**7
-"""Most codes x states x outcomes that are played through, and replayed by the proof."""
+"""Most codes x states x outcomes, which the proof also replays."""
 MOST_CELLS = 1 << 29
-"""Most nodes x slots, of all stages and rules together: a byte each."""
+"""Most nodes x slots of all stages and rules together, a byte each."""
 MOST_HISTORIES = 1 << 16
-"""Most different times that a pixel may have been open in one node, while they are counted."""
+"""Most different open times of one node."""
 
 Nodes = NDArray[np.int64]
-"""(nodes, 1 + states + held senses): the row of the code, the states' values, the answers."""
+"""(nodes, 1 + states + remembered senses): the row of the code, the states' values, the answers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,7 +64,7 @@ class _Builder:
         in_rules = {name for expression in expressions for name in expression.variables}
         for step in looking.nexts.values():
             used = step.value.variables | (step.condition.variables if step.condition else set())
-            # A `next` at a look of other senses reads the latest answer, too.
+            # A `next` at a look of other senses also reads the latest answer.
             in_rules |= {s.name for s in looking.senses if s.name in used and self._stale(s)}
         self.remembered = [sense for sense in looking.senses if sense.name in in_rules]
         self.width = 1 + len(looking.states)
@@ -139,7 +139,7 @@ class _Builder:
         """Open shutters (nodes, buckets, N) and resets of PIX (nodes, N)."""
         slots = self.rules.slots
         self._limit(len(nodes))
-        # Every stage keeps what its nodes open and reset in all slots of the frame.
+        # Every stage stores opens and resets for all slots of the frame.
         self.cells += len(nodes) * (len(self.rules.rules) + 1) * slots
         if self.cells > MOST_CELLS:
             message = (

@@ -14,7 +14,7 @@ from nscc.program.table import TooMuch
 from nscc.words.machine import Machine
 
 Times = tuple[tuple[int, float], ...]
-"""By bucket: open slots, and the microseconds that they last."""
+"""For each bucket: the number of open slots, and their total length in microseconds."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,8 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
     slots = machine.opens.sum(axis=2).tolist()
     us = (machine.opens @ slot_us).tolist()
     for node in range(len(machine.behaviour)):
-        # Sums of decimal fractions in another order: the picosecond is beyond a slot's own figures.
+        # Rounded because sums of decimal fractions depend on the order; slot lengths are multiples
+        # of 1 ps.
         times[node] = {
             tuple(
                 (n + slots[node][b], round(t + us[node][b], 6)) for b, (n, t) in enumerate(before)

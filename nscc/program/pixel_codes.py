@@ -26,7 +26,7 @@ from nscc.program.wide import grouped
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
-"""Spans of values up to this are counted in a table; wider ones are sorted."""
+"""Value ranges up to this are counted in a table; wider ones are sorted."""
 
 
 def codes_in_use(
@@ -60,7 +60,7 @@ def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
 
 
 Ranges = Mapping[str, tuple[int, int]]
-"""The least and the largest value that each field may have."""
+"""The smallest and the largest value of each field."""
 
 
 def codes_from_file(
@@ -196,8 +196,8 @@ def rows_of(
     places without one. `planes` has an array of equal shape for each field, at least one."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
-    # One field after the other: `known` numbers the distinct beginnings of the codes, and
-    # `at_pixel` the beginning of each pixel's code.
+    # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`
+    # is the prefix of each pixel's code.
     known = np.zeros(len(codes), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for column, plane in zip(codes.T, planes, strict=True):

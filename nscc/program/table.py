@@ -27,7 +27,7 @@ from nscc.words.container import DecodeTable
 CodeArray = NDArray[np.int64]
 
 _BLOCK = 2**18
-"""Codes x slots evaluated at once: 2 MB of integers, which stay in the cache."""
+"""Codes x slots evaluated at once: 2 MB of integers, which fit the cache."""
 
 
 class TooMuch(Exception):
@@ -197,7 +197,7 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
         bindings[field.name] = Value(column, field.low, field.high)
         if field.bits is not None:
-            # Of a long field's parts the last one has the highest bit.
+            # The last chunk of a long field has the highest bit.
             bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
     return bindings
 
@@ -222,7 +222,7 @@ def _blocks(count: int, width: int) -> Iterator[slice]:
 
 
 UNCOUNTED = 2**72
-"""More codes than this are told by a power of two: nobody reads so many digits."""
+"""More codes than this are printed as a power of two."""
 
 
 def _limit_codes(rules: Rules, codes: int) -> None:

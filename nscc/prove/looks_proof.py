@@ -36,10 +36,10 @@ from nscc.words.container import Container
 from nscc.words.machine import LIGHT, Machine
 
 MOST_LANES = 10**7
-"""Most transitions that are followed in a frame."""
+"""Most transitions to follow in a frame."""
 
 _DIGITS = 1e8
-"""Rests that differ by less than a part in so many of the frame's light are the same."""
+"""Rests that differ by less than this fraction of the frame's light are equal."""
 
 
 class Looks(Pixels):
@@ -121,7 +121,7 @@ class Looks(Pixels):
     def _fall(self, slot: int, light_e: float) -> None:
         """Apply the program's resets and the light of a slot."""
         self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
-        # What a register holds stays; said by exposures that grow, its rest shrinks.
+        # The content of a register stays constant, so its rest shrinks as exposures grow.
         self.due += self.machine.opens[self.node, :, slot] * light_e
         self.analog["PIX"][:, 0] += light_e
 

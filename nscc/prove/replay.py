@@ -62,8 +62,8 @@ def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:
     return np.concatenate(blocks)
 
 
-# Slots whose light is told apart in one float64: powers of four from 1 to 4^23, so that weights of
-# -1, 0, 1 and 2 a slot are exact.
+# Number of slots whose light one float64 can distinguish: powers of four from 1 to 4^23, so that
+# weights of -1, 0, 1 and 2 a slot are exact.
 _SLOTS_A_LIGHT = 24
 
 
@@ -78,7 +78,7 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
     light = np.zeros((slots, lights))
     numbers = np.arange(slots)
     light[numbers, numbers // _SLOTS_A_LIGHT] = 4.0 ** (numbers % _SLOTS_A_LIGHT)
-    # A reset level of zero keeps the sums exact; that programs subtract it is the proof's business.
+    # A reset level of zero keeps the sums exact; the proof checks that programs subtract it.
     replay = Replay(container, kernels, lights=lights, quiet=True)
     measured = replay.exposures(light)
     opened = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)

@@ -50,7 +50,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
     """NS0508: a slot is shorter than the load time of a plane. Certain."""
     program, target = sending.program, sending.program.target
     slots_us, needed_us = program.frame.slot_us, target.plane_load_us
-    # Where light waits for the plane, a slot that the loading fills would have none.
+    # If light waits for the plane, a slot as short as the load time has no light.
     late = [n for n, us in enumerate(slots_us) if _too_short(us, needed_us, target.pipelined)]
     if not late:
         return None

@@ -20,7 +20,7 @@ from nscc.cache.store import Store, cache_folder
 
 START = "statement"
 END = "$END"
-"""The terminal that lark sees after the last token of a statement."""
+"""Lark's terminal for the end of a statement."""
 
 _OPTIONS = {
     "parser": "lalr",
@@ -62,7 +62,7 @@ def parser() -> lark.Lark:
     if cached_tables is not None:
         try:
             return lark.Lark.load(_PlainValues(BytesIO(cached_tables)).load())
-        except Exception:  # whatever lark says to values that are not its tables
+        except Exception:  # lark may raise anything for data that is not its tables
             pass
     new_parser = lark.Lark(grammar, **_OPTIONS)
     tables = BytesIO()

@@ -20,11 +20,11 @@ _UNITS = {
     **dict.fromkeys(("ms", "msec", "msecs", "millisecond", "milliseconds"), "ms"),
     **dict.fromkeys(("s", "sec", "secs", "second", "seconds"), "s"),
 }
-"""What people write for a unit of time, in lower case (the micro sign and the Greek letter are two
-characters that look alike), and the unit."""
+"""Common spellings of time units, in lower case, and the language's unit (the micro sign and the
+Greek letter are different characters)."""
 _NUMBER_AND_UNIT = re.compile(r"([0-9]+(?:\.[0-9]+)?)([^\W\d_]+)")
 _MOST_PARTS = 1000
-"""Decimals that are simple fractions are written as one; others are not guessed at."""
+"""Decimals are replaced by fractions with at most this denominator."""
 _CHOICE = "a choice is written `A if CONDITION else B`"
 _COMPARISONS = {"<>": "!=", "=<": "<=", "=>": ">="}
 

@@ -14,8 +14,8 @@ from typing import Any, Protocol
 from nscc.toml.toml_text import shown
 
 LEAST = 1e-9
-"""The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
-floats, and no time, charge or current that nscc knows is as small."""
+"""The smallest value of "above 0". Quotients and squares of smaller values exceed the range of
+floats, and no time, charge or current in nscc is as small."""
 
 
 class Kind(Protocol):
@@ -85,7 +85,7 @@ class Number(Kind):
         below = value < self.high if self.high_excluded else value <= self.high
         if not (above and below and isfinite(value)):
             raise ValueError
-        # Adding 0.0 makes -0.0 plain 0.0: one value, one spelling.
+        # Adding 0.0 turns -0.0 into 0.0: one value, one spelling.
         return value if self.is_whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
@@ -128,7 +128,7 @@ class Text(Kind):
         return self.phrase
 
     def read(self, value: Any) -> str | None:
-        # Bytes of the command line that are no UTF-8 arrive as halves of characters.
+        # Command-line bytes that are not UTF-8 arrive as surrogates.
         if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
             raise ValueError
         if self.choices and value not in self.choices:

@@ -14,10 +14,10 @@ from nscc.toml.kinds import Kind, Text
 from nscc.toml.toml_text import shown, span_of, spelled_value
 
 _FEW = 10
-"""So many keys are told one by one where none of them is like an unknown one."""
+"""Up to this many keys are listed for an unknown one without a similar name."""
 
 KeyValues = dict[str, Any]
-"""Values by the paths of their keys, as Python keeps them."""
+"""Values in Python, keyed by the paths of their keys."""
 
 
 @dataclass(frozen=True, slots=True)

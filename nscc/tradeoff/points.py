@@ -15,7 +15,7 @@ COLUMNS = (
 )  # fmt: skip
 
 STAGES = ("compile", "lowering", "slots", "effects", "decoder")
-"""Of the joint tradeoff of one program, in the order in which they follow each other."""
+"""The stages of the joint tradeoff of one program, in order."""
 
 
 @dataclass(frozen=True)

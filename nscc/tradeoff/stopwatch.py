@@ -9,8 +9,7 @@ from typing import Any, TypeVar
 T = TypeVar("T")
 
 SHORT_MS = 500.0
-"""The first run of a setting does not count where it is shorter than this: what caches it fills
-may be most of it, and another run costs little."""
+"""A first run shorter than this is repeated: it may consist mostly of filling caches."""
 
 
 class Stopwatch:

@@ -56,7 +56,7 @@ class CompileVariant:
 
 
 Progress = Callable[[Sequence[CompileVariant]], Iterable[CompileVariant]]
-"""Hands the ways on one by one, and may show how far that is."""
+"""Yields the variants one by one, and may show progress."""
 
 
 @dataclass(frozen=True)

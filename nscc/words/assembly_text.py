@@ -103,7 +103,7 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
     if len(turns) <= _FEW_TURNS:
         runs = zip(turns[::2], turns[1::2], strict=True)
         return ",".join(f"{a}..{b - 1}" if b - a > 1 else str(a) for a, b in runs)
-    # A range takes at least two characters, so that many turns need not be written to compare.
+    # A range takes at least two characters, which bounds the length without formatting.
     if len(turns) < 4 * hexadecimal:
         ranges = ranges_text(np.flatnonzero(slots).tolist())
         if len(ranges) <= max(hexadecimal, 20):

@@ -117,7 +117,7 @@ def _listing_change(
     before: Kernel | None, first: Container, after: Kernel | None, second: Container
 ) -> Iterator[str]:
     old, new = _listing(before, first), _listing(after, second)
-    # Listings of which one begins with the other part where the shorter one ends.
+    # Listings of which one is a prefix of the other differ from the end of the shorter one.
     alike = takewhile(lambda pair: pair[0] == pair[1], zip_longest(old, new))
     same = sum(1 for _ in alike)
     yield from _text_change(old, new, 2, f"; they part at line {same}")

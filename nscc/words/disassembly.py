@@ -93,7 +93,8 @@ def _pair(first: Op, second: Op | None) -> str | None:
     if kind == "REFRESH" or (kind == "NOR" and not other_sources):
         return f"{'NOT' if kind == 'NOR' else kind} {destination}"
     if len(other_sources) != 1:
-        # `OR d, d, x, y`: with two or more other sources the destination is named as one, too.
+        # `OR d, d, x, y`: with two or more other sources, the destination is also written as a
+        # source.
         other_sources.insert(0, destination)
     return f"{kind} {', '.join((destination, *other_sources))}"
 
@@ -240,7 +241,7 @@ def smallest_tile(plane: NDArray[Any]) -> NDArray[Any] | None:
 def _period(plane: NDArray[Any]) -> int:
     """The number of rows after which the plane repeats."""
     for period in range(1, len(plane)):
-        # One row tells most periods apart; the whole plane is compared only where it agrees.
+        # One row excludes most periods; the whole plane is compared only for the others.
         same = np.array_equal(plane[period], plane[0])
         if same and np.array_equal(plane[period:], plane[:-period]):
             return period

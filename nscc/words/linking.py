@@ -25,12 +25,12 @@ from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
 
 MOST_TABLE_CELLS = 1 << 28
-"""Shutters times buckets times slots that one text may ask for (a byte each)."""
+"""Most shutters times buckets times slots of one text (a byte each)."""
 
 _DEFAULT_BUCKET = "frame"
 _START = Span(0, 0)
 NO_TABLE = {"table": "none"}
-"""The note of a container that says what pixels hold, and not what it means."""
+"""The note of a container with pixel contents but without a decode table."""
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
@@ -45,7 +45,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
     load = _load(draft, target, faults)
-    faults.stop()  # what follows needs sizes that hold
+    faults.stop()  # the rest needs valid sizes
 
     notes = dict(draft.notes)
     if draft.shutters or draft.codes:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 Values = NDArray[np.int64]
 
 LIGHT = -1
-"""The signal `light`, where a bucket's number stands for its exposure."""
+"""The signal `light`; other signals are numbers of buckets."""
 
 
 @dataclass(frozen=True, slots=True)

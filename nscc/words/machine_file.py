@@ -20,7 +20,7 @@ _STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[Machine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
-"""Stands for None among the levels of launches."""
+"""The level of a launch without one."""
 _LARGEST = 2**62
 _WIDTH = 96
 

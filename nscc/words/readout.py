@@ -16,8 +16,8 @@ from nscc.operations import Op, op
 from nscc.words.container import Container
 
 SPREADING_ERRORS = 3 / 4
-"""The variance that these words add to an exposure, in that of one word: three errors, on twice the
-exposure."""
+"""The variance that these words add to an exposure, relative to that of one word: three errors, on
+twice the exposure."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ def preparation_of(container: Container) -> Preparation:
     """The words before the readout of a container's registers."""
     target = container.target
     copy = _free(container)
-    # Pixels that FLAG leaves out would be left out of readout.
+    # Readout would skip pixels without FLAG.
     everywhere = op("all")
     if target.spread_level is None or copy is None:
         return Preparation((everywhere,), None)

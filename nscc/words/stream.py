@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from nscc.chips.target import Target
 
 DRAIN = -1
-"""Where light goes that no tap shall have, where a tap's number stands for the tap."""
+"""The destination of light that no tap collects; other destinations are numbers of taps."""
 
 Bits = NDArray[np.uint8]
 

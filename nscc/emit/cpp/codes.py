@@ -81,7 +81,7 @@ class CodeLoading:
         out: list[Call] = []
         if masked in registers and mask is not None:
             if mask in registers:
-                # The mask's code waits in FLAG, and moving it back refreshes it.
+                # The mask's code is saved in FLAG, and writing it back refreshes it.
                 out += [("WHERE", (mask,)), ("SET", (mask,)), ("REFRESH", (masked,))]
                 out.append(("MOV", (mask, "FLAG")))
                 registers.remove(mask)
@@ -180,7 +180,7 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     if patterns is None:
         yield f"    load_image({literal(load.file)}, {register});"
     elif load.drawn:
-        # At once, for want of a register in which to gather the patterns.
+        # Drawn at once, because no register is free to gather the patterns.
         yield from template_lines(
             "drawn", register=register, codes=f"code_{name}", inverted="!" * patterns.inverted
         )

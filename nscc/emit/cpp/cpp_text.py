@@ -10,7 +10,7 @@ from textwrap import wrap
 WIDTH = 100
 
 Call = tuple[str, tuple[str, ...]]
-"""A call of the devkit's kernel library: its name and its operands."""
+"""A call of the devkit's kernel library: name and operands."""
 
 
 @cache

@@ -26,10 +26,9 @@ from nscc.logic.improve.shrink import shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# So many of the most promising vectors are tried for each register: each try is a search of its
-# own.
+# Number of promising vectors to try for each register; each try is a search.
 TRIED = 12
-# Operations this far apart are dropped together; fewer than in `search`, which comes afterwards.
+# Most distance of operations dropped together, smaller than in `search`, which runs afterwards.
 NEAR = 3
 HOLDER = "computed before the frame"
 
@@ -136,7 +135,7 @@ def _saved(
     This is the fan-out-free cone of the items.
     """
     readers_left: dict[int, int] = {}
-    # FLAG must be loaded all the same.
+    # FLAG must be loaded in any case.
     written = [item.destination for k in numbers if isinstance(item := run.items[k], GateOp)]
     saved = -written.count(run.frame.flag)
     gone = list(numbers)

@@ -14,11 +14,10 @@ from collections.abc import Collection, Sequence
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import REFRESH_WORDS, Check, FrameContext, Item, states_before
 
-# How far an influence is followed; what reaches further is taken to matter in every shutter, which
-# is safe.
+# How many items an influence is followed; beyond that it is assumed to matter in every shutter.
 HORIZON = 4000
 
-# A step of the budget is one look at all registers; more shutters than this take longer.
+# Shutters for which a look at all registers is one step of the budget.
 STEP_SHUTTERS = 16384
 
 
