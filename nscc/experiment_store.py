@@ -35,10 +35,8 @@ CREATE TABLE IF NOT EXISTS measurement (
 
 @dataclass(frozen=True)
 class Timing:
-    """The duration of a measurement, its end (in seconds since the epoch), and its worker.
-
-    `label` describes the measurement for people.
-    """
+    """The duration of a measurement, its end (in seconds since the epoch), and its worker. `label`
+    describes the measurement for people."""
 
     name: str
     label: str
@@ -124,11 +122,8 @@ class ExperimentStore:
         )
 
     def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
-        """Return a stored measurement, or call `measure` and store its result.
-
-        If another process has the claim, wait for its result. Results pass through JSON: tuples
-        become lists.
-        """
+        """Return a stored measurement, or call `measure` and store its result. If another process
+        has the claim, wait for its result. Results pass through JSON: tuples become lists."""
         while (value := self.get(experiment, name)) is None:
             if not self.claim(experiment, name):
                 sleep(_POLL_S)

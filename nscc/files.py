@@ -50,11 +50,9 @@ def reads(*paths: Path) -> None:
 
 
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
-    """Read an input file, and note it with `reads`.
-
-    Raises OSError if it cannot be read, and ValueError if it has more than `most_bytes`. The size
-    on disk is not trusted, because devices have none.
-    """
+    """Read an input file, and note it with `reads`. Raises OSError if it cannot be read, and
+    ValueError if it has more than `most_bytes`. The size on disk is not trusted, because devices
+    have none."""
     reads(path)
     with open(path, "rb") as file:
         data = file.read(most_bytes + 1)
@@ -72,19 +70,15 @@ def file_sha256(path: Path) -> str:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file atomically, keeping the permissions of a file that it replaces.
-
-    Raises Rejected (NS0784, status 2) if it cannot be written.
-    """
+    """Write a file atomically, keeping the permissions of a file that it replaces. Raises Rejected
+    (NS0784, status 2) if it cannot be written."""
     write_together({path: data})
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write several files; none is replaced before all data is on the disk.
-
-    Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,
-    NS0785 if it is an input of the same command (`reads`) and would change.
-    """
+    """Write several files; none is replaced before all data is on the disk. Raises Rejected (status
+    2) and leaves no partial file: NS0784 if a file cannot be written, NS0785 if it is an input of
+    the same command (`reads`) and would change."""
     for path, data in products.items():
         _refuse_input(path, data)
     waiting: list[tuple[Path, Path]] = []
@@ -128,10 +122,8 @@ def write_new(products: Mapping[Path, Product]) -> None:
 
 
 def refuse_same(paths: Collection[Path], options: str) -> None:
-    """Raise Rejected (NS0745, status 2) if two products have the same path.
-
-    `options` are the options that name them.
-    """
+    """Raise Rejected (NS0745, status 2) if two products have the same path. `options` are the
+    options that name them."""
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
             "NS0745",
@@ -195,10 +187,8 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 
 
 def _temporary_beside(final: Path) -> Path:
-    """A short file name in the folder of `final` that no other write uses.
-
-    It is unique by digest (products and machines), process number, and count of writes.
-    """
+    """A short file name in the folder of `final` that no other write uses. It is unique by digest
+    (products and machines), process number, and count of writes."""
     from hashlib import sha256
 
     digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]

@@ -50,11 +50,9 @@ Ops = tuple[Op, ...]
 
 @dataclass(frozen=True)
 class Mnemonic:
-    """The name at the start of an assembly instruction.
-
-    `usage` shows its forms; it takes `least` to `most` operands (None: any number). It overwrites
-    the registers `scratch`, which cannot be operands.
-    """
+    """The name at the start of an assembly instruction. `usage` shows its forms; it takes `least`
+    to `most` operands (None: any number). It overwrites the registers `scratch`, which cannot be
+    operands."""
 
     name: str
     usage: str
@@ -65,10 +63,8 @@ class Mnemonic:
 
 
 def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
-    """The operations of a line `name operands`; `own_words` are the target's own words.
-
-    Raises KeyError for a name that is no mnemonic and OperandError for operands it does not take.
-    """
+    """The operations of a line `name operands`; `own_words` are the target's own words. Raises
+    KeyError for a name that is no mnemonic and OperandError for operands it does not take."""
     mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):

@@ -22,11 +22,9 @@ Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encoding
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
-    """The objects that other distributions add to `group`, keyed and sorted by name.
-
-    Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
-    used twice.
-    """
+    """The objects that other distributions add to `group`, keyed and sorted by name. Raises
+    Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or used
+    twice."""
     loaded = _loaded(group)
     for name in loaded:
         if name in reserved:

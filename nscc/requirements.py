@@ -16,10 +16,8 @@ _REQUIREMENT = re.compile(
 
 @cache
 def extras() -> dict[str, str]:
-    """The smallest extra that installs each distribution, "" for required ones.
-
-    Empty if nscc is not installed but runs from its sources.
-    """
+    """The smallest extra that installs each distribution, "" for required ones. Empty if nscc is
+    not installed but runs from its sources."""
     from importlib import metadata
 
     try:

@@ -23,9 +23,7 @@ LEAST_LEVEL = 2
 @dataclass
 class Results:
     """Search results of one compilation, read from the store while `trusted` and written to it.
-
-    `read` counts the results that came from the store.
-    """
+    `read` counts the results that came from the store."""
 
     store: Store
     trusted: bool = field(default=True, init=False)

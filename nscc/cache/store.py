@@ -30,10 +30,8 @@ _PART_AGE_S = 600.0
 
 def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
     """The folder of the cache; None if `NSCC_CACHE=off` or there is no home folder.
-
     `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc (an absolute path, as its specification demands),
-    else ~/.cache/nscc.
-    """
+    else ~/.cache/nscc."""
     variables = os.environ if environment is None else environment
     if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
@@ -54,10 +52,8 @@ class Store:
     most_bytes: int = MOST_BYTES
 
     def read(self, key: str) -> bytes | None:
-        """The data stored under `key` (64 hexadecimal digits); None if missing or damaged.
-
-        Reading marks the entry as recently used.
-        """
+        """The data stored under `key` (64 hexadecimal digits); None if missing or damaged. Reading
+        marks the entry as recently used."""
         path = self.folder / key
         try:
             # Opening a pipe in the entry's place must not block.

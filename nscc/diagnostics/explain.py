@@ -13,10 +13,8 @@ _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?"
 
 
 def page(code_or_name: str) -> str:
-    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`).
-
-    Raises Rejected (NS0790, status 2) where there is none.
-    """
+    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`). Raises
+    Rejected (NS0790, status 2) where there is none."""
     known = names()
     query = code_or_name.strip()
     match = _CODE.fullmatch(query)

@@ -10,10 +10,8 @@ _LONGEST = 64
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate most similar to `name`; None if none is similar.
-
-    Case is ignored. Of equally similar candidates, the alphabetically first is returned.
-    """
+    """The candidate most similar to `name`; None if none is similar. Case is ignored. Of equally
+    similar candidates, the alphabetically first is returned."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}

@@ -38,10 +38,8 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Document:
-    """A program's text, possibly unsaved or invalid.
-
-    Messages call it `name`; paths in it are relative to `folder`.
-    """
+    """A program's text, possibly unsaved or invalid. Messages call it `name`; paths in it are
+    relative to `folder`."""
 
     name: str
     text: str

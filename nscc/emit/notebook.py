@@ -21,10 +21,8 @@ _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """Chart of shutters bool (shutters, buckets, N) over time, one row each.
-
-    At most a screenful is shown: evenly spaced rows, including the first and the last.
-    """
+    """Chart of shutters bool (shutters, buckets, N) over time, one row each. At most a screenful is
+    shown: evenly spaced rows, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))

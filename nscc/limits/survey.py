@@ -53,10 +53,8 @@ class Limit:
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[SizeTrial, None, list[Limit]]:
-    """Yield each trial as it ends; return the limit of every slot length and family.
-
-    Raises Rejected (NS0510) for a chip that fits every shutter.
-    """
+    """Yield each trial as it ends; return the limit of every slot length and family. Raises
+    Rejected (NS0510) for a chip that fits every shutter."""
     refuse_planes(
         target,
         "--limits has nothing to find",

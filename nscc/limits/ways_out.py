@@ -61,11 +61,8 @@ class WayOut:
 
 
 def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
-    """Nearby programs that were compiled and fit, smallest change first.
-
-    `level` is the level of the program that does not fit; each price names the level of its
-    compilation.
-    """
+    """Nearby programs that were compiled and fit, smallest change first. `level` is the level of
+    the program that does not fit; each price names the level of its compilation."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 

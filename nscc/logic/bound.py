@@ -19,11 +19,9 @@ ASSUMES = (
 
 
 def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> int | None:
-    """The fewest operations a frame for a complete class; None if no bound is proved.
-
-    Class b has N shutters with stops 0..N-1 and one more with 0..N; c with starts 0..N-len has N -
-    len + 1; d has all N (N + 1) / 2 bumps, with or without the never-open shutter.
-    """
+    """The fewest operations a frame for a complete class; None if no bound is proved. Class b has N
+    shutters with stops 0..N-1 and one more with 0..N; c with starts 0..N-len has N - len + 1; d has
+    all N (N + 1) / 2 bumps, with or without the never-open shutter."""
     bumps = slots * (slots + 1) // 2
     loads = slots
     match class_name:

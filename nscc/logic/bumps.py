@@ -13,11 +13,9 @@ from nscc.truth import rows
 
 @dataclass(frozen=True)
 class Bumps:
-    """Shutter k is open in steps start[k] .. stop[k] - 1, never if start[k] = stop[k] = 0.
-
-    Both are (shutters,) in 0 .. steps. `step[i]` is the step of demand i: consecutive demands with
-    equal predicates have one step.
-    """
+    """Shutter k is open in steps start[k] .. stop[k] - 1, never if start[k] = stop[k] = 0. Both are
+    (shutters,) in 0 .. steps. `step[i]` is the step of demand i: consecutive demands with equal
+    predicates have one step."""
 
     start: NDArray[np.int64]
     stop: NDArray[np.int64]

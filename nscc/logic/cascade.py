@@ -44,12 +44,9 @@ _STEPS_A_CHOICE = 100
 
 @dataclass(frozen=True)
 class _Points:
-    """Groups of shutters that no demand distinguishes.
-
-    `bits` (predicates, points) are the distinct predicates that planes may hold; the first
-    `demanded` of them are demands. `names` describes them; `shutters` (shutters,) is the point of
-    each shutter.
-    """
+    """Groups of shutters that no demand distinguishes. `bits` (predicates, points) are the distinct
+    predicates that planes may hold; the first `demanded` of them are demands. `names` describes
+    them; `shutters` (shutters,) is the point of each shutter."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -78,10 +75,8 @@ _Task = tuple[int, int]
 
 
 def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Store some predicates and compute the others by cascades of cubes.
-
-    Raises GaveUp if the steps do not suffice for a first solution. The remaining steps improve it.
-    """
+    """Store some predicates and compute the others by cascades of cubes. Raises GaveUp if the steps
+    do not suffice for a first solution. The remaining steps improve it."""
     finder = _Finder(problem, machine, budget)
     best: _Plan | None = None
     try:

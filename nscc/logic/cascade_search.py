@@ -80,12 +80,9 @@ _A_PAIR = 0.5
 
 @dataclass(frozen=True)
 class _Values:
-    """The values in a beam: undecided points, and how each value is reached.
-
-    `task` is the index of the predicate. `via` is the number of the value that reads this one, and
-    `negated` whether as a NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if
-    there are fewer.
-    """
+    """The values in a beam: undecided points, and how each value is reached. `task` is the index of
+    the predicate. `via` is the number of the value that reads this one, and `negated` whether as a
+    NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -313,10 +310,8 @@ class Search:
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
-        """Record, for every task, the first value without undecided points.
-
-        With `inner`, the content of FLAG before the cascade may decide points.
-        """
+        """Record, for every task, the first value without undecided points. With `inner`, the
+        content of FLAG before the cascade may decide points."""
         undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
@@ -388,9 +383,7 @@ class Search:
 
 @cache
 def _factors() -> NDArray[np.uint64]:
-    """Odd numbers for hashing, two for each word of the largest set.
-
-    Computed on first use, because importing numpy.random is slow.
-    """
+    """Odd numbers for hashing, two for each word of the largest set. Computed on first use, because
+    importing numpy.random is slow."""
     numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
     return numbers * 2 + 1

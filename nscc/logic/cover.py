@@ -20,9 +20,7 @@ from nscc.truth import union
 @dataclass(frozen=True, slots=True)
 class Nor:
     """A cube NOR(sources): its truth vector, and the number of demands that it serves from now on.
-
-    `words` is its price, more than one if it has more sources than one word accepts.
-    """
+    `words` is its price, more than one if it has more sources than one word accepts."""
 
     sources: tuple[int, ...]
     vector: int
@@ -37,10 +35,8 @@ class Nor:
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """Indices `positive` of values and `cubes` whose OR is the predicate.
-
-    `cost` is in words, with the words of lasting cubes divided among the demands served.
-    """
+    """Indices `positive` of values and `cubes` whose OR is the predicate. `cost` is in words, with
+    the words of lasting cubes divided among the demands served."""
 
     positive: tuple[int, ...]
     cubes: tuple[Nor, ...]
@@ -56,11 +52,8 @@ _MOST_SEEDS = 40
 
 @dataclass(frozen=True)
 class Covers:
-    """Searches for covers within `budget`.
-
-    `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
-    accepts.
-    """
+    """Searches for covers within `budget`. `everything` is the truth vector of all shutters,
+    `fan_in` the number of sources that one word accepts."""
 
     everything: int
     fan_in: int | None
@@ -69,12 +62,9 @@ class Covers:
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """Find a cheap cover of ahead[0] by values and cubes; None if not found.
-
-        `values` are truth vectors; `usable[i]` says whether value i may be in the OR itself.
-        `ahead` are the predicates of this demand and the following ones, for the choice of cubes
-        that last.
-        """
+        """Find a cheap cover of ahead[0] by values and cubes; None if not found. `values` are truth
+        vectors; `usable[i]` says whether value i may be in the OR itself. `ahead` are the
+        predicates of this demand and the following ones, for the choice of cubes that last."""
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
@@ -128,11 +118,9 @@ class Covers:
     def _prime(
         self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
-        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none.
-
-        It starts with all literals and drops one at a time, which makes the cube larger: the one
-        that adds most of `uncovered`. A cube is prime if no literal can be dropped.
-        """
+        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none. It
+        starts with all literals and drops one at a time, which makes the cube larger: the one that
+        adds most of `uncovered`. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
         # A literal that alone keeps out a part of `outside` can never be dropped.

@@ -21,10 +21,8 @@ Cube = tuple[tuple[int, int], ...]
 
 @dataclass(frozen=True)
 class Encoding:
-    """The content of the planes, and each demand's predicate as an OR of cubes.
-
-    `cubes[i]` covers demand i, or its complement if `inverted[i]`.
-    """
+    """The content of the planes, and each demand's predicate as an OR of cubes. `cubes[i]` covers
+    demand i, or its complement if `inverted[i]`."""
 
     name: str
     planes: Planes
@@ -134,11 +132,9 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """The polarity (`inverted` = 1) and register of each plane while gates are emitted.
-
-    Inverting a plane in place takes two words. Inverting it into a register named by `free` takes
-    one and frees the plane's old register.
-    """
+    """The polarity (`inverted` = 1) and register of each plane while gates are emitted. Inverting a
+    plane in place takes two words. Inverting it into a register named by `free` takes one and frees
+    the plane's old register."""
 
     def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
         self._gates = gates

@@ -66,11 +66,8 @@ def thermometers(
     numbers: NDArray[np.int64], radices: Sequence[int], negative: bool | NDArray[np.bool_]
 ) -> Planes:
     """For each digit, highest first, the planes "digit <= m" for all m, or "digit > m" if
-    `negative`.
-
-    In a thermometer code, comparison with a constant reads one plane; binary digits would need
-    several gates. `negative` may be an array (shutters,).
-    """
+    `negative`. In a thermometer code, comparison with a constant reads one plane; binary digits
+    would need several gates. `negative` may be an array (shutters,)."""
     sign = ">" if negative is True else "<="
     return [
         (columns(((digit <= m) ^ negative)[:, None])[0], f"{name} {sign} {m}")

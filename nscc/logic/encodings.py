@@ -96,10 +96,8 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
 def event_fields(problem: Problem, most: int) -> Events:
-    """For each kind and rank of events: (demand, shutters) in time order.
-
-    Demands that FLAG already meets are omitted. Raises GaveUp if there are more than `most` fields.
-    """
+    """For each kind and rank of events: (demand, shutters) in time order. Demands that FLAG already
+    meets are omitted. Raises GaveUp if there are more than `most` fields."""
     event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
@@ -128,11 +126,9 @@ def _index_planes(problem: Problem, machine: Machine) -> Planes:
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Number the shutters in Gray code; each member of a predicate is one test for equality.
-
-    Useful for long programs, whose kernels must repeat to fit the store: one kernel serves all
-    equality tests, and one inverts each plane.
-    """
+    """Number the shutters in Gray code; each member of a predicate is one test for equality. Useful
+    for long programs, whose kernels must repeat to fit the store: one kernel serves all equality
+    tests, and one inverts each plane."""
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
     # Every member is a separate equality test of at least two words; for more than a few, other
@@ -191,11 +187,9 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
 
 
 def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Store the values of the code's fields in Gray code; cover each predicate by cubes.
-
-    Rules are written in fields, so events of one field are equality tests. Shutters that differ
-    otherwise, for example never-open ones, cost a few cubes at a few boundaries.
-    """
+    """Store the values of the code's fields in Gray code; cover each predicate by cubes. Rules are
+    written in fields, so events of one field are equality tests. Shutters that differ otherwise,
+    for example never-open ones, cost a few cubes at a few boundaries."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []

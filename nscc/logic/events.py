@@ -28,11 +28,9 @@ from nscc.truth import columns, members, union, vector
 
 @dataclass(frozen=True)
 class _Field:
-    """Numbers (shutters,), and for each event, in time order, its demand and number.
-
-    Shutters without an event have the number `count` - 1. An event of shutters with several numbers
-    has the lowest one.
-    """
+    """Numbers (shutters,), and for each event, in time order, its demand and number. Shutters
+    without an event have the number `count` - 1. An event of shutters with several numbers has the
+    lowest one."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -132,10 +130,8 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
     """The smallest disjoint `vectors` whose unions are all the others, in their order; None if
-    there are none.
-
-    One field then serves all: an atom is a number, a union of atoms several equality tests.
-    """
+    there are none. One field then serves all: an atom is a number, a union of atoms several
+    equality tests."""
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):

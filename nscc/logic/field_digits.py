@@ -20,9 +20,7 @@ _MOST_COMBINED = 5_000
 
 def field_digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]:
     """Store every field in mixed-radix thermometers or one plane a value, in either polarity.
-
-    Layouts with most registers come first, since they need fewest words.
-    """
+    Layouts with most registers come first, since they need fewest words."""
     room = machine.registers - 1
     fields = {
         name: np.unique(values, return_inverse=True)[1]

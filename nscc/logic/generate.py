@@ -120,10 +120,8 @@ _GROUP: Group = "nscc.encodings"
 
 
 def added_generators() -> dict[str, Generator]:
-    """The generators that other distributions add.
-
-    Raises Rejected (NS0905) for an invalid generator or declaration.
-    """
+    """The generators that other distributions add. Raises Rejected (NS0905) for an invalid
+    generator or declaration."""
     generators: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, generator in generators.items():
         if not isinstance(generator, Generator):

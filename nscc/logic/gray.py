@@ -45,10 +45,8 @@ def cycle(groups: int, bits: int) -> tuple[int, ...]:
 @cache
 def rotation(groups: int, bits: int) -> tuple[int, ...] | None:
     """A Gray code for bits that are inverted by NOT into a free register, which costs one word.
-
     Each inversion moves a bit to another register. The code is chosen so that the fewest words
-    restore every bit and its place; None if the search is too large or finds none.
-    """
+    restore every bit and its place; None if the search is too large or finds none."""
     if bits > _WIDEST or groups > 1 << bits:
         return None
     search = _Rotation(groups, bits)

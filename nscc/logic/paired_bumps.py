@@ -55,11 +55,8 @@ def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
 
 
 class _Writer:
-    """Writes the gates of one frame.
-
-    `on` holds the bumps that continue after a group; `scratch` is for computation. If it keeps its
-    content (`lasts`), planes may move into it.
-    """
+    """Writes the gates of one frame. `on` holds the bumps that continue after a group; `scratch` is
+    for computation. If it keeps its content (`lasts`), planes may move into it."""
 
     def __init__(
         self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates, lasts: bool

@@ -16,11 +16,9 @@ Indices = NDArray[np.int64]
 
 
 class Planes:
-    """Code planes and all cubes that one NOR of them can compute, by price.
-
-    `planes` (P, W) are sets of points, `everything` (W,) is the set of all; `groups` are (words,
-    cubes (M, W), masks (M,)).
-    """
+    """Code planes and all cubes that one NOR of them can compute, by price. `planes` (P, W) are
+    sets of points, `everything` (W,) is the set of all; `groups` are (words, cubes (M, W), masks
+    (M,))."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes

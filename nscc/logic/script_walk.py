@@ -24,11 +24,8 @@ from nscc.truth import union
 
 @dataclass(frozen=True)
 class Script:
-    """An encoding and the gates that do not depend on how demands are answered.
-
-    `before[i]` runs before demand i is answered; it may overwrite states, scratch registers and
-    FLAG.
-    """
+    """An encoding and the gates that do not depend on how demands are answered. `before[i]` runs
+    before demand i is answered; it may overwrite states, scratch registers and FLAG."""
 
     encoding: str
     planes: Planes
@@ -41,10 +38,8 @@ class Script:
 
 @dataclass(frozen=True)
 class _Choice:
-    """A cover of a demand, or of its complement if `inverted`, over the values of `names`.
-
-    With `turned`, the last name is the inverse of that value, which must be computed first.
-    """
+    """A cover of a demand, or of its complement if `inverted`, over the values of `names`. With
+    `turned`, the last name is the inverse of that value, which must be computed first."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -184,11 +179,9 @@ class _Walker:
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
-        """The gates for demand `index`, from the cheapest cover found.
-
-        Covers use all registers, then planes and states only, which frees scratch registers; one
-        value may be inverted first.
-        """
+        """The gates for demand `index`, from the cheapest cover found. Covers use all registers,
+        then planes and states only, which frees scratch registers; one value may be inverted
+        first."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]

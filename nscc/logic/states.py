@@ -76,11 +76,9 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
-    """Rises and falls in time order, and the number of them before each demand.
-
-    The demand at boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n
-    come before it. A bucket starts open or closed in all pixels (`from_open`).
-    """
+    """Rises and falls in time order, and the number of them before each demand. The demand at
+    boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n come before it. A
+    bucket starts open or closed in all pixels (`from_open`)."""
     events: list[Demand] = []
     needed: list[int] = []
     boundary = 0

@@ -114,11 +114,8 @@ def _open_state(state: str) -> Segment:
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:
-    """state := state XOR t0, with three scratch registers if `roomy`, else two.
-
-    t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
-    XOR.
-    """
+    """state := state XOR t0, with three scratch registers if `roomy`, else two. t1 := neither; then
+    "t0 alone" and "state alone" are a NOR each with t1, and their OR is the XOR."""
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (

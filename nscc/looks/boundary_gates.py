@@ -42,11 +42,9 @@ class GateSequence:
 
 @dataclass
 class Board:
-    """The register contents at a boundary, while gates are chosen.
-
-    `values` are the contents by name, with FLAG if it is known and the scratch registers (t0, t1,
-    ..) in use. `gates` are the gates chosen so far.
-    """
+    """The register contents at a boundary, while gates are chosen. `values` are the contents by
+    name, with FLAG if it is known and the scratch registers (t0, t1, ..) in use. `gates` are the
+    gates chosen so far."""
 
     machine: Machine
     everything: int
@@ -207,10 +205,8 @@ class Board:
 
 
 def update(board: Board, new_values: dict[str, int]) -> None:
-    """Write new values to registers simultaneously: gates read old values.
-
-    Raises GaveUp if the contents do not distinguish lanes with different new values.
-    """
+    """Write new values to registers simultaneously: gates read old values. Raises GaveUp if the
+    contents do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best: Board | None = None
     for begun in (board, *_with_changes(board, changes)):

@@ -61,11 +61,9 @@ class Moment:
 
 @dataclass(frozen=True, eq=False)
 class LookingPlan:
-    """The moments of a frame in order, and the use of analog registers.
-
-    `reference` holds the reset level, or its negative if every exposure is a single copy: each word
-    adds an error, and the negative takes one word less.
-    """
+    """The moments of a frame in order, and the use of analog registers. `reference` holds the reset
+    level, or its negative if every exposure is a single copy: each word adds an error, and the
+    negative takes one word less."""
 
     program: Program
     machine: Machine

@@ -105,10 +105,8 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
 
 
 def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
-    """Words that rewrite the content of every one of `registers`.
-
-    They overwrite FLAG if both the masked register and its mask carry code.
-    """
+    """Words that rewrite the content of every one of `registers`. They overwrite FLAG if both the
+    masked register and its mask carry code."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]

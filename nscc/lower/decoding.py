@@ -25,10 +25,8 @@ everywhere if the step is for every pixel."""
 
 @dataclass(frozen=True)
 class Decoding:
-    """A plan with the gates that compute its predicates.
-
-    `problem` is the plan's problem, `actions` says what each step does to FLAG.
-    """
+    """A plan with the gates that compute its predicates. `problem` is the plan's problem, `actions`
+    says what each step does to FLAG."""
 
     plan: ExposurePlan
     problem: Problem
@@ -56,10 +54,8 @@ def problem_of(
 
 
 def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """The value of every field in one code of each shutter; free bits are separate fields.
-
-    Of several codes, one whose values other shutters also need is chosen.
-    """
+    """The value of every field in one code of each shutter; free bits are separate fields. Of
+    several codes, one whose values other shutters also need is chosen."""
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):

@@ -35,11 +35,8 @@ Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
 class PlanStep(NamedTuple):
-    """Analog words at one boundary in the pixels of `predicate`.
-
-    `predicate` None means every pixel, independent of FLAG. `bucket` is the bucket's number, -1 for
-    steps of the whole frame.
-    """
+    """Analog words at one boundary in the pixels of `predicate`. `predicate` None means every
+    pixel, independent of FLAG. `bucket` is the bucket's number, -1 for steps of the whole frame."""
 
     boundary: int
     role: Role
@@ -51,10 +48,8 @@ class PlanStep(NamedTuple):
 @dataclass(frozen=True)
 class ExposurePlan:
     """The analog part of a program; `registers` maps every used analog register to its holder.
-
     `analog_writes` are the fewest and most analog words (`bus`) that a pixel with an opening
-    shutter executes after the setup.
-    """
+    shutter executes after the setup."""
 
     lowering: Lowering
     steps: tuple[PlanStep, ...]
@@ -72,10 +67,8 @@ class ExposurePlan:
 
 @dataclass(frozen=True)
 class Misfit:
-    """Why a lowering cannot be used: an unmet condition, or too few registers.
-
-    With `searched`, no gates were found, which proves nothing.
-    """
+    """Why a lowering cannot be used: an unmet condition, or too few registers. With `searched`, no
+    gates were found, which proves nothing."""
 
     reason: str
     resource: str | None = None
@@ -86,9 +79,7 @@ class Misfit:
 
 class AnalogRegisters(NamedTuple):
     """Use of analog registers: one a bucket, one for the reset level if needed, and scratch.
-
-    `holders` maps every register to its holder.
-    """
+    `holders` maps every register to its holder."""
 
     buckets: tuple[str, ...]
     reference: str | None

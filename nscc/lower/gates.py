@@ -19,11 +19,8 @@ MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 @dataclass(frozen=True)
 class Gated:
-    """The plans with gates, best first, and why others have none.
-
-    `fits`: whether the words of the best one fit. `faults`: exceptions of generators, which were
-    ignored.
-    """
+    """The plans with gates, best first, and why others have none. `fits`: whether the words of the
+    best one fit. `faults`: exceptions of generators, which were ignored."""
 
     program: Program
     time: Timeline
@@ -42,9 +39,7 @@ def find_gates(
     most_words: int | None = None,
 ) -> Gated:
     """The gates of the plans of `planned`: without `price_all` until no better plan can follow.
-
-    `most_words` is the largest allowed number of words at a boundary, None for any.
-    """
+    `most_words` is the largest allowed number of words at a boundary, None for any."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []

@@ -21,10 +21,8 @@ _ROUNDING = 1 + 1e-9
 
 @dataclass(frozen=True, repr=False)
 class Lowered:
-    """A plan, its gates and its words, with costs on the program's target.
-
-    `most_words` is the user's limit on words at a boundary, None for none.
-    """
+    """A plan, its gates and its words, with costs on the program's target. `most_words` is the
+    user's limit on words at a boundary, None for none."""
 
     program: Program
     decoding: Decoding
@@ -131,10 +129,7 @@ class Lowered:
     @property
     def headroom_e(self) -> float:
         """The largest constant light that saturates no code, in electrons a frame of an always-open
-        shutter.
-
-        The limits are PIX between two resets and the frame registers.
-        """
+        shutter. The limits are PIX between two resets and the frame registers."""
         program, plan = self.program, self.plan
         target = program.target
         slot_us = np.array(program.frame.slot_us)
@@ -161,10 +156,8 @@ class Lowered:
 
 @dataclass(frozen=True)
 class Choice:
-    """All lowerings, best first, and why others failed.
-
-    `failed_generators` names the generators that raised an exception.
-    """
+    """All lowerings, best first, and why others failed. `failed_generators` names the generators
+    that raised an exception."""
 
     lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]

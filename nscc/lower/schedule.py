@@ -147,11 +147,9 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
 def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
-    """The code registers that the frame's own words do not write often enough.
-
-    A write to the masked register counts only after SET of its mask, because it does not reach all
-    pixels otherwise.
-    """
+    """The code registers that the frame's own words do not write often enough. A write to the
+    masked register counts only after SET of its mask, because it does not reach all pixels
+    otherwise."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     mask_is_set = False
     for n, segments in enumerate(boundaries):

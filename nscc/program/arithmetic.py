@@ -26,10 +26,8 @@ Data = Any
 
 
 class Fault(NamedTuple):
-    """Why an expression has no value: an error code, a message, the place and its label.
-
-    These are the arguments of `Problems.error`.
-    """
+    """Why an expression has no value: an error code, a message, the place and its label. These are
+    the arguments of `Problems.error`."""
 
     code: str
     message: str
@@ -43,9 +41,7 @@ Faults = Fault | NDArray[np.bool_] | None
 
 class Value:
     """The values of a node: integers in `low`..`high`; where `faults` hold, the data is undefined.
-
-    For a single integer, `low` and `high` are set to it.
-    """
+    For a single integer, `low` and `high` are set to it."""
 
     __slots__ = ("data", "faults", "high", "low")
 

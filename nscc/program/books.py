@@ -22,12 +22,9 @@ Digits = NDArray[np.bool_]
 def make_books(
     books: dict[str, Book], slots: Meaning, base: Path, problems: Problems
 ) -> dict[str, Digits | None]:
-    """The digits (K, N) of every codebook, None after reporting an error.
-
-    `slots` is the meaning of N: if it failed, row lengths are not checked and every book is None.
-    Reports rows of wrong length or with other digits (NS0310) and errors of files (NS0313, NS0314,
-    NS0315).
-    """
+    """The digits (K, N) of every codebook, None after reporting an error. `slots` is the meaning of
+    N: if it failed, row lengths are not checked and every book is None. Reports rows of wrong
+    length or with other digits (NS0310) and errors of files (NS0313, NS0314, NS0315)."""
     return {name: _make(book, slots, base, problems) for name, book in books.items()}
 
 

@@ -31,10 +31,8 @@ class Recognised(NamedTuple):
 
 
 def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: str) -> Recognised:
-    """The class of a program; several buckets must all be of one class, else it is general.
-
-    `basis` describes the codes in `table`.
-    """
+    """The class of a program; several buckets must all be of one class, else it is general. `basis`
+    describes the codes in `table`."""
     recognised = [
         _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
         for k, rule in enumerate(rules.rules)

@@ -32,10 +32,8 @@ def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | N
 def resolve_constants(
     declared: Declarations, target: Target | None, problems: Problems
 ) -> dict[str, Meaning]:
-    """The meaning of N, rows, cols and every let; those with errors are `failed`.
-
-    Reports cycles (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308).
-    """
+    """The meaning of N, rows, cols and every let; those with errors are `failed`. Reports cycles
+    (NS0203) and a number of slots outside 1..MOST_SLOTS (NS0308)."""
     return _Resolver(declared, target, problems).run()
 
 

@@ -37,9 +37,7 @@ MOST_BITS = MOST_SLOTS
 
 def work(expr: Checked, sizes: Mapping[str, tuple[int, int]]) -> int:
     """Operations to evaluate `expr`; each varying operand counts once for each of its values.
-
-    `sizes` gives the axis (0 or 1) and the length of every variable.
-    """
+    `sizes` gives the axis (0 or 1) and the length of every variable."""
     axes: list[frozenset[int]] = []
     lengths = dict.fromkeys((0, 1), 1)
     lengths.update(dict(sizes.values()))

@@ -23,12 +23,9 @@ from nscc.words import machine
 
 @dataclass(frozen=True, eq=False)
 class CheckedSense:
-    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`.
-
-    The answer is whether the signal is above its level, or below if not `above`. `steps` is the
-    level in steps of IN for each boundary of `at`; None if the `field` of the code gives it, in
-    codes of the ADC.
-    """
+    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`. The answer is
+    whether the signal is above its level, or below if not `above`. `steps` is the level in steps of
+    IN for each boundary of `at`; None if the `field` of the code gives it, in codes of the ADC."""
 
     name: str
     signal: int

@@ -30,10 +30,7 @@ def judge_looking(
     problems: Problems,
 ) -> None:
     """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
-    rules that never open (NS0350).
-
-    `untold` as of `nscc.program.open_time.with_open_times`.
-    """
+    rules that never open (NS0350). `untold` as of `nscc.program.open_time.with_open_times`."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -62,11 +59,9 @@ def judge_looked_names(
     machine: Machine,
     problems: Problems,
 ) -> None:
-    """Note unused senses and states, and states that never change (NS0355).
-
-    An unread sense is used if it alone causes a look at which a `next` steps or which `looks`
-    counts. `rules` are the rules of shutters.
-    """
+    """Note unused senses and states, and states that never change (NS0355). An unread sense is used
+    if it alone causes a look at which a `next` steps or which `looks` counts. `rules` are the rules
+    of shutters."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -148,11 +143,8 @@ def largest_part(
     declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
 ) -> Excess:
     """The largest factor of the number of transitions: codes, states, or the levels of one
-    boundary.
-
-    `codes` (codes, fields) are the compiled ones, in the order of `fields`. The helps do not
-    include how to have fewer codes.
-    """
+    boundary. `codes` (codes, fields) are the compiled ones, in the order of `fields`. The helps do
+    not include how to have fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
     boundary, levels_of_sense = _busiest(looking, values)
     levels = sum(levels_of_sense.values())

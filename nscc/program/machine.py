@@ -48,11 +48,8 @@ class Stage:
 def build_machine(
     rules: Rules, looking: Looking, codes: CodeArray, target: Target
 ) -> tuple[Machine, NDArray[np.int32]]:
-    """The machine, and the behaviour of every code (codes,).
-
-    Raises NoValue if an expression has no value in a reachable node or a state leaves its range,
-    and TooMuch beyond MOST_TRANSITIONS.
-    """
+    """The machine, and the behaviour of every code (codes,). Raises NoValue if an expression has no
+    value in a reachable node or a state leaves its range, and TooMuch beyond MOST_TRANSITIONS."""
     return _Builder(rules, looking, codes, target).build()
 
 

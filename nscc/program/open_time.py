@@ -19,21 +19,17 @@ Times = tuple[tuple[int, float], ...]
 
 @dataclass(frozen=True)
 class Untold:
-    """A readout that does not determine open times.
-
-    `bucket` is the first whose time differs between pixels of equal code and readout. `states` are
-    the fewest additional states to `read` that would determine it, () if no states do.
-    """
+    """A readout that does not determine open times. `bucket` is the first whose time differs
+    between pixels of equal code and readout. `states` are the fewest additional states to `read`
+    that would determine it, () if no states do."""
 
     bucket: int
     states: tuple[str, ...]
 
 
 def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine, Untold | None]:
-    """The machine with `open_us` and `open_slots`, or an Untold.
-
-    Raises TooMuch for too many different times.
-    """
+    """The machine with `open_us` and `open_slots`, or an Untold. Raises TooMuch for too many
+    different times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]

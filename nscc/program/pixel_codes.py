@@ -32,11 +32,9 @@ _DENSE = 2**20
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
 ) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """The distinct codes of the pixels, and the row of each pixel's code.
-
-    `planes` holds one array of `shape` (rows, cols) for each field. The codes (codes, fields) are
-    sorted by field values, first field first; without fields there is one code.
-    """
+    """The distinct codes of the pixels, and the row of each pixel's code. `planes` holds one array
+    of `shape` (rows, cols) for each field. The codes (codes, fields) are sorted by field values,
+    first field first; without fields there is one code."""
     codes = np.zeros((1, 0), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for plane in planes:
@@ -101,11 +99,8 @@ def codes_from_arrays(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Like `codes_from_file`, from arrays by field name.
-
-    Raises Rejected: NS0314 for missing, additional or unsuitable arrays, and the errors of
-    `codes_from_file` for values.
-    """
+    """Like `codes_from_file`, from arrays by field name. Raises Rejected: NS0314 for missing,
+    additional or unsuitable arrays, and the errors of `codes_from_file` for values."""
     fields = grouped(table.fields)
     for name in {*arrays} - {*fields}:
         raise rejected(

@@ -41,10 +41,8 @@ class Problems:
     note = partialmethod(add, Severity.NOTE)
 
     def unknown(self, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
-        """Add the error for an unknown name, with the closest of `known`.
-
-        A name is reported once. Only the first few get a suggestion, because the search is slow.
-        """
+        """Add the error for an unknown name, with the closest of `known`. A name is reported once.
+        Only the first few get a suggestion, because the search is slow."""
         if name in self._unknown:
             return
         self._unknown.add(name)
@@ -72,10 +70,8 @@ class Problems:
         return any(d.severity is Severity.ERROR for d in self._found)
 
     def sorted(self) -> tuple[Diagnostic, ...]:
-        """All diagnostics by place in the text.
-
-        Errors beyond MOST_ERRORS are replaced by NS0190 with their number.
-        """
+        """All diagnostics by place in the text. Errors beyond MOST_ERRORS are replaced by NS0190
+        with their number."""
         errors = 0
         shown: list[Diagnostic] = []
         for diagnostic in sorted(self._found, key=_place):

@@ -67,10 +67,8 @@ class NoValue(Exception):
 
 @dataclass(eq=False, repr=False)
 class Rules:
-    """The checked rules that define codes and shutters.
-
-    `rules` has one boolean expression for each bucket; `slots` is N.
-    """
+    """The checked rules that define codes and shutters. `rules` has one boolean expression for each
+    bucket; `slots` is N."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -85,11 +83,9 @@ class Rules:
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
-    """Which of `codes` (codes, fields) satisfy every `require`.
-
-    Conditions are evaluated in order, each for the codes that satisfy the previous ones. Raises
-    NoValue if a condition has no value, TooMuch beyond the work limit.
-    """
+    """Which of `codes` (codes, fields) satisfy every `require`. Conditions are evaluated in order,
+    each for the codes that satisfy the previous ones. Raises NoValue if a condition has no value,
+    TooMuch beyond the work limit."""
     _limit_work(rules.requires, rules, len(codes), 1)
     satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
@@ -109,11 +105,8 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
 
 
 def legal_codes(rules: Rules) -> CodeArray:
-    """Every code that fields and `require` allow, sorted by field values.
-
-    Raises TooMuch if limits on combinations or codes are exceeded; NoValue if a condition has no
-    value.
-    """
+    """Every code that fields and `require` allow, sorted by field values. Raises TooMuch if limits
+    on combinations or codes are exceeded; NoValue if a condition has no value."""
     sizes = [field.high - field.low + 1 for field in rules.fields]
     total = rules.combinations
     if not rules.requires:
@@ -139,11 +132,9 @@ def legal_codes(rules: Rules) -> CodeArray:
 
 
 def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
-    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal.
-
-    Shutters are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises
-    TooMuch beyond the limits, before evaluation; NoValue if a rule has no value.
-    """
+    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal. Shutters
+    are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises TooMuch
+    beyond the limits, before evaluation; NoValue if a rule has no value."""
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots

@@ -43,11 +43,9 @@ _DIGITS = 1e8
 
 
 class Looks(Pixels):
-    """The lanes of a container's machine during the proof.
-
-    For each lane: `node` and the `outcome` of the current look so far, int64 (lanes,); `due`
-    (lanes, buckets), the program's exposures; `since` (lanes,), its `light`; `exact` bool (lanes,).
-    """
+    """The lanes of a container's machine during the proof. For each lane: `node` and the `outcome`
+    of the current look so far, int64 (lanes,); `due` (lanes, buckets), the program's exposures;
+    `since` (lanes,), its `light`; `exact` bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None

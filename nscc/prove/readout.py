@@ -14,10 +14,7 @@ _TOLERANCE = 1e-9
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
     """The first bucket whose register is not read out as the target specifies, and the error; None
-    if all are.
-
-    Random values suffice, because the words are linear.
-    """
+    if all are. Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
     buckets = {readout.register: readout.bucket for readout in container.readouts}
     for word in preparation.words:

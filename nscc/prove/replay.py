@@ -23,10 +23,8 @@ class Replay(Pixels):
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Run one frame in `light` (N, lights), in electrons a slot.
-
-        Returns the exposure in electrons (lanes, lights) of each bucket.
-        """
+        """Run one frame in `light` (N, lights), in electrons a slot. Returns the exposure in
+        electrons (lanes, lights) of each bucket."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -69,10 +67,8 @@ _SLOTS_A_LIGHT = 24
 
 def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
     """S[n] of every lane, (lanes, buckets, slots), found by replaying the words with light in one
-    slot at a time; None if the weight of a slot is neither 0 nor 1.
-
-    Lanes are the rows of `container.encoding`.
-    """
+    slot at a time; None if the weight of a slot is neither 0 nor 1. Lanes are the rows of
+    `container.encoding`."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))

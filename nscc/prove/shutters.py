@@ -28,11 +28,9 @@ def refuse_looking(container: Container, name: str = "this program") -> None:
 
 
 def replayed(container: Container, name: str = "this program") -> NDArray[np.bool_]:
-    """The distinct shutters bool (shutters, buckets, N) that the words open.
-
-    Raises Rejected (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the
-    container `name`.
-    """
+    """The distinct shutters bool (shutters, buckets, N) that the words open. Raises Rejected
+    (NS0442, status 1) if a slot's weight is neither 0 nor 1; the message calls the container
+    `name`."""
     if container.target.streamed:
         return _sent(container, name)
     refuse_looking(container, name)
@@ -64,11 +62,8 @@ def _sent(container: Container, name: str) -> NDArray[np.bool_]:
 
 def shutters_of_pixels(container: Container, name: str = "this program") -> dict[str, NDArray[Any]]:
     """The shutters and codes of all pixels: `shutter`, `shutter_shape`, `codes_FIELD`, as in a
-    frame file.
-
-    A program with one code needs no pixel data. Raises Rejected: NS0441 (status 1) if pixels have
-    no codes, NS0442 as `replayed`.
-    """
+    frame file. A program with one code needs no pixel data. Raises Rejected: NS0441 (status 1) if
+    pixels have no codes, NS0442 as `replayed`."""
     pixels, sent = container.pixel_codes, container.stream
     if sent is not None:
         opened = sent.shutters(len(container.buckets), container.target.cols)

@@ -10,11 +10,9 @@ from nscc.words.stream import schedule
 
 
 def prove_stream(container: Container) -> Proof:
-    """Follow the light of every pixel through the planes, and compare with the decode table.
-
-    Planes must be completely loaded before they act, one at a time. The proof does not use the code
-    that made the planes. Without pixels there are no planes, and only the times are proved.
-    """
+    """Follow the light of every pixel through the planes, and compare with the decode table. Planes
+    must be completely loaded before they act, one at a time. The proof does not use the code that
+    made the planes. Without pixels there are no planes, and only the times are proved."""
     table, target = container.table, container.target
     failure = _times(container)
     sent, pixels = container.stream, container.pixel_codes

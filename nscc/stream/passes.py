@@ -17,10 +17,8 @@ Found = Sequence[Diagnostic]
 
 
 def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
-    """The route of the light, or why there is none (NS0509).
-
-    `word_options` names options that concern words, which such a chip does not have (NS0510).
-    """
+    """The route of the light, or why there is none (NS0509). `word_options` names options that
+    concern words, which such a chip does not have (NS0510)."""
     if word_options:
         return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)

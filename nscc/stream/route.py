@@ -17,10 +17,8 @@ from nscc.words.stream import DRAIN
 
 @dataclass(frozen=True, eq=False)
 class Route:
-    """The two destinations of each slot, and the bits that choose between them.
-
-    `ones`, `zeros` int8 (N,): a tap's number, or DRAIN. `bits` bool (shutters, N).
-    """
+    """The two destinations of each slot, and the bits that choose between them. `ones`, `zeros`
+    int8 (N,): a tap's number, or DRAIN. `bits` bool (shutters, N)."""
 
     ones: NDArray[np.int8]
     zeros: NDArray[np.int8]
@@ -30,9 +28,7 @@ class Route:
 @dataclass(frozen=True)
 class NoRoute:
     """Why there is no route: `reason` as half a sentence, a help, and the first such `slot`.
-
-    `bucket` is the number of the bucket to point at.
-    """
+    `bucket` is the number of the bucket to point at."""
 
     reason: str
     help: str
@@ -41,10 +37,8 @@ class NoRoute:
 
 
 def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target) -> Route | NoRoute:
-    """The route of the light of `shutters` (shutters, buckets, N): bucket b is tap b.
-
-    Light that no bucket collects goes to the drain, or to a tap without a bucket.
-    """
+    """The route of the light of `shutters` (shutters, buckets, N): bucket b is tap b. Light that no
+    bucket collects goes to the drain, or to a tap without a bucket."""
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"

@@ -35,11 +35,9 @@ class Kind(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite number in `low`..`high`, with bounds that may be excluded.
-
-    Its value is an int if `is_whole`, else a float. None is written as "any" if `unlimited`, as
-    "auto" if `automatic`. If 0 is an excluded bound, the range ends at LEAST instead.
-    """
+    """A finite number in `low`..`high`, with bounds that may be excluded. Its value is an int if
+    `is_whole`, else a float. None is written as "any" if `unlimited`, as "auto" if `automatic`. If
+    0 is an excluded bound, the range ends at LEAST instead."""
 
     low: float
     high: float
@@ -111,10 +109,8 @@ class Flag(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Text(Kind):
-    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes.
-
-    `optional` ones may be "none", which is None.
-    """
+    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes. `optional` ones
+    may be "none", which is None."""
 
     choices: tuple[str, ...] = ()
     pattern: str = ""
@@ -164,10 +160,8 @@ class Several(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Axis(Kind):
-    """One value of a kind, or a list of distinct values; always a tuple in Python.
-
-    If the values of the kind are lists, a list of lists is several values.
-    """
+    """One value of a kind, or a list of distinct values; always a tuple in Python. If the values of
+    the kind are lists, a list of lists is several values."""
 
     element: Kind
 

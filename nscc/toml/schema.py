@@ -128,11 +128,9 @@ class Schema(Generic[Row]):
     def read(
         self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
     ) -> tuple[KeyValues, list[Diagnostic]]:
-        """The valid values of a parsed file, and the errors of the others.
-
-        `source` is its text, for places. Keys may be missing unless required. With `complete` all
-        must be present except `later` keys and lists that are empty by default.
-        """
+        """The valid values of a parsed file, and the errors of the others. `source` is its text,
+        for places. Keys may be missing unless required. With `complete` all must be present except
+        `later` keys and lists that are empty by default."""
         key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
@@ -151,9 +149,7 @@ class Schema(Generic[Row]):
 
     def changed(self, changes: Sequence[str]) -> tuple[KeyValues, list[Diagnostic]]:
         """The values of changes KEY=VALUE, the last of each key, and the errors of invalid ones.
-
-        VALUE is written as in a file; quotes of a text are optional.
-        """
+        VALUE is written as in a file; quotes of a text are optional."""
         key_values: KeyValues = {}
         problems: list[Diagnostic] = []
         for change in changes:
@@ -170,11 +166,8 @@ class Schema(Generic[Row]):
         return key_values, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """The tables of keys in the order of a file.
-
-        All keys are present, except lists that are empty by default and `later` keys at their
-        default.
-        """
+        """The tables of keys in the order of a file. All keys are present, except lists that are
+        empty by default and `later` keys at their default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):

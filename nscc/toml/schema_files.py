@@ -19,10 +19,8 @@ _REMARK_COLUMN = 42
 
 
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
-    """Read a user's file for `file_values`; raises Rejected (status 2) if that fails.
-
-    Messages call the file `name`, by default its path.
-    """
+    """Read a user's file for `file_values`; raises Rejected (status 2) if that fails. Messages call
+    the file `name`, by default its path."""
     reads(path)
     try:
         with open(path, "rb") as file:
@@ -40,11 +38,9 @@ def file_values(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
 ) -> tuple[KeyValues, list[Diagnostic], Source]:  # fmt: skip
-    """The valid values in a file's bytes, the errors of the others, and the text.
-
-    Messages call the file `name`. `choose` selects one of several schemas by the file's values.
-    Raises Rejected (`status`) for text that is not TOML.
-    """
+    """The valid values in a file's bytes, the errors of the others, and the text. Messages call the
+    file `name`. `choose` selects one of several schemas by the file's values. Raises Rejected
+    (`status`) for text that is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -74,11 +70,8 @@ def file_text(
     *,
     beside: bool = False,
 ) -> str:
-    """A complete file with these values, which are keyed by path.
-
-    `head` are leading comments. `remark` returns the comment of a key, written above its line, or
-    after it with `beside`.
-    """
+    """A complete file with these values, which are keyed by path. `head` are leading comments.
+    `remark` returns the comment of a key, written above its line, or after it with `beside`."""
     lines = [f"# {line}" for line in head]
     for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]

@@ -76,11 +76,9 @@ def dominated(points: Sequence[Point]) -> list[bool]:
 
 
 def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = ()) -> str:
-    """The points as CSV with COLUMNS, measured on `device`.
-
-    `method` combines case and method; `spread_ms` is the longest minus the shortest time. The
-    `refused` settings follow without numbers, with their code as unit.
-    """
+    """The points as CSV with COLUMNS, measured on `device`. `method` combines case and method;
+    `spread_ms` is the longest minus the shortest time. The `refused` settings follow without
+    numbers, with their code as unit."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(COLUMNS)
@@ -99,10 +97,8 @@ def table_text(
     points: Sequence[Point], names: tuple[str, str, str], time: tuple[str, float] = ("ms", 1.0)
 ) -> str:
     """The points as a table; `names` are the titles of the columns of method, setting and error.
-
     `time` is the unit of times and its number in a millisecond. Repeated cases and methods are
-    blank. There is a column for bounds if there are any. Dominated points are marked.
-    """
+    blank. There is a column for bounds if there are any. Dominated points are marked."""
     head: tuple[str, ...] = ("case", *names, "bound", time[0], "spread", "")
     rows = [head]
     before = ("", "")

@@ -35,11 +35,8 @@ class NotJoined(ValueError):
 
 def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
     """A program with `join` slots of this one in each slot, and its pixel codes `id` (rows, cols):
-    a slot is open if the pixel is open for at least half of its time.
-
-    Raises NotJoined if there is none: slots that cannot be joined, pixels without codes, or too
-    many shutters for a codebook.
-    """
+    a slot is open if the pixel is open for at least half of its time. Raises NotJoined if there is
+    none: slots that cannot be joined, pixels without codes, or too many shutters for a codebook."""
     codes, slots = container.pixel_codes, container.slots
     if container.machine is not None or codes is None:
         raise NotJoined("pixels that look at the light do so in slots of the program's own")

@@ -14,10 +14,8 @@ SHORT_MS = 500.0
 
 class Stopwatch:
     """Times runs by kind and setting; first runs compile, load and allocate, and are not timed.
-
     Runs of one `kind` share this overhead, for example one method on data of one shape; `setting`
-    distinguishes them. `clock` returns seconds.
-    """
+    distinguishes them. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float] = perf_counter) -> None:
         self._clock = clock
@@ -34,12 +32,9 @@ class Stopwatch:
         run: Callable[[], T],
         first: Callable[[], Any] | None = None,
     ) -> tuple[T, float]:
-        """Run and time; returns the result and its milliseconds.
-
-        Before the first run of a kind, `first` is run (by default `run`). A short first run of a
-        setting is repeated. So a long run is repeated at most once for its kind, and not at all if
-        `first` is shorter.
-        """
+        """Run and time; returns the result and its milliseconds. Before the first run of a kind,
+        `first` is run (by default `run`). A short first run of a setting is repeated. So a long run
+        is repeated at most once for its kind, and not at all if `first` is shorter."""
         if kind not in self._seen:
             if first is None:
                 run()

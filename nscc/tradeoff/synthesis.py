@@ -102,12 +102,9 @@ def measure(
     progress: Progress = iter,
     rows: Rows | None = None,
 ) -> SynthesisMeasurements:
-    """Compile each variant `repeats` times, from text to proof, without the cache.
-
-    Repeats are interleaved over all variants, to spread disturbances. Results in `rows` are not
-    measured again. Raises Rejected for an invalid program; variants that do not fit are listed as
-    refused.
-    """
+    """Compile each variant `repeats` times, from text to proof, without the cache. Repeats are
+    interleaved over all variants, to spread disturbances. Results in `rows` are not measured again.
+    Raises Rejected for an invalid program; variants that do not fit are listed as refused."""
     rows = rows or Rows()
     watch = Stopwatch()
     times_ms: dict[CompileVariant, list[float]] = {way: [] for way in ways}

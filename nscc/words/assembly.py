@@ -51,10 +51,8 @@ _MOST_PIECES = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
-    """Assemble a text to a container; its files are relative to the folder `base`.
-
-    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors.
-    """
+    """Assemble a text to a container; its files are relative to the folder `base`. Raises Rejected
+    (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     return link(draft, base, faults)

@@ -92,10 +92,8 @@ def read_ranges(text: str, most: int) -> list[range] | None:
 
 
 def slots_text(slots: NDArray[np.bool_]) -> str:
-    """Format open slots, bool (slots,): ranges, `never`, or `x` and hexadecimal.
-
-    The hexadecimal form, used if shorter, has slot 8 k + i in bit i of byte k.
-    """
+    """Format open slots, bool (slots,): ranges, `never`, or `x` and hexadecimal. The hexadecimal
+    form, used if shorter, has slot 8 k + i in bit i of byte k."""
     if not slots.any():
         return "never"
     turns = np.flatnonzero(np.diff(slots, prepend=False, append=False)).tolist()

@@ -24,12 +24,9 @@ class WordsCost:
 
 @dataclass(frozen=True, slots=True)
 class FrameCost:
-    """The costs of one frame of a container.
-
-    `stored_words` are in the instruction store; `words` are executed in a frame in `busy_us`, with
-    `launches` kernel launches; `frame_us` is the sum of all slots, `busiest_us` the longest time of
-    words at one instant.
-    """
+    """The costs of one frame of a container. `stored_words` are in the instruction store; `words`
+    are executed in a frame in `busy_us`, with `launches` kernel launches; `frame_us` is the sum of
+    all slots, `busiest_us` the longest time of words at one instant."""
 
     stored_words: int
     words: int

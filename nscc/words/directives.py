@@ -29,11 +29,9 @@ Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 @dataclass(frozen=True)
 class Directive:
-    """A directive of assembly text.
-
-    `read` takes its name, the pieces after it, the draft and the faults, and returns the block for
-    the lines with bars below. `needs` and `usage` describe the pieces in messages.
-    """
+    """A directive of assembly text. `read` takes its name, the pieces after it, the draft and the
+    faults, and returns the block for the lines with bars below. `needs` and `usage` describe the
+    pieces in messages."""
 
     read: Read
     needs: str

@@ -53,11 +53,9 @@ def disassemble(container: Container) -> str:
 
 
 def instruction_lines(words: Sequence[Word], target: Target) -> list[tuple[int, str, str]]:
-    """The lines of a kernel: (number of the first word, instruction, comment).
-
-    An in-place pair is one line. A word without an instruction on this target is a `.word`, with
-    the reason as comment.
-    """
+    """The lines of a kernel: (number of the first word, instruction, comment). An in-place pair is
+    one line. A word without an instruction on this target is a `.word`, with the reason as
+    comment."""
     lines: list[tuple[int, str, str]] = []
     ops = [matching(word, target.words) for word in words]
     faults: dict[Op, str | None] = {op: target_fault(op, target) for op in ops if op is not None}

@@ -250,10 +250,8 @@ def _loading_order(
 
 
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
-    """A table without open slots, for pixels with known register contents only.
-
-    Without planes all codes share one shutter, else each has its own.
-    """
+    """A table without open slots, for pixels with known register contents only. Without planes all
+    codes share one shutter, else each has its own."""
     return DecodeTable(
         ("code",) if planes else (),
         np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),

@@ -22,11 +22,9 @@ LIGHT = -1
 
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """Whether `signal` is above `level` steps of IN at `boundary`.
-
-    `signal` is LIGHT, the charge of PIX since the start of the frame or its last reset, or the
-    number of a bucket: the light of its completed open slots.
-    """
+    """Whether `signal` is above `level` steps of IN at `boundary`. `signal` is LIGHT, the charge of
+    PIX since the start of the frame or its last reset, or the number of a bucket: the light of its
+    completed open slots."""
 
     boundary: int
     signal: int
@@ -35,12 +33,9 @@ class Comparison:
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A state of the program: its values are `low`..`high`, and START is `start`.
-
-    `is_kept`: it survives the frame. `read`: it is read out with the frame. `boolean`: declared as
-    bit.
-    `sense`: not declared, but the latest answer of a sense that outlasts its look.
-    """
+    """A state of the program: its values are `low`..`high`, and START is `start`. `is_kept`: it
+    survives the frame. `read`: it is read out with the frame. `boolean`: declared as bit. `sense`:
+    not declared, but the latest answer of a sense that outlasts its look."""
 
     name: str
     low: int

@@ -14,11 +14,8 @@ _LONGEST_LABEL = 30
 
 @dataclass(frozen=True, eq=False)
 class Shutters:
-    """The shutters of a picture, in order.
-
-    `rows` bool (rows, buckets, N); `labels` one a row; `rank` int (shutters of the table,), the row
-    of each, -1 for shutters of no pixel.
-    """
+    """The shutters of a picture, in order. `rows` bool (rows, buckets, N); `labels` one a row;
+    `rank` int (shutters of the table,), the row of each, -1 for shutters of no pixel."""
 
     rows: NDArray[np.bool_]
     labels: tuple[str, ...]

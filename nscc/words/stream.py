@@ -23,11 +23,9 @@ Bits = NDArray[np.uint8]
 
 @dataclass(frozen=True, eq=False)
 class Stream:
-    """The bit planes of a frame.
-
-    `planes` uint8 (N, rows, ceil(cols / 8)): the bits of each row, first pixel in the lowest bit,
-    padded with 0. `ones`, `zeros` int8 (N,): a tap's number, or DRAIN.
-    """
+    """The bit planes of a frame. `planes` uint8 (N, rows, ceil(cols / 8)): the bits of each row,
+    first pixel in the lowest bit, padded with 0. `ones`, `zeros` int8 (N,): a tap's number, or
+    DRAIN."""
 
     planes: Bits
     ones: NDArray[np.int8]
@@ -64,11 +62,8 @@ class Stream:
 @dataclass(frozen=True)
 class Loading:
     """The times, in microseconds from the start of the frame, at which a slot's plane is sent and
-    acts.
-
-    A chip with two latches a pixel loads it in the previous slot (the first one before the frame),
-    and all rows act at once. A chip with one latch drains the light while it loads.
-    """
+    acts. A chip with two latches a pixel loads it in the previous slot (the first one before the
+    frame), and all rows act at once. A chip with one latch drains the light while it loads."""
 
     load_us: float
     acts_us: float

@@ -26,11 +26,9 @@ _REFRESHES_IN_A_LIFE = 4
 
 @dataclass(frozen=True)
 class PlaneLoad:
-    """How one code register is loaded.
-
-    Without `patterns` its plane comes from the image `file`. `scratch` holds each pattern before it
-    is added; without a scratch register, several patterns are drawn pixel by pixel.
-    """
+    """How one code register is loaded. Without `patterns` its plane comes from the image `file`.
+    `scratch` holds each pattern before it is added; without a scratch register, several patterns
+    are drawn pixel by pixel."""
 
     register: str
     masked: bool
@@ -112,10 +110,8 @@ class CodeLoading:
 
 
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
-    """Choose how to load `planes`, which are in loading order.
-
-    File names of images start with `stem`.
-    """
+    """Choose how to load `planes`, which are in loading order. File names of images start with
+    `stem`."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]

@@ -36,10 +36,8 @@ _US = 1 << 32
 @dataclass(frozen=True)
 class Row:
     """`times` launches of a kernel: the first `at` microseconds after the frame's first word, each
-    next one `interval_us` later. `kernel` None only waits.
-
-    `instants` are the boundaries of the launches.
-    """
+    next one `interval_us` later. `kernel` None only waits. `instants` are the boundaries of the
+    launches."""
 
     at: Fraction
     interval_us: Fraction

@@ -63,11 +63,9 @@ def calls_words(recorded: Sequence[Call]) -> int:
 def kernel_lines(
     name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
 ) -> Iterator[str]:
-    """The C++ function `name`, which launches a kernel of the words `ops`.
-
-    `narrow` are equivalent words that all have calls, or None. They replace words without a call in
-    the simulator, and on chips whose `tables` are unknown.
-    """
+    """The C++ function `name`, which launches a kernel of the words `ops`. `narrow` are equivalent
+    words that all have calls, or None. They replace words without a call in the simulator, and on
+    chips whose `tables` are unknown."""
     recorded = calls(ops)
     if recorded is not None:
         yield from _recorded(name, recorded)

@@ -42,9 +42,7 @@ class Patterns:
 
 def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
     """`plane` bool (rows, cols) as address patterns; None if it depends on too many address bits.
-
-    Addresses outside the array are don't-cares.
-    """
+    Addresses outside the array are don't-cares."""
     rows, cols = plane.shape
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]

@@ -35,11 +35,9 @@ def balance(
     other_words: Sequence[int],
     limit: int = 0,
 ) -> Solution:
-    """Move gates to earlier boundaries without adding words to the frame.
-
-    `other_words` gives the words at each boundary 0..N besides the solution's gates. The words of
-    the largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move.
-    """
+    """Move gates to earlier boundaries without adding words to the frame. `other_words` gives the
+    words at each boundary 0..N besides the solution's gates. The words of the largest boundary
+    decrease, but not below `limit`. Returns `solution` if no gate can move."""
     frame, items = flatten(solution, problem, machine)
     try:
         run = TrackedRun(frame, items, budget)

@@ -55,10 +55,7 @@ def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
 
 def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
     """The distinct sequences, most words a frame first; all their segments take at most `room`
-    words.
-
-    Without room, every segment is a sequence.
-    """
+    words. Without room, every segment is a sequence."""
     tokens = tokens_of(items)
     merger = _Merger(frame, items, tokens)
     while merger.merge(room):

@@ -52,10 +52,8 @@ class GateOp:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point at which FLAG must equal `need` (if not None), at the end of `place`.
-
-    `forgets` is the bit mask of registers whose contents are unknown afterwards.
-    """
+    """A point at which FLAG must equal `need` (if not None), at the end of `place`. `forgets` is
+    the bit mask of registers whose contents are unknown afterwards."""
 
     need: int | None
     forgets: int
@@ -174,10 +172,8 @@ class FrameContext:
 def flatten(
     solution: Solution, problem: Problem, machine: Machine
 ) -> tuple[FrameContext, list[Item]]:
-    """A solution as items, with as many scratch registers as the machine allows.
-
-    If gates without masks write the masked register, the items include SET of the mask before them.
-    """
+    """A solution as items, with as many scratch registers as the machine allows. If gates without
+    masks write the masked register, the items include SET of the mask before them."""
     planes, states = len(solution.planes), solution.states
     scratch, masked, mask = _room(solution, machine)
     everything = problem.everything

@@ -24,10 +24,8 @@ Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
 def improve_kernels(
     frame: FrameContext, items: list[Item], budget: Budget, shorten: Pass, room: int
 ) -> list[Item]:
-    """Shorten each kernel by the pass `shorten`, in the same way in all places.
-
-    Sequences of kernels are improved as one if `room` allows (see `blocks_of`).
-    """
+    """Shorten each kernel by the pass `shorten`, in the same way in all places. Sequences of
+    kernels are improved as one if `room` allows (see `blocks_of`)."""
     run = TrackedRun(frame, items, budget)
     # The current items for each original item: rewriting a block replaces them.
     replacements: list[list[Item]] = [[item] for item in run.items]

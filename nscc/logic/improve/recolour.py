@@ -20,11 +20,9 @@ from nscc.truth import set_bits
 
 @dataclass(slots=True)
 class _Value:
-    """The result of an operation, or the initial content of a register.
-
-    `last` is the last item that reads it; `home` the register required at the end. `banned` is the
-    bit mask of registers in which it would be overwritten, or would block a mask.
-    """
+    """The result of an operation, or the initial content of a register. `last` is the last item
+    that reads it; `home` the register required at the end. `banned` is the bit mask of registers in
+    which it would be overwritten, or would block a mask."""
 
     first: int
     last: int
@@ -35,10 +33,8 @@ class _Value:
 
 
 def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
-    """The same operations with other registers; None if there are too few.
-
-    Every result must be read. The registers `without` (a bit mask) are not used.
-    """
+    """The same operations with other registers; None if there are too few. Every result must be
+    read. The registers `without` (a bit mask) are not used."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]

@@ -60,10 +60,8 @@ def refine(
     priced: Callable[[Solution], P],
     store_words: int,
 ) -> P:
-    """The best candidate after improvement, at levels 2 and 3.
-
-    `store_words` is the number of words that all kernels may take.
-    """
+    """The best candidate after improvement, at levels 2 and 3. `store_words` is the number of words
+    that all kernels may take."""
     # With more demands than stored words, kernels must repeat: few distinct kernels matter more
     # than few words.
     scarce = len(problem.demands) > store_words
@@ -93,10 +91,8 @@ class _Refinery(Generic[P]):
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
-        """(improved candidate, whether equal segments had to stay equal).
-
-        Unless `patient`, segments may differ, and a result that does not fit is given up.
-        """
+        """(improved candidate, whether equal segments had to stay equal). Unless `patient`,
+        segments may differ, and a result that does not fit is given up."""
         if self.scarce:
             return self._improve_keeping_kernels(candidate.solution, steps), True
         improved = self._form(self._improved(candidate.solution, steps))

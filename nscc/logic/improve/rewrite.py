@@ -41,11 +41,8 @@ def rewrite(
     order: Sequence[int] | None = None,
 ) -> Rewrite | None:
     """Insert `lead` before item `start`, drop the items `dropped`, and repair; None if it does not
-    save `least` words.
-
-    With `deepen`, the repair may insert gates. `order` lists the registers by preference as
-    sources.
-    """
+    save `least` words. With `deepen`, the repair may insert gates. `order` lists the registers by
+    preference as sources."""
     return _Walk(run, start, least, deepen, order).go(lead, dropped)
 
 

@@ -88,10 +88,8 @@ class TrackedRun:
         self._settle(min(first, start), tail)
 
     def _settle(self, first: int, last: int) -> None:
-        """Recompute states from item `first` to `last`, and on while they change.
-
-        Contents that are not live may differ.
-        """
+        """Recompute states from item `first` to `last`, and on while they change. Contents that are
+        not live may differ."""
         if first:
             state = list(self.before[first - 1])
             self.frame.apply(self.items[first - 1], state)
@@ -106,10 +104,8 @@ class TrackedRun:
                 self.frame.apply(self.items[k], state)
 
     def _revive(self, start: int, end: int) -> int:
-        """Recompute liveness backwards from `end`, beyond `start` while it changes.
-
-        Drops operations whose result is not live; returns the first changed place.
-        """
+        """Recompute liveness backwards from `end`, beyond `start` while it changes. Drops
+        operations whose result is not live; returns the first changed place."""
         frame = self.frame
         dead: list[int] = []
         for k in range(end - 1, -1, -1):
