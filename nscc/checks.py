@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from nscc.words.machine import Machine as StateMachine
 
 _ROUNDING = 1e-9
-"""Part of a time by which sums of decimal fractions may differ."""
+"""Relative tolerance for times, which are sums of decimal fractions."""
 
 
 class Inconsistent(Exception):
@@ -80,12 +80,12 @@ def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
         case "accumulate":
             return [at.get((n + 1, "open"), 0) for n in slots]
         case "latch":
-            # The last copy is what stays, and holds the light of all slots before it.
+            # The last copy remains, and holds the light of all slots before it.
             copied = 0
             kept_by = [copied := copied | at.get((n + 1, "open"), 0) for n in reversed(slots)]
             return kept_by[::-1]
         case "edges":
-            # PIX starts at the reset level: pixels open from slot 0 on need no rise.
+            # PIX starts at the reset level, so pixels open from slot 0 on need no rise.
             now = first
             kept_by = []
             for n in slots:

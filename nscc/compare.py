@@ -18,7 +18,7 @@ from nscc.program.problems import counted
 from nscc.words.container import Container
 
 NoiseOf = Callable[[Container], tuple[float, float] | None]
-"""The noise in electrons that a chip is expected to have in the dark, and at half a full well."""
+"""Expected noise in electrons: in the dark, and at half a full well."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,10 +44,8 @@ class OnChip:
 def compare(
     path: Path, targets: Sequence[Target], level: int, noise_of: NoiseOf | None = None
 ) -> list[OnChip]:
-    """Compile the program of a file for each chip.
-
-    Raises Rejected for errors that do not depend on the chip: syntax, names and types.
-    """
+    """Compile the program of a file for each chip. Raises Rejected for errors that do not depend on
+    the chip: syntax, names and types."""
     return [_on(path, target, level, noise_of) for target in targets]
 
 

@@ -14,7 +14,7 @@ from nscc.source import Source
 from nscc.syntax.parse import read_source
 
 CHECK = Options(level=1, unproved_is_error=False)
-"""How `nscc check` compiles: quickly, with a note where only a longer search can tell."""
+"""Options of `nscc check`: a quick search, with notes where only a longer one can tell."""
 
 
 def compile_file(
@@ -27,11 +27,9 @@ def compile_file(
 def compile_source(
     source: Source, base: Path, options: Options, see: Observer | None = None
 ) -> Compiled:
-    """Compile a program's text; paths in it are relative to the folder `base`.
-
-    Raises Rejected with all errors. If the program only does not fit, nearby programs are compiled,
-    and the diagnostics offer those that fit.
-    """
+    """Compile a program's text; paths in it are relative to the folder `base`. Raises Rejected with
+    all errors. If the program only does not fit, nearby programs are compiled, and the diagnostics
+    offer those that fit."""
     try:
         return run_passes(source, base, options, see)
     except Unfit as unfit:

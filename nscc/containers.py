@@ -33,11 +33,8 @@ def is_compiled(path: Path) -> bool:
 def load_container(
     path: Path, options: Options | None = None
 ) -> tuple[Container, tuple[Diagnostic, ...]]:
-    """Read an `.icw` file, or compile a program; returns the container and the messages.
-
-    `options` are for the compiler. Raises Rejected if a program does not compile or a file cannot
-    be read.
-    """
+    """Read an `.icw` file, or compile a program; returns the container and the messages. `options`
+    are for the compiler. Raises Rejected if a program does not compile or a file cannot be read."""
     if is_compiled(path):
         return read_container(path), ()
     compiled = compile_file(path, options)
@@ -52,10 +49,8 @@ def with_pixels(
     pixels: Path | Mapping[str, NDArray[Any]] | None = None,
 ) -> Container:
     """The container with the pixel codes of `pixels` (a file, or arrays by field), or with its own.
-
     Messages call the container `name`. Raises Rejected: NS0741 (status 2) if there are no codes,
-    and the errors of `codes_from_file` and `codes_from_arrays`.
-    """
+    and the errors of `codes_from_file` and `codes_from_arrays`."""
     target, fields = container.target, container.table.fields
     if pixels is not None:
         size = (container.table, target.rows, target.cols)

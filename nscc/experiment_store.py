@@ -17,14 +17,14 @@ from typing import Any, Self
 from nscc.diagnostics.rejection import rejected
 
 STORE = "store.sqlite"
-"""The store in a folder of results."""
+"""The file name of the store in a folder of results."""
 CLAIMS = ".claims"
-"""The file of claims is called as the store, with this at the end."""
+"""The file of claims has the store's name with this suffix."""
 _BUSY_S = 60.0
-"""How long a write waits for those of other processes."""
+"""How long a write waits for other processes."""
 _POLL_S = 0.2
 _IN_USE = 1 << 60
-"""The byte of the file of claims on which every process that uses the store has a shared lock."""
+"""The byte of the claims file on which every process that uses the store holds a shared lock."""
 _TABLE = """
 CREATE TABLE IF NOT EXISTS measurement (
     experiment TEXT, name TEXT, value TEXT NOT NULL, label TEXT NOT NULL, seconds REAL NOT NULL,
@@ -35,10 +35,8 @@ CREATE TABLE IF NOT EXISTS measurement (
 
 @dataclass(frozen=True)
 class Timing:
-    """The duration of a measurement, its end (in seconds since the epoch), and its worker.
-
-    `label` describes the measurement for people.
-    """
+    """The duration of a measurement, its end (in seconds since the epoch), and its worker. `label`
+    describes the measurement for people."""
 
     name: str
     label: str
@@ -127,11 +125,8 @@ class ExperimentStore:
         )
 
     def once(self, experiment: str, name: str, measure: Callable[[], Any]) -> Any:
-        """Return a stored measurement, or call `measure` and store its result.
-
-        If another process has the claim, wait for its result. Results pass through JSON: tuples
-        become lists.
-        """
+        """Return a stored measurement, or call `measure` and store its result. If another process
+        has the claim, wait for its result. Results pass through JSON: tuples become lists."""
         while (value := self.get(experiment, name)) is None:
             if not self.claim(experiment, name):
                 sleep(_POLL_S)

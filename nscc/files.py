@@ -16,10 +16,10 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 Product = bytes | Callable[[BinaryIO], object]
-"""What goes into a file: its bytes, or a function that writes them to the open file."""
+"""The content of a file: its bytes, or a function that writes them to the open file."""
 
 _DESCRIPTOR = re.compile(r"/dev/(?:fd/\d+|stdin|stdout|stderr)|/proc/[^/]+/fd/\d+")
-"""Names of what a process has open: a pipe, a terminal, a file that a shell has opened."""
+"""Paths of open file descriptors: pipes, terminals, redirected files."""
 
 _writes = count()
 
@@ -50,11 +50,9 @@ def reads(*paths: Path) -> None:
 
 
 def read_whole(path: Path, most_bytes: int = 1 << 26) -> bytes:
-    """Read an input file, and note it with `reads`.
-
-    Raises OSError if it cannot be read, and ValueError if it has more than `most_bytes`. The size
-    on disk is not trusted, because devices have none.
-    """
+    """Read an input file, and note it with `reads`. Raises OSError if it cannot be read, and
+    ValueError if it has more than `most_bytes`. The size on disk is not trusted, because devices
+    have none."""
     reads(path)
     with open(path, "rb") as file:
         data = file.read(most_bytes + 1)
@@ -72,19 +70,15 @@ def file_sha256(path: Path) -> str:
 
 
 def write_whole(path: Path, data: Product) -> None:
-    """Write a file atomically, keeping the permissions of a file that it replaces.
-
-    Raises Rejected (NS0784, status 2) if it cannot be written.
-    """
+    """Write a file atomically, keeping the permissions of a file that it replaces. Raises Rejected
+    (NS0784, status 2) if it cannot be written."""
     write_together({path: data})
 
 
 def write_together(products: Mapping[Path, Product]) -> None:
-    """Write several files; none is replaced before all data is on the disk.
-
-    Raises Rejected (status 2) and leaves no partial file: NS0784 if a file cannot be written,
-    NS0785 if it is an input of the same command (`reads`) and would change.
-    """
+    """Write several files; none is replaced before all data is on the disk. Raises Rejected (status
+    2) and leaves no partial file: NS0784 if a file cannot be written, NS0785 if it is an input of
+    the same command (`reads`) and would change."""
     for path, data in products.items():
         _refuse_input(path, data)
     waiting: list[tuple[Path, Path]] = []
@@ -128,10 +122,8 @@ def write_new(products: Mapping[Path, Product]) -> None:
 
 
 def refuse_same(paths: Collection[Path], options: str) -> None:
-    """Raise Rejected (NS0745, status 2) if two products have the same path.
-
-    `options` are the options that name them.
-    """
+    """Raise Rejected (NS0745, status 2) if two products have the same path. `options` are the
+    options that name them."""
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
             "NS0745",
@@ -167,7 +159,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     write pipes and devices directly."""
     if path.is_dir():
         raise IsADirectoryError(21, "Is a directory", str(path))
-    # Asked of the name itself: what a descriptor's link points to need not have a path.
+    # The name itself is checked, because the target of a descriptor's link need not have a path.
     if _DESCRIPTOR.fullmatch(str(path)) or (
         path.exists() and not stat.S_ISREG(path.stat().st_mode)
     ):
@@ -176,13 +168,13 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
         return []
     final = Path(os.path.realpath(path))
     temporary = _temporary_beside(final)
-    # A process that was killed may have left it; in containers process numbers soon come again.
+    # A killed process may have left it, and process numbers repeat quickly in containers.
     temporary.unlink(missing_ok=True)
     old_mode = final.stat().st_mode & 0o777 if final.exists() else None
     mode = 0o666 if old_mode is None else old_mode
     final.parent.mkdir(parents=True, exist_ok=True)
     try:
-        # Not even for a moment may others read what they could not read before.
+        # Permissions must be restricted from the start.
         with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             _fill(file, data)
         if old_mode not in (None, temporary.stat().st_mode & 0o777):
@@ -194,10 +186,8 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
 
 
 def _temporary_beside(final: Path) -> Path:
-    """A short file name in the folder of `final` that no other write uses.
-
-    It is unique by digest (products and machines), process number, and count of writes.
-    """
+    """A short file name in the folder of `final` that no other write uses. It is unique by digest
+    (products and machines), process number, and count of writes."""
     from hashlib import sha256
 
     digest = sha256(os.fsencode(f"{os.uname().nodename}/{final.name}")).hexdigest()[:12]

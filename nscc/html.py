@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from html import escape
 
 SERIES = ("#3b8fd4", "#e69f00", "#009e73", "#cc79a7")
-"""Colours of things side by side; there may be more of them than colours."""
+"""Series colours, repeated if there are more series."""
 
 _FAINT = "opacity:.7"
 

@@ -9,10 +9,8 @@ from typing import Any
 
 def attribute(package: str, names: Mapping[str, Sequence[str]], name: str) -> Any:
     """The public attribute `name` of `package`; `names` lists the public names of each module.
-
     Raises AttributeError for an unknown name, and ModuleNotFoundError with an install command if a
-    distribution is missing.
-    """
+    distribution is missing."""
     module = next((module for module, exported in names.items() if name in exported), None)
     if module is None:
         raise AttributeError(f"module '{package}' has no attribute '{name}'")

@@ -32,7 +32,7 @@ from nscc.operations import (
 )
 
 SCRATCH, GUARD, GUARDED = "NEWS", "R0", "R12"
-"""What macros pass through: the analog scratch, the write mask and the register it masks."""
+"""Registers that macros overwrite: the analog scratch, the write mask and the masked register."""
 
 
 class OperandError(Exception):
@@ -50,11 +50,9 @@ Ops = tuple[Op, ...]
 
 @dataclass(frozen=True)
 class Mnemonic:
-    """The name at the start of an assembly instruction.
-
-    `usage` shows its forms; it takes `least` to `most` operands (None: any number). It overwrites
-    the registers `scratch`, which cannot be operands.
-    """
+    """The name at the start of an assembly instruction. `usage` shows its forms; it takes `least`
+    to `most` operands (None: any number). It overwrites the registers `scratch`, which cannot be
+    operands."""
 
     name: str
     usage: str
@@ -65,10 +63,8 @@ class Mnemonic:
 
 
 def expand(name: str, operands: Sequence[str], own_words: tuple[Operation, ...] = ()) -> Ops:
-    """The operations of a line `name operands`; `own_words` are the target's own words.
-
-    Raises KeyError for a name that is no mnemonic and OperandError for operands it does not take.
-    """
+    """The operations of a line `name operands`; `own_words` are the target's own words. Raises
+    KeyError for a name that is no mnemonic and OperandError for operands it does not take."""
     mnemonic = mnemonics(own_words)[name]
     count = len(operands)
     for index, register in enumerate(operands):
@@ -132,7 +128,7 @@ def _listed(names: Sequence[str] | dict[str, int]) -> str:
 def _native(row: Operation) -> Mnemonic:
     low, high = row.destinations
     first, last = row.sources
-    # SET, CLR and WHERE take any number of one kind of operand, so this split is never ambiguous.
+    # SET, CLR and WHERE have one kind of operand, so this split is unambiguous.
     split = None if high is None else low
 
     def write(operands: Sequence[str]) -> Ops:
@@ -148,7 +144,7 @@ def _native(row: Operation) -> Mnemonic:
     return Mnemonic(row.name, usage, write, low + first, most)
 
 
-# In-place forms and the mnemonics that share a name with them.
+# In-place forms, and mnemonics of the same names.
 def _in_place(kind: str, operands: Sequence[str]) -> Ops:
     """The pair of half-words that writes the OR, NOR or REFRESH of all operands to the first
     one."""
@@ -181,8 +177,8 @@ def _or_nor(kind: str) -> Callable[[Sequence[str]], Ops]:
 _WORDS = {row.name: _native(row) for row in OPERATIONS}
 
 
-# One form a line. NEWS passes every analog value on: as each word inverts, two keep the sign.
-# Digital macros that join two terms end in NOR or OR of what R0 and R12 (or b) then hold.
+# One form a line. NEWS carries analog values; since each word inverts, two preserve the sign.
+# Digital macros that combine two terms end in NOR or OR of R0 and R12 (or b).
 _MACROS = """
 res a: bus NEWS; bus a, NEWS
 res a, b: bus NEWS; bus a, NEWS; bus b, NEWS
@@ -217,7 +213,7 @@ _DISTINCT = {
     "CLR_IF l, x": "the register and its condition must differ",
     "XORX l, x, y": "l, x and y must be three registers",
 }
-"""Forms whose operands must all be different ones, and why."""
+"""Forms whose operands must all be different, and why."""
 
 
 class _Form:
@@ -238,7 +234,7 @@ class _Form:
         meant = dict(zip(self.operands, arguments, strict=True))
         try:
             written = [word.write([meant.get(n, n) for n in names]) for word, names in self.words]
-        except OperandError as error:  # said of the macro as a whole
+        except OperandError as error:  # reported for the whole macro
             raise OperandError(f"one of its words is invalid: {error}") from None
         return tuple(op for words in written for op in words)
 

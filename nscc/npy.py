@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 MOST_BYTES = 1 << 30
-"""What the arrays of one file may take in memory, unless its reader states another bound."""
+"""Default limit on the memory of the arrays in one file."""
 
 _MOST_HEADER_BYTES = 1 << 16
 _BLOCK_BYTES = 1 << 24
@@ -22,10 +22,8 @@ class InvalidArrays(ValueError):
 
 
 def npy_header(stream: IO[bytes]) -> tuple[tuple[int, int], tuple[int, ...], bool, np.dtype[Any]]:
-    """Version, shape, Fortran order and dtype of an .npy stream.
-
-    Raises numpy's errors for a damaged header.
-    """
+    """Version, shape, Fortran order and dtype of an .npy stream. Raises numpy's errors for a
+    damaged header."""
     from numpy.lib import format as npy
 
     version = npy.read_magic(stream)
@@ -106,11 +104,8 @@ def npz_arrays(
 
 
 def npy_array(path: Path, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """Read the array of an .npy file.
-
-    Raises InvalidArrays if it takes more than `most_bytes` or holds Python objects, and numpy's
-    errors for a damaged file.
-    """
+    """Read the array of an .npy file. Raises InvalidArrays if it takes more than `most_bytes` or
+    holds Python objects, and numpy's errors for a damaged file."""
     with open(path, "rb") as stream:
         _, shape, _, dtype = npy_header(stream)
         check_size(prod(shape) * dtype.itemsize, most_bytes)

@@ -22,11 +22,9 @@ Group = Literal["nscc.commands", "nscc.decoders", "nscc.effects", "nscc.encoding
 
 
 def added(group: Group, reserved: Collection[str] = frozenset()) -> dict[str, Any]:
-    """The objects that other distributions add to `group`, keyed and sorted by name.
-
-    Raises Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or
-    used twice.
-    """
+    """The objects that other distributions add to `group`, keyed and sorted by name. Raises
+    Rejected (NS0905) if an object cannot be imported, and for a name that is `reserved` or used
+    twice."""
     loaded = _loaded(group)
     for name in loaded:
         if name in reserved:
@@ -42,7 +40,7 @@ def sources(group: Group) -> dict[str, str]:
 @cache
 def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
     """The objects and their modules by name, loaded once."""
-    # A fiftieth of a second, which commands that need no more than nscc's own do not spend.
+    # Importing takes 20 ms, which commands without plugins should not spend.
     from importlib.metadata import entry_points
 
     objects: dict[str, tuple[Any, str]] = {}
@@ -51,7 +49,7 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
             raise unusable(group, entry.name, "another package provides an object of that name")
         try:
             objects[entry.name] = entry.load(), entry.module
-        except Exception as error:  # whatever a module of somebody else's raises
+        except Exception as error:  # any exception of another package
             reason = " ".join(str(error).split())[:200]
             raise unusable(group, entry.name, f"{type(error).__name__}: {reason}") from error
     return objects

@@ -42,7 +42,7 @@ from nscc.words.file import read_container
 
 _DEFAULTS = Options()
 _TEXT = "<text>"
-"""What messages call a program that is in no file."""
+"""The name in messages of a program without a file."""
 
 
 @dataclass(frozen=True, eq=False, repr=False)

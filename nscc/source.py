@@ -21,10 +21,8 @@ class Span:
 
 @dataclass(frozen=True)
 class Source:
-    """A decoded text and the name that messages show for it.
-
-    `name` is the path as the user wrote it.
-    """
+    """A decoded text and the name that messages show for it. `name` is the path as the user wrote
+    it."""
 
     name: str
     text: str

@@ -23,20 +23,15 @@ _DECIDES = (".py", ".toml", ".safetensors")
 
 def digest(value: Any) -> str:
     """The digest of a value made of frozen dataclasses, tuples, lists, mappings, arrays and
-    numbers.
-
-    Values of different type or structure have different digests. Raises TypeError for other types,
-    because ignoring a member could give two values one digest.
-    """
+    numbers. Values of different type or structure have different digests. Raises TypeError for
+    other types, because ignoring a member could give two values one digest."""
     return sha256(_token(value, {})).hexdigest()
 
 
 @cache
 def version_digest() -> str | None:
-    """The digest of this compiler: its sources, added generators, Python and the libraries.
-
-    None if sources cannot be read.
-    """
+    """The digest of this compiler: its sources, added generators, Python and the libraries. None if
+    sources cannot be read."""
     roots = {"": _ROOT}
     for name, module in sources("nscc.encodings").items():
         file = getattr(sys.modules[module.partition(".")[0]], "__file__", None)

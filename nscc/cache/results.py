@@ -17,15 +17,13 @@ from nscc.logic.problem import Machine, Problem, Solution
 from nscc.logic.replay import fault
 
 LEAST_LEVEL = 2
-"""Below this level a search is over sooner than its result would be read."""
+"""Below this level a search is faster than reading its result."""
 
 
 @dataclass
 class Results:
     """Search results of one compilation, read from the store while `trusted` and written to it.
-
-    `read` counts the results that came from the store.
-    """
+    `read` counts the results that came from the store."""
 
     store: Store
     trusted: bool = field(default=True, init=False)

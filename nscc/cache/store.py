@@ -18,22 +18,20 @@ from pathlib import Path
 
 MOST_BYTES = 64_000_000
 _KEPT_SHARE = 0.75
-"""How full the folder is after making room: so that not every write has to look for some."""
+"""Share of the limit that remains after making room, so that not every write must make room."""
 _LARGEST = MOST_BYTES // 4
 
 _FORMAT = b"nscc-cache-1"
 _ENTRY = re.compile(r"[0-9a-f]{64}")
 _PART = re.compile(r"\.[0-9a-f]{64}\.[0-9]+\.part")
 _PART_AGE_S = 600.0
-"""A file half written that is older than this belongs to a process that died."""
+"""A partial file older than this belongs to a process that died."""
 
 
 def cache_folder(environment: Mapping[str, str] | None = None) -> Path | None:
     """The folder of the cache; None if `NSCC_CACHE=off` or there is no home folder.
-
     `NSCC_CACHE_DIR`, else `XDG_CACHE_HOME`/nscc (an absolute path, as its specification demands),
-    else ~/.cache/nscc.
-    """
+    else ~/.cache/nscc."""
     variables = os.environ if environment is None else environment
     if variables.get("NSCC_CACHE", "").lower() == "off":
         return None
@@ -54,13 +52,11 @@ class Store:
     most_bytes: int = MOST_BYTES
 
     def read(self, key: str) -> bytes | None:
-        """The data stored under `key` (64 hexadecimal digits); None if missing or damaged.
-
-        Reading marks the entry as recently used.
-        """
+        """The data stored under `key` (64 hexadecimal digits); None if missing or damaged. Reading
+        marks the entry as recently used."""
         path = self.folder / key
         try:
-            # A pipe in the entry's place must not make anybody wait.
+            # Opening a pipe in the entry's place must not block.
             with os.fdopen(os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC), "rb") as file:
                 status = os.fstat(file.fileno())
                 if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST:

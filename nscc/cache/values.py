@@ -14,7 +14,7 @@ from typing import Any, TypeVar, Union, get_args, get_origin, get_type_hints
 T = TypeVar("T")
 
 _LARGE = 1 << 53
-"""From here on, integers are written as text: not every reader of JSON keeps them exact."""
+"""Larger integers are written as text, because not every JSON reader keeps them exact."""
 
 
 def to_json(value: Any) -> bytes:

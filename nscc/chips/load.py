@@ -52,10 +52,8 @@ def target_names() -> tuple[str, ...]:
 @cache
 def added_targets() -> dict[str, Target]:
     """The targets that installed packages add: each a `Target`, TOML text, or the path of a file.
-
     Raises Rejected (NS0905) for other objects, for a name of a built-in target, for a name that
-    differs from the one in the table, and for an invalid table.
-    """
+    differs from the one in the table, and for an invalid table."""
     return {
         name: _added(name, value)
         for name, value in added("nscc.targets", builtin_names()).items()
@@ -146,10 +144,8 @@ def read_target(
 
 
 def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
-    """Parse the TOML text of a target; messages call the file `name`.
-
-    Raises Rejected with `status` and all errors, NS0232 to NS0236.
-    """
+    """Parse the TOML text of a target; messages call the file `name`. Raises Rejected with `status`
+    and all errors, NS0232 to NS0236."""
     key_values, problems, source = file_values(
         SCHEMA, data, name, status=status, choose=lambda values: schema_of(values.get("kind"))
     )
@@ -160,10 +156,8 @@ def parse_target(data: bytes, name: str, *, status: int = 1) -> Target:
 
 
 def _target(key_values: KeyValues) -> Target:
-    """The target with these values; missing keys have their default or scamp5's value.
-
-    A chip without logic has no registers.
-    """
+    """The target with these values; missing keys have their default or scamp5's value. A chip
+    without logic has no registers."""
     values: dict[str, Any] = {}
     streamed = schema_of(key_values.get("kind")) is not SCHEMA
     for key in keys_of(Target):

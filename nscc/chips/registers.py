@@ -15,10 +15,8 @@ _MOST_TAPS = 16
 
 
 def contradictions(registers: Mapping[str, Any]) -> Iterator[tuple[str, str, str]]:
-    """All contradictions, each as its key, a message and a help ("" for none).
-
-    `registers` maps the names of the keys of [registers] that could be read to their values.
-    """
+    """All contradictions, each as its key, a message and a help ("" for none). `registers` maps the
+    names of the keys of [registers] that could be read to their values."""
     for key, known in (("analog", tuple(ANALOG_WRITE)), ("digital", tuple(DIGITAL_WRITE))):
         for message, help_text in islice(_listed(registers.get(key, ()), known), _MOST_TOLD):
             yield key, f"registers.{key} lists {message}", help_text

@@ -14,10 +14,8 @@ from nscc.diagnostics.suggest import meant
 
 
 class WrongArgument(Rejected, TypeError, ValueError):
-    """A call got an invalid argument (NS0789, status 2).
-
-    It is also a ValueError and a TypeError.
-    """
+    """A call got an invalid argument (NS0789, status 2). It is also a ValueError and a
+    TypeError."""
 
 
 def wrong_argument(
@@ -60,9 +58,7 @@ def warn(diagnostics: Iterable[Diagnostic]) -> None:
 
 def shown(value: object) -> str:
     """Describe a value in a few words: `an array (64, 64) of float32`, `the text 'abc'`, `a list`.
-
-    Arrays are recognised by their attributes, so that no array library is imported.
-    """
+    Arrays are recognised by their attributes, so that no array library is imported."""
     if isinstance(value, np.generic):
         value = value.item()
     if value is None or isinstance(value, bool | int | float):

@@ -9,14 +9,12 @@ from nscc.diagnostics.render import PAGES, names
 from nscc.diagnostics.suggest import closest, did_you_mean
 
 _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?", re.IGNORECASE)
-"""A code as it is typed or copied: `NS0412`, `ns412`, `412`, `error[NS0412]: ..`."""
+"""A code as typed or copied: `NS0412`, `ns412`, `412`, `error[NS0412]: ..`."""
 
 
 def page(code_or_name: str) -> str:
-    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`).
-
-    Raises Rejected (NS0790, status 2) where there is none.
-    """
+    """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`). Raises
+    Rejected (NS0790, status 2) where there is none."""
     known = names()
     query = code_or_name.strip()
     match = _CODE.fullmatch(query)

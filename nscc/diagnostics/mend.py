@@ -10,11 +10,9 @@ from nscc.source import Source
 
 
 def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
-    """Apply the sure fixes of a text's diagnostics; returns the text and the number of fixes.
-
-    Each diagnostic contributes its first sure fix. Of overlapping fixes, the last one in the text
-    is applied.
-    """
+    """Apply the sure fixes of a text's diagnostics; returns the text and the number of fixes. Each
+    diagnostic contributes its first sure fix. Of overlapping fixes, the last one in the text is
+    applied."""
     fixes = []
     for diagnostic in diagnostics:
         sure = [fix for fix in diagnostic.fixes if fix.sure]

@@ -28,10 +28,8 @@ class Label:
 
 @dataclass(frozen=True, slots=True)
 class Fix:
-    """A change that resolves a diagnostic: replace `span` by `replacement`.
-
-    A fix is `sure` if it cannot change the meaning that the author intended.
-    """
+    """A change that resolves a diagnostic: replace `span` by `replacement`. A fix is `sure` if it
+    cannot change the meaning that the author intended."""
 
     title: str
     span: Span

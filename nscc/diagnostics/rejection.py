@@ -18,19 +18,15 @@ def rejected(
     status: int = 2,
     **about: Any,
 ) -> Rejected:
-    """An exception that ends the command with `status`, by default 2 (wrong input).
-
-    `about` are further fields of `Diagnostic`.
-    """
+    """An exception that ends the command with `status`, by default 2 (wrong input). `about` are
+    further fields of `Diagnostic`."""
     diagnostic = Diagnostic(code, message, notes=tuple(notes), helps=tuple(helps), **about)
     return Rejected(diagnostic, status=status)
 
 
 def unknown_name(code: str, message: str, name: str, known: Sequence[str], listed: str) -> Rejected:
-    """The exception for a name that is not in `known`; a note lists the known names.
-
-    {} stands for the name in `message` and for the known names in `listed`.
-    """
+    """The exception for a name that is not in `known`; a note lists the known names. {} stands for
+    the name in `message` and for the known names in `listed`."""
     return rejected(
         code,
         message.format(name[:60]),

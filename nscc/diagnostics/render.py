@@ -181,7 +181,7 @@ def _visible(text: str) -> str:
     if text.isascii() and text.isprintable():
         return text
     with suppress(UnicodeError):
-        # Names of files in a locale of ASCII: Python escapes their bytes, which are UTF-8.
+        # In an ASCII locale, Python escapes the UTF-8 bytes of file names.
         text = text.encode("utf-8", "surrogateescape").decode("utf-8")
     return "".join(" " * _TAB if ch == "\t" else ch if ch.isprintable() else "?" for ch in text)
 

@@ -6,19 +6,17 @@ import re
 from collections.abc import Iterable
 
 _LONGEST = 64
-"""Names longer than this are not compared: nobody misspells a word of that length by a letter."""
+"""Longer names are not compared: they are rarely misspelt by a letter."""
 
 
 def closest(name: str, candidates: Iterable[str]) -> str | None:
-    """The candidate most similar to `name`; None if none is similar.
-
-    Case is ignored. Of equally similar candidates, the alphabetically first is returned.
-    """
+    """The candidate most similar to `name`; None if none is similar. Case is ignored. Of equally
+    similar candidates, the alphabetically first is returned."""
     if len(name) > _LONGEST:
         return None
     by_folded: dict[str, str] = {}
     for candidate in sorted(set(candidates)):
-        # A single letter is like every name that holds it.
+        # A single letter is similar to every name that contains it.
         alike = len(candidate) > 1 or len(name) <= 2
         if alike and len(candidate) <= _LONGEST and candidate != name:
             by_folded.setdefault(candidate.casefold(), candidate)

@@ -32,7 +32,7 @@ _MOST_FILES = 200
 _MOST_HASHED_BYTES = 64 << 20
 _WORD = re.compile(r"[\w-]*\Z")
 _ENDINGS = {"target": ".toml", "shutters": ".npz", "pixels": ".npz"}
-"""What the files that a statement names end in."""
+"""File name endings for the statements that name files."""
 
 _ONCE = ("nsl", "target", "frame", "reset")
 
@@ -81,7 +81,9 @@ class _Place:
         statement = kinds[begin]
         _, stuck = read(self.tokens, begin, len(kinds))
         if stuck is not None and stuck.token < len(kinds):
-            expected = frozenset({"NAME", END})  # something before is wrong: then anything may come
+            expected = frozenset(
+                {"NAME", END}
+            )  # there is an error before: then anything may follow
         else:
             expected = Stuck(len(kinds), tuple(self.tokens.found[begin:])).expected
         if "NAME" in expected:

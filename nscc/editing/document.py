@@ -38,10 +38,8 @@ class CheckResult:
 
 @dataclass(frozen=True)
 class Document:
-    """A program's text, possibly unsaved or invalid.
-
-    Messages call it `name`; paths in it are relative to `folder`.
-    """
+    """A program's text, possibly unsaved or invalid. Messages call it `name`; paths in it are
+    relative to `folder`."""
 
     name: str
     text: str
@@ -55,7 +53,7 @@ class Document:
     def checked(self) -> CheckResult:
         """The result of `nscc check`; computing it takes longest."""
         try:
-            # As bytes in a file: a text too large, or with what no file may hold, is told so.
+            # Checked as the bytes of a file, which reports too large texts and invalid characters.
             source = source_of(Path(self.name), self.text.encode(errors="surrogatepass"))
             compiled = compile_source(source, self.folder, CHECK)
         except Rejected as rejected:

@@ -10,10 +10,10 @@ from nscc.editing.document import Document
 from nscc.source import Span
 
 Kind = Literal["name", "bucket"]
-"""Buckets have names of their own; all else that a program declares shares one set of names."""
+"""Buckets have a separate namespace; all other declarations share one."""
 
 DECLARES = ("let", "code", "shutters", "sense", "state")
-"""After these words a statement's own name comes, which expressions may read."""
+"""Keywords followed by the name that a statement declares."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -23,18 +23,15 @@ _KINDS = {
     tree.StateRange: "state",
     tree.StateBit: "state",
 }
-"""The statements that are shown, by the words that begin them, however those were misspelt."""
+"""The statements in the outline, with the keyword of each."""
 
 _LONGEST = 60
 
 
 @dataclass(frozen=True, slots=True)
 class OutlineEntry:
-    """A statement in the outline.
-
-    `kind` is its first word, which is also its name if it declares none; `detail` is a short form
-    of the rest; `at` is the place of the name.
-    """
+    """A statement in the outline. `kind` is its first word, which is also its name if it declares
+    none; `detail` is a short form of the rest; `at` is the place of the name."""
 
     name: str
     detail: str

@@ -19,11 +19,9 @@ class CannotRename(ValueError):
 
 
 def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
-    """The places to replace by `name` so that the program keeps its meaning.
-
-    Raises CannotRename if there is no declared name at `offset`, if `name` is invalid or in use, or
-    if an array in a file has the old name.
-    """
+    """The places to replace by `name` so that the program keeps its meaning. Raises CannotRename if
+    there is no declared name at `offset`, if `name` is invalid or in use, or if an array in a file
+    has the old name."""
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(

@@ -67,7 +67,7 @@ class _Maker(NetworkMaker):
             for bucket in (registers.index(r) for r in word.destinations if r in registers):
                 self.demand(edge, self.buckets[bucket], boundary)
         elif effect is Effect.RESET_PIX and self.resets_some:
-            # It stands twice: one word is too short to empty the well.
+            # It is there twice: one word is too short to reset the photodiode.
             resets = (node for _, node in self.network.nodes(data=True) if node["kind"] == "demand")
             if not any((node["edge"], node["boundary"]) == ("reset", boundary) for node in resets):
                 self.demand("reset", "", boundary)

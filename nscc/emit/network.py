@@ -192,11 +192,8 @@ def depth(network: nx.DiGraph) -> int:
 
 
 def interference(network: nx.DiGraph) -> nx.Graph:
-    """The interference graph: an edge joins two values that are alive at the same time.
-
-    Planes are alive before the first gate. A gate may overwrite a register that it reads for the
-    last time.
-    """
+    """The interference graph: an edge joins two values that are alive at the same time. Planes are
+    alive before the first gate. A gate may overwrite a register that it reads for the last time."""
     last: dict[str, str] = {}
     for node in network:
         last |= dict.fromkeys(network.predecessors(node), node)
@@ -213,11 +210,9 @@ def interference(network: nx.DiGraph) -> nx.Graph:
 
 
 def registers_needed(network: nx.DiGraph) -> int:
-    """The fewest registers, including FLAG, that can hold all values in this order of gates.
-
-    Live ranges of straight-line code are intervals, so this is the largest number of simultaneously
-    live values.
-    """
+    """The fewest registers, including FLAG, that can hold all values in this order of gates. Live
+    ranges of straight-line code are intervals, so this is the largest number of simultaneously live
+    values."""
     colours = nx.greedy_color(interference(network), lambda graph, _: list(graph))
     return 1 + max(colours.values(), default=-1)
 
@@ -225,7 +220,7 @@ def registers_needed(network: nx.DiGraph) -> int:
 def graphml_bytes(network: nx.DiGraph) -> bytes:
     """The network as GraphML."""
     out = io.BytesIO()
-    # The writer by name: `write_graphml` takes another one where lxml is installed.
+    # Named explicitly: `write_graphml` selects another writer if lxml is installed.
     nx.write_graphml_xml(network, out)
     return out.getvalue() + b"\n"
 

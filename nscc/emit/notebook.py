@@ -12,19 +12,17 @@ from nscc.lower.resources import time_text
 
 _MOST_ROWS = 24
 _COLUMNS = 360
-"""With more slots than this a bar shows the share of open time in each of its columns."""
+"""With more slots, each column of a bar shows the share of open time."""
 _SHADES = 4
 _LABELS, _WIDTH, _ROW, _AXIS = 170.0, 530.0, 18.0, 20.0
-"""Pixels for the labels, the chart, one of its rows and the time below it."""
+"""Pixels for labels, chart width, row height and the time axis."""
 
 
 def shutter_chart(
     rows: NDArray[np.bool_], labels: Sequence[str], slot_us: Sequence[float], buckets: Sequence[str]
 ) -> html.Html:
-    """Chart of shutters bool (shutters, buckets, N) over time, one row each.
-
-    At most a screenful is shown: evenly spaced rows, including the first and the last.
-    """
+    """Chart of shutters bool (shutters, buckets, N) over time, one row each. At most a screenful is
+    shown: evenly spaced rows, including the first and the last."""
     count = len(rows)
     chosen = np.unique(np.rint(np.linspace(0, count - 1, min(count, _MOST_ROWS))).astype(int))
     edges = np.concatenate(([0.0], np.cumsum(slot_us)))

@@ -113,10 +113,8 @@ def stream_report(sending: Sending, proof: Proof) -> dict[str, Any]:
 
 def planes_bytes(container: Container) -> bytes:
     """The planes and their schedule for the chip's driver, as an .npz file; docs/targets.md lists
-    the keys.
-
-    Raises Rejected (NS0511) if the pixels have no codes, because the planes depend on them.
-    """
+    the keys. Raises Rejected (NS0511) if the pixels have no codes, because the planes depend on
+    them."""
     from nscc.words.stream import schedule
 
     sent, target = container.stream, container.target

@@ -18,7 +18,7 @@ from nscc.program.capacity import largest_with
 from nscc.program.limits import MOST_SLOTS, PROOF_LIMIT
 
 MOST_DIGITS = 1 << 14
-"""Most rows x slots of a codebook that is compiled to find a limit: larger ones take long."""
+"""Most rows x slots of a codebook compiled for a limit; larger ones take long."""
 
 BUMP_LENGTHS = (4, 8, 16)
 BOOK_ROWS = (16, 64, 256)

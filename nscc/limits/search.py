@@ -13,20 +13,18 @@ from typing import Any
 from nscc.program.capacity import Count, largest_with
 
 GIVE_UP_AFTER = 2
-"""Candidates in a row that do not fit before larger ones are left alone."""
+"""Number of consecutive failing candidates after which larger ones are skipped."""
 
 
 _ALIKE = 1.02
-"""A power of two tells nothing if a larger candidate is within this factor."""
+"""A power of two is skipped if a larger candidate is within this factor."""
 
 
 @dataclass(frozen=True)
 class SizeTrial:
-    """A compiled program of one size; `fits` means that its words were proved.
-
-    `figures` are its costs. If it does not fit, `code` and `reason` are those of the error, and
-    `proved` means that no compiler can make it fit.
-    """
+    """A compiled program of one size; `fits` means that its words were proved. `figures` are its
+    costs. If it does not fit, `code` and `reason` are those of the error, and `proved` means that
+    no compiler can make it fit."""
 
     size: int
     fits: bool
@@ -52,11 +50,9 @@ def candidates(count: Count, least: int, most: int) -> list[int]:
 def explore(
     sizes: list[int], attempt: Callable[[int], SizeTrial], budget: int
 ) -> Generator[SizeTrial, None, dict[int, SizeTrial]]:
-    """Compile the ascending `sizes`, then search beyond the largest that fits.
-
-    Yields at most `budget` trials as they end, and returns all by size. Each step tries the next
-    larger size before the middle, because limits often lie where one more bit is needed.
-    """
+    """Compile the ascending `sizes`, then search beyond the largest that fits. Yields at most
+    `budget` trials as they end, and returns all by size. Each step tries the next larger size
+    before the middle, because limits often lie where one more bit is needed."""
     trials: dict[int, SizeTrial] = {}
 
     def make(size: int) -> Generator[SizeTrial, None, bool]:
@@ -84,11 +80,9 @@ def explore(
 
 
 def largest(least: int, most: int, fits: Callable[[int], bool], budget: int) -> int | None:
-    """The largest size in `least`..`most` that was found to fit in at most `budget` attempts.
-
-    Tries `most` first and then bisects. Exact if every smaller size of a fitting size fits and the
-    budget suffices.
-    """
+    """The largest size in `least`..`most` that was found to fit in at most `budget` attempts. Tries
+    `most` first and then bisects. Exact if every smaller size of a fitting size fits and the budget
+    suffices."""
     if most < least or budget < 1:
         return None
     if fits(most):

@@ -18,7 +18,7 @@ from nscc.source import Source
 from nscc.words.legality import refuse_planes
 
 BUDGET = 40
-"""Most programs compiled for one class at one slot length."""
+"""Most compilations for one class and slot length."""
 
 
 @dataclass(frozen=True)
@@ -53,10 +53,8 @@ class Limit:
 def survey(
     target: Target, options: Options, slots: tuple[str, ...]
 ) -> Generator[SizeTrial, None, list[Limit]]:
-    """Yield each trial as it ends; return the limit of every slot length and family.
-
-    Raises Rejected (NS0510) for a chip that fits every shutter.
-    """
+    """Yield each trial as it ends; return the limit of every slot length and family. Raises
+    Rejected (NS0510) for a chip that fits every shutter."""
     refuse_planes(
         target,
         "--limits does not apply to this chip",

@@ -35,14 +35,14 @@ from nscc.source import Source
 
 MOST_SHOWN = 3
 QUICK_LEVEL = 1
-"""Several programs are compiled for one error message: with no more effort than this each, but for
-the rows of a codebook."""
+"""Highest level for ways out, since one error message compiles several programs; not for codebook
+rows."""
 _FRAME_TRIALS = 8
 _ROW_TRIALS = 10
 _BOOK_ROWS = 64
 _LONGEST_BOOK = 256
 _MOST_DIGITS = 1 << 13
-"""Most digits of a codebook's first rows that are compiled for one error message."""
+"""Most digits of a codebook that is compiled for one error message."""
 
 
 class Attempt(Protocol):
@@ -61,11 +61,8 @@ class WayOut:
 
 
 def ways_out(program: Program, attempt: Attempt, level: int) -> list[WayOut]:
-    """Nearby programs that were compiled and fit, smallest change first.
-
-    `level` is the level of the program that does not fit; each price names the level of its
-    compilation.
-    """
+    """Nearby programs that were compiled and fit, smallest change first. `level` is the level of
+    the program that does not fit; each price names the level of its compilation."""
     return list(islice(_candidates(program, attempt, level), MOST_SHOWN))
 
 

@@ -19,16 +19,14 @@ ASSUMES = (
 
 
 def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> int | None:
-    """The fewest operations a frame for a complete class; None if no bound is proved.
-
-    Class b has N shutters with stops 0..N-1 and one more with 0..N; c with starts 0..N-len has N -
-    len + 1; d has all N (N + 1) / 2 bumps, with or without the never-open shutter.
-    """
+    """The fewest operations a frame for a complete class; None if no bound is proved. Class b has N
+    shutters with stops 0..N-1 and one more with 0..N; c with starts 0..N-len has N - len + 1; d has
+    all N (N + 1) / 2 bumps, with or without the never-open shutter."""
     bumps = slots * (slots + 1) // 2
     loads = slots
     match class_name:
         case "b" if shutters == slots:
-            # As many loads as stops that differ: one slot is the same for all.
+            # There are as many loads as different stops, because one slot is equal for all.
             loads = slots - 1
             contents = loads
         case "b" if shutters == slots + 1:
@@ -40,8 +38,8 @@ def level_bound(class_name: str, shutters: int, slots: int, registers: int) -> i
             registers = _loadable_at_first(slots, shutters - bumps, registers)
         case _:
             return None
-    # A load is an operation. The registers start with a content each; every other content that is
-    # needed takes one more to be made.
+    # A load is an operation. Each register has an initial content; every other content takes one
+    # more operation.
     return loads + max(contents - registers, 0)
 
 
@@ -50,7 +48,8 @@ def _loadable_at_first(slots: int, never: int, registers: int) -> int:
     some shutter never opens."""
     for loaded in range(min(registers, slots), 0, -1):
         gap, longer = divmod(slots - loaded, loaded + 1)
-        # A gap of g slots between loaded ones has g (g + 1) / 2 bumps that are closed in all.
+        # A gap of g slots between loaded ones contains g (g + 1) / 2 bumps that are closed in all
+        # loaded slots.
         closed = gap * (gap + 1) // 2 * (loaded + 1) + longer * (gap + 1)
         if closed + never <= 1 << registers - loaded:
             return loaded

@@ -13,11 +13,9 @@ from nscc.truth import rows
 
 @dataclass(frozen=True)
 class Bumps:
-    """Shutter k is open in steps start[k] .. stop[k] - 1, never if start[k] = stop[k] = 0.
-
-    Both are (shutters,) in 0 .. steps. `step[i]` is the step of demand i: consecutive demands with
-    equal predicates have one step.
-    """
+    """Shutter k is open in steps start[k] .. stop[k] - 1, never if start[k] = stop[k] = 0. Both are
+    (shutters,) in 0 .. steps. `step[i]` is the step of demand i: consecutive demands with equal
+    predicates have one step."""
 
     start: NDArray[np.int64]
     stop: NDArray[np.int64]
@@ -42,7 +40,7 @@ class Bumps:
         return np.asarray(self.start == self.stop)
 
 
-# Shutters times demands that are looked at as a matrix of bytes: 32 MB.
+# Limit on shutters times demands, as a matrix of bytes: 32 MB.
 _MOST_CELLS = 1 << 25
 
 
@@ -64,8 +62,8 @@ def bumps_of(problem: Problem) -> Bumps:
     start = open_in_step.argmax(axis=1).astype(np.int64)
     count = open_in_step.sum(axis=1).astype(np.int64)
     stop = start + count
-    # argmax of booleans is the first 1. A row has one bump if as many are 1 as lie between its
-    # ends.
+    # argmax of booleans is the first 1. A row is one bump if its number of 1s equals the distance
+    # of its ends.
     last = open_in_step.shape[1] - open_in_step[:, ::-1].argmax(axis=1)
     if np.any((count > 0) & (last != stop)):
         raise GaveUp("some shutter opens more than once")
@@ -78,7 +76,7 @@ def two_ended(problem: Problem) -> Bumps:
     """The bumps of a problem. Raises GaveUp also if one end of all bumps determines the other."""
     bumps = bumps_of(problem)
     start, stop = bumps.start[~bumps.never], bumps.stop[~bumps.never]
-    # Bumps of one length may be cut by the end of the frame.
+    # The end of the frame may cut bumps of one length.
     cut = stop == bumps.steps
     if any(np.all(values == values[:1]) for values in (start, stop, (stop - start)[~cut])):
         raise GaveUp("one end of each bump follows from the other")

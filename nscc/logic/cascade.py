@@ -25,31 +25,28 @@ from nscc.logic.point_sets import Planes, Points, packed
 from nscc.logic.problem import GaveUp, Machine, Problem, Segment, Solution
 from nscc.truth import columns, rows, set_bits
 
-# More scratch registers leave too few planes to make anything of.
+# More scratch registers leave too few planes.
 _MOST_SCRATCH = 3
-# The beam of a search that only compares choices of planes: narrow, but thousands are compared.
+# Beam width of the searches that compare choices of planes; thousands of them run.
 _QUICK_WIDTH = 6
-# The share of the steps after which the choice of planes ends, and the widths that follow.
+# The share of steps for choosing planes, and the beam widths afterwards.
 _CHOOSING = 0.6
 _WIDTHS = (30, 100, 300, 1000)
-# Words of a cascade: no limit, but for a number.
+# Limit on the words of a cascade; effectively none.
 _LONGEST = 4096
-# Of the steps from choice to choice, the share that exchanges a predicate (the others invert one),
-# and by how much the words may grow at first.
+# The share of changes of a choice that exchange a predicate (the others invert one), and the
+# initial tolerance for more words.
 _EXCHANGED = 0.8
 _SLACK = 0.03
-# What a choice of planes costs before any search.
+# Steps for a choice of planes before any search.
 _STEPS_A_CHOICE = 100
 
 
 @dataclass(frozen=True)
 class _Points:
-    """Groups of shutters that no demand distinguishes.
-
-    `bits` (predicates, points) are the distinct predicates that planes may hold; the first
-    `demanded` of them are demands. `names` describes them; `shutters` (shutters,) is the point of
-    each shutter.
-    """
+    """Groups of shutters that no demand distinguishes. `bits` (predicates, points) are the distinct
+    predicates that planes may hold; the first `demanded` of them are demands. `names` describes
+    them; `shutters` (shutters,) is the point of each shutter."""
 
     bits: NDArray[np.bool_]
     demanded: int
@@ -58,7 +55,7 @@ class _Points:
 
 
 _Choice = tuple[tuple[int, bool], ...]
-"""Of each plane the predicate that it holds (a number into `_Points.bits`), and if inverted."""
+"""For each plane its predicate (an index into `_Points.bits`), and whether inverted."""
 
 
 @dataclass(frozen=True)
@@ -74,14 +71,12 @@ class _Plan:
 
 
 _Task = tuple[int, int]
-"""Number of a predicate, and of that which FLAG holds before, -1 if that is not known."""
+"""Index of a predicate, and of the one that FLAG holds before, -1 if unknown."""
 
 
 def cascade(problem: Problem, machine: Machine, budget: Budget) -> Solution:
-    """Store some predicates and compute the others by cascades of cubes.
-
-    Raises GaveUp if the steps do not suffice for a first solution. The remaining steps improve it.
-    """
+    """Store some predicates and compute the others by cascades of cubes. Raises GaveUp if the steps
+    do not suffice for a first solution. The remaining steps improve it."""
     finder = _Finder(problem, machine, budget)
     best: _Plan | None = None
     try:
@@ -106,7 +101,7 @@ class _Finder:
         self._points = _points(problem)
         self._sets = packed(self._points.bits)
         self._tasks = self._tasks_of_demands()
-        # How often each task comes in a frame.
+        # How often each task occurs in a frame.
         self._times = Counter(task for task in self._tasks if task is not None)
 
     def plans(self) -> Iterator[_Plan]:
@@ -121,8 +116,8 @@ class _Finder:
         allowed = self._budget.left
         quick = self._quick_width()
         best: _Plan | None = None
-        # Two scratch registers and FLAG let every link have a cube beside its inner value; then
-        # one, for a plane more.
+        # Two scratch registers and FLAG allow a cube besides the inner value in every link; one
+        # scratch register allows one more plane.
         for scratch in (2, 1, *range(3, _MOST_SCRATCH + 1)):
             width = min(self._machine.registers - scratch, widest)
             if width < least or scratch > self._machine.registers - width:
@@ -184,8 +179,8 @@ class _Finder:
         """The beam width of quick searches, smaller if a single one takes many steps."""
         sets, points = self._sets.shape[1], self._points.bits.shape[1]
         cascades = max(1, self._points.demanded - self._machine.registers + 2)
-        # A quick search in numbers: links of a cascade (each decides two points or more), times the
-        # cubes that are looked at for each of them, times the words of 64 points of a cube.
+        # Estimated steps of a quick search: links of a cascade (each decides two or more points),
+        # times cubes per link, times words of 64 points per cube.
         links = points // 2
         cubes = min(points * 8, 1 << (self._machine.registers - 2))
         steps = cascades * (1 + links) * (20 + cubes * sets * 8 // 640)
@@ -249,8 +244,8 @@ class _Finder:
                 neighbour[place] = choose.choice(unchosen_planes), False
             else:
                 neighbour[place] = number, not turned
-            # A little worse is allowed at first, less and less (threshold accepting; Dueck and
-            # Scheuer, 1990): most choices have no better neighbour.
+            # Slightly worse choices are accepted, less and less (threshold accepting; Dueck and
+            # Scheuer, 1990), because most choices have no better neighbour.
             slack = round(_SLACK * current.words * (self._budget.left - until) / span)
             plan = self._quick(tuple(neighbour), current.scratch, width, current.words + slack)
             if plan is not None:
@@ -295,8 +290,9 @@ def _separating(bits: NDArray[np.bool_], choice: _Choice) -> NDArray[np.bool_]:
     stored, inverted = np.array(choice).T
     planes: NDArray[np.bool_] = bits[stored] ^ (inverted[:, None] == 1)
     count = planes.shape[1]
-    # `kinds` numbers what the planes so far tell apart; a plane may split each kind in two. A half
-    # that the planes to come cannot tell apart any more gives its surplus to the other half.
+    # `kinds` numbers the classes that the planes so far distinguish; a plane may split each in two.
+    # If the remaining planes cannot distinguish the members of a half, its surplus moves to the
+    # other half.
     kinds = np.zeros(count, dtype=np.int64)
     for place, plane in enumerate(planes):
         room = 1 << (len(planes) - 1 - place)

@@ -29,13 +29,13 @@ from nscc.logic.point_sets import Indices, Planes, Points, disjoint, gains, size
 from nscc.logic.problem import Machine
 from nscc.truth import set_bits
 
-# Words of 64 points that one step of a budget stands for.
+# Words of 64 points for one step of the budget.
 _WORDS_A_STEP = 640
-# Steps for numpy's own overhead, each time that a batch of values is expanded.
+# Steps for numpy's overhead for each batch of values.
 _STEPS_A_BATCH = 8
-# Words of 64 points looked at in one go: what fits a cache.
+# Words of 64 points in a batch, which fits the cache.
 _BATCH = 1 << 18
-# So many of the best cubes are tried as the first one of a link, so many as each further one.
+# Numbers of best cubes to try as the first and as each further one of a link.
 _FIRST_CUBES = 4
 _NEXT_CUBES = 2
 
@@ -64,13 +64,13 @@ class Cascade:
     words: int
 
 
-# More points than this are not served.
+# Largest number of points.
 MOST_POINTS = 4096
 
-# What a value leaves to decide, in bits: which of its points are on (the logarithm of a binomial,
-# here from a table of log n!), and a little for each point and for having points of both kinds. The
-# last few words decide _LAST_BITS of them, the others seldom more than _MOST_BITS_A_WORD. The
-# weights were found by trying; they order the beam, no result is wrong for them.
+# The estimate of the bits that a value leaves to decide: which of its points are on (log of a
+# binomial, from a table of log n!), plus a little for each point and for having points of both
+# kinds. The last words decide _LAST_BITS of them, others rarely more than _MOST_BITS_A_WORD. The
+# weights are empirical; they only order the beam.
 _CHOICES = np.cumsum([0.0, *(log(n, 2) for n in range(1, MOST_POINTS + 1))])
 _A_POINT = 0.2
 _LAST_BITS = 16.0
@@ -80,12 +80,9 @@ _A_PAIR = 0.5
 
 @dataclass(frozen=True)
 class _Values:
-    """The values in a beam: undecided points, and how each value is reached.
-
-    `task` is the index of the predicate. `via` is the number of the value that reads this one, and
-    `negated` whether as a NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if
-    there are fewer.
-    """
+    """The values in a beam: undecided points, and how each value is reached. `task` is the index of
+    the predicate. `via` is the number of the value that reads this one, and `negated` whether as a
+    NOR. `cubes` (n, scratch) are masks of the cubes of the same link, 0 if there are fewer."""
 
     on: Points
     off: Points
@@ -113,7 +110,7 @@ class _Values:
     def best(self, width: int) -> _Values:
         """For every task the `width` distinct values with the least left to decide."""
         undecided = self.undecided_bits()
-        # Equal values have equal digests; two that share one by chance are no loss.
+        # Equal values have equal digests; a collision only loses a value.
         factors = _factors()[: 2 * self.on.shape[1]].reshape(2, -1)
         digest = (self.on * factors[0] + self.off * factors[1]).sum(axis=1, dtype=np.uint64)
         order = np.lexsort((digest, undecided, self.task))
@@ -133,8 +130,8 @@ class _Values:
 
 
 _Way = tuple[int, bool, tuple[int, ...], bool]
-"""The value that reads this one, whether complemented, with which cubes; whether this one stands
-in FLAG (for the way that ends a cascade: whether FLAG is read as it was before)."""
+"""The parent value, whether complemented, the cubes of the link, and whether this value is in FLAG
+(for the end of a cascade: whether it reads the old FLAG)."""
 
 
 class Search:
@@ -184,7 +181,7 @@ class Search:
                 for end, is_open in zip(self._ends, open_still, strict=True)
                 if end is not None and not is_open
             )
-            # Words that the open tasks will end at: a bound that is seldom passed, not a proof.
+            # Estimated final words of the open tasks; not a strict bound.
             ahead = words + 1 + np.maximum(undecided - _LAST_BITS, 0) / _MOST_BITS_A_WORD
             if finished_words + float(ahead[open_still].sum()) > most_total:
                 break
@@ -199,7 +196,7 @@ class Search:
                     values = joined.best(width)
                     np.minimum.at(undecided, values.task, values.undecided_bits())
                     values = self._numbered(values, in_flag)
-                    # WHERE only ORs; a register takes a NOR as well as an OR.
+                    # WHERE can only OR; a register can also take a NOR.
                     forms = (values,) if in_flag else (values, values.swapped())
                     for form in forms:
                         for link_words, inner_in_flag, inner in self._links(
@@ -240,7 +237,8 @@ class Search:
                 current = _Values.joined(grown.pop((used, spent)))
                 if used:
                     current = current.best(2 * width)
-                # In place, that is with every scratch register holding a cube, is a word more.
+                # If every scratch register holds a cube, the link is in place, which takes one more
+                # word.
                 link_words = spent + 1 + (not in_flag and used == scratch)
                 if used:
                     self._finish(current, in_flag, words + link_words, inner=False)
@@ -275,7 +273,7 @@ class Search:
         if room <= 0:
             return values
         self._budget.spend(_STEPS_A_BATCH)
-        # A plane that avoids `off` may stand in the OR; it costs nothing but its place there.
+        # A plane that avoids `off` can be a source of the OR, which costs only its place.
         pure = disjoint(planes[None], values.off[:, None])
         on = values.on
         if room >= len(planes):
@@ -300,8 +298,8 @@ class Search:
                 self._budget.spend(_STEPS_A_BATCH + len(batch_values) * cubes.size // _WORDS_A_STEP)
                 gain = gains(cubes, batch_values.on, batch_values.off)
                 most = min(top, len(cubes))
-                # Ties go to the first, whatever the processor's way of partitioning: gains differ
-                # by one, so they are made wider than all places together.
+                # Ties go to the first, independent of the processor's partition order: integer
+                # gains are scaled by more than the number of places.
                 rank = gain * -len(cubes) + np.arange(len(cubes), dtype=np.int32)
                 best = np.sort(np.argpartition(rank, most - 1, axis=1)[:, :most], axis=1)
                 rows, columns = np.nonzero(np.take_along_axis(gain, best, 1) > 0)
@@ -312,10 +310,8 @@ class Search:
                     yield price, replace(wider, on=wider.on & ~cubes[chosen])
 
     def _finish(self, values: _Values, in_flag: bool, words: int, *, inner: bool) -> None:
-        """Record, for every task, the first value without undecided points.
-
-        With `inner`, the content of FLAG before the cascade may decide points.
-        """
+        """Record, for every task, the first value without undecided points. With `inner`, the
+        content of FLAG before the cascade may decide points."""
         undecided = values.on
         if inner:
             if in_flag and not self._reads_flag:
@@ -387,9 +383,7 @@ class Search:
 
 @cache
 def _factors() -> NDArray[np.uint64]:
-    """Odd numbers for hashing, two for each word of the largest set.
-
-    Computed on first use, because importing numpy.random is slow.
-    """
+    """Odd numbers for hashing, two for each word of the largest set. Computed on first use, because
+    importing numpy.random is slow."""
     numbers = np.random.default_rng(0).integers(1 << 63, size=128, dtype=np.uint64)
     return numbers * 2 + 1

@@ -20,9 +20,7 @@ from nscc.truth import union
 @dataclass(frozen=True, slots=True)
 class Nor:
     """A cube NOR(sources): its truth vector, and the number of demands that it serves from now on.
-
-    `words` is its price, more than one if it has more sources than one word accepts.
-    """
+    `words` is its price, more than one if it has more sources than one word accepts."""
 
     sources: tuple[int, ...]
     vector: int
@@ -37,30 +35,25 @@ class Nor:
 
 @dataclass(frozen=True, slots=True)
 class Cover:
-    """Indices `positive` of values and `cubes` whose OR is the predicate.
-
-    `cost` is in words, with the words of lasting cubes divided among the demands served.
-    """
+    """Indices `positive` of values and `cubes` whose OR is the predicate. `cost` is in words, with
+    the words of lasting cubes divided among the demands served."""
 
     positive: tuple[int, ...]
     cubes: tuple[Nor, ...]
     cost: float
 
 
-# Cubes are tried that stay valid for so many demands. What is longer-lived is smaller and pays off
-# over more demands; between two neighbouring lengths the cube is seldom another.
+# Numbers of demands for which cubes are tried. A longer-lived cube is smaller and shared by more
+# demands; neighbouring lengths rarely give different cubes.
 _HORIZONS = (1, 2, 4, 8, 16, 32, 64)
-# Each one adds a cube or more; a demand that needs so many is too dear to be answered this way.
+# Each seed adds at least one cube; a demand that needs more is too expensive.
 _MOST_SEEDS = 40
 
 
 @dataclass(frozen=True)
 class Covers:
-    """Searches for covers within `budget`.
-
-    `everything` is the truth vector of all shutters, `fan_in` the number of sources that one word
-    accepts.
-    """
+    """Searches for covers within `budget`. `everything` is the truth vector of all shutters,
+    `fan_in` the number of sources that one word accepts."""
 
     everything: int
     fan_in: int | None
@@ -69,12 +62,9 @@ class Covers:
     def find(
         self, values: Sequence[int], usable: Sequence[bool], ahead: Sequence[int], most_cubes: int
     ) -> Cover | None:
-        """Find a cheap cover of ahead[0] by values and cubes; None if not found.
-
-        `values` are truth vectors; `usable[i]` says whether value i may be in the OR itself.
-        `ahead` are the predicates of this demand and the following ones, for the choice of cubes
-        that last.
-        """
+        """Find a cheap cover of ahead[0] by values and cubes; None if not found. `values` are truth
+        vectors; `usable[i]` says whether value i may be in the OR itself. `ahead` are the
+        predicates of this demand and the following ones, for the choice of cubes that last."""
         predicate = ahead[0]
         positive = [i for i, v in enumerate(values) if usable[i] and v and not v & ~predicate]
         uncovered = predicate & ~union(values[i] for i in positive)
@@ -82,7 +72,7 @@ class Covers:
             return Cover(_irredundant(positive, values, predicate), (), 0.0)
         if most_cubes < 1:
             return None
-        # A single register is not kept for cubes that live on.
+        # A single register is not used for lasting cubes.
         cubes = self._candidates(values, ahead if most_cubes > 1 else ahead[:1], uncovered)
         chosen = cubes and _select(cubes, uncovered, most_cubes, self.budget)
         if not chosen:
@@ -128,20 +118,18 @@ class Covers:
     def _prime(
         self, zeros: Sequence[int], values: Sequence[int], outside: int, uncovered: int
     ) -> tuple[tuple[int, ...], int] | None:
-        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none.
-
-        It starts with all literals and drops one at a time, which makes the cube larger: the one
-        that adds most of `uncovered`. A cube is prime if no literal can be dropped.
-        """
+        """A prime cube over the literals `zeros` that avoids `outside`; None if there is none. It
+        starts with all literals and drops one at a time, which makes the cube larger: the one that
+        adds most of `uncovered`. A cube is prime if no literal can be dropped."""
         if outside & ~union(values[i] for i in zeros):
             return None
-        # What alone keeps out a part of `outside` stays: whatever goes, it does so ever after.
+        # A literal that alone keeps out a part of `outside` can never be dropped.
         free, once, twice = [(values[i], i) for i in zeros], 0, 0
         required: list[int] = []
         steps = 1 + self.everything.bit_length() // 512
         while True:
             self.budget.spend((len(free) + len(required)) * steps)
-            covered, again = once, twice  # by at least one literal, by at least two
+            covered, again = once, twice  # by at least one literal, and by at least two
             for v, _ in free:
                 again |= covered & v
                 covered |= v
@@ -198,8 +186,8 @@ def _select(cubes: Sequence[Nor], uncovered: int, most: int, budget: Budget) -> 
             if cost < best_cost - 1e-9:
                 best, best_cost = list(chosen), cost
             return
-        # Some cube must hold the first shutter left, so these are all the branches there are. Most
-        # choices are of two or three cubes; the limit is for the few that are not.
+        # Some cube must contain the first uncovered shutter, so the branching is complete. Most
+        # choices have two or three cubes; the limit is for the others.
         visits += 1
         if len(chosen) == most or visits > 2000:
             return

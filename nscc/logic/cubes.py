@@ -16,15 +16,13 @@ from nscc.logic.gates import Gates
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 
 Cube = tuple[tuple[int, int], ...]
-"""Literals (plane, value), planes in rising order."""
+"""Literals (plane, value), in ascending order of planes."""
 
 
 @dataclass(frozen=True)
 class Encoding:
-    """The content of the planes, and each demand's predicate as an OR of cubes.
-
-    `cubes[i]` covers demand i, or its complement if `inverted[i]`.
-    """
+    """The content of the planes, and each demand's predicate as an OR of cubes. `cubes[i]` covers
+    demand i, or its complement if `inverted[i]`."""
 
     name: str
     planes: Planes
@@ -32,7 +30,7 @@ class Encoding:
     inverted: tuple[bool, ...] = ()
 
 
-# More cubes of one predicate than this are taken as they come: sorting them takes too long.
+# Above this number the cubes of a predicate stay unsorted, since sorting takes too long.
 _MOST_SORTED = 128
 
 
@@ -84,7 +82,7 @@ def _expand(
     """Drop literals, each time the one that covers most, while the cube avoids `off`."""
     while cube:
         budget.spend(len(cube) * (1 + everything.bit_length() // 512))
-        # The cube without one literal, for each one: the literals before it and those after it.
+        # The cube without each literal: the product of those before and after it.
         after = [everything] * (len(cube) + 1)
         for i in range(len(cube) - 1, -1, -1):
             plane, value = cube[i]
@@ -116,7 +114,7 @@ def emit(problem: Problem, machine: Machine, encoding: Encoding) -> Solution:
         and solution.scratch == free_registers
         and all(solution.writes())
     ):
-        # Only a plane that never changes may live in the masked register; there is none.
+        # Only a constant plane may be in the masked register, and there is none.
         solution = _emit_with(problem, machine, encoding, free_registers - 1)
     return solution
 
@@ -134,11 +132,9 @@ def _emit_with(problem: Problem, machine: Machine, encoding: Encoding, scratch: 
 
 
 class Standing:
-    """The polarity (`inverted` = 1) and register of each plane while gates are emitted.
-
-    Inverting a plane in place takes two words. Inverting it into a register named by `free` takes
-    one and frees the plane's old register.
-    """
+    """The polarity (`inverted` = 1) and register of each plane while gates are emitted. Inverting a
+    plane in place takes two words. Inverting it into a register named by `free` takes one and frees
+    the plane's old register."""
 
     def __init__(self, gates: Gates, planes: int, free: str | None = None) -> None:
         self._gates = gates
@@ -170,7 +166,8 @@ class Standing:
             for plane, register in enumerate(self.registers)
             if self.inverted[plane] or register != f"p{plane}"
         ]:
-            # A plane whose register is free goes there; else one that is elsewhere makes room.
+            # If a plane's own register is free, it moves there; otherwise a displaced plane makes
+            # room.
             plane = min(astray, key=lambda p: (f"p{p}" != self.free, self.registers[p] == f"p{p}"))
             if self.inverted[plane] and self.registers[plane] == f"p{plane}":
                 self._gates.invert(f"p{plane}")
@@ -205,20 +202,20 @@ class _Emitter:
         wide = [cube for cube in cubes if len(cube) != 1]
         terms: list[str] = []
         while wide:
-            # The cube next that needs fewest planes turned over: they may be left so for others.
+            # The next cube is the one with the fewest inversions, which may also serve other cubes.
             if len(wide) <= _MOST_SORTED:
                 wide.sort(key=self._mismatches)
             cube = wide.pop(0)
-            # Room first: turning the plane of the masked register overwrites its mask, which is
-            # scratch and may hold a term.
+            # Make room first: inverting the plane in the masked register overwrites its mask, a
+            # scratch register that may hold a term.
             terms = self._make_room(terms)
             self._close(segments)
             segments += self.planes.turn(cube)
             target = self._free(terms)
             self._gates.nor(target, [f"p{plane}" for plane, _ in cube])
             terms.append(target)
-        # Planes are read as they stand at the end; one that stands the wrong way round is
-        # inverted into scratch, or in place where there is none.
+        # Single planes are read with their final polarity; one with the wrong polarity is inverted
+        # into scratch, or in place if there is none.
         standing = self.planes.inverted
         terms += [f"p{plane}" for plane, value in single if standing[plane] != value]
         for plane, value in single:
@@ -253,7 +250,7 @@ class _Emitter:
         stored_terms = [name for name in terms if name not in scratch_terms and name != "FLAG"]
         flag = ["FLAG"] if "FLAG" in terms else []
         if len(scratch_terms) == 1:
-            # One scratch register: the sum so far waits in FLAG.
+            # With one scratch register, the partial sum is kept in FLAG.
             self._load_flag([*flag, scratch_terms[0]])
             return ["FLAG", *stored_terms]
         self._gates.or_(scratch_terms[0], [*flag, *scratch_terms])

@@ -12,7 +12,7 @@ from nscc.logic.problem import Gate, Segment
 from nscc.truth import columns, number_planes
 
 Planes = list[tuple[int, str]]
-"""Of each plane the truth vector at the start of a frame, and in words what it carries."""
+"""For each plane its truth vector at the start of a frame, and its description."""
 
 
 def unzipped(planes: Planes) -> tuple[tuple[int, ...], tuple[str, ...]]:
@@ -35,7 +35,7 @@ def radices_of(most: int, least: int) -> tuple[tuple[int, ...], ...]:
             choices.append(chosen)
             return
         for radix in range(2, min(remaining, most - total) + 1):
-            # Rising only: which place a radix has changes neither sum nor product.
+            # Ascending only, because the order of radices changes neither sum nor product.
             if not chosen or radix >= chosen[-1]:
                 extend((*chosen, radix), total + radix, -(-remaining // radix))
 
@@ -66,11 +66,8 @@ def thermometers(
     numbers: NDArray[np.int64], radices: Sequence[int], negative: bool | NDArray[np.bool_]
 ) -> Planes:
     """For each digit, highest first, the planes "digit <= m" for all m, or "digit > m" if
-    `negative`.
-
-    In a thermometer code, comparison with a constant reads one plane; binary digits would need
-    several gates. `negative` may be an array (shutters,).
-    """
+    `negative`. In a thermometer code, comparison with a constant reads one plane; binary digits
+    would need several gates. `negative` may be an array (shutters,)."""
     sign = ">" if negative is True else "<="
     return [
         (columns(((digit <= m) ^ negative)[:, None])[0], f"{name} {sign} {m}")

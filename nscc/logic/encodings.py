@@ -63,7 +63,7 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
     cubes: list[list[Cube]] = [[] for _ in problem.demands]
     fields = event_fields(problem, machine.registers - 1)
     for (edge, bucket, rank), events in fields.items():
-        # Shutters without such an event keep the number after the last: it never comes.
+        # Shutters without such an event keep the number after the last, which never occurs.
         numbers = np.full(problem.shutters, len(events), dtype=np.int64)
         for number, (_, shutters) in enumerate(events):
             numbers[shutters] = number
@@ -96,10 +96,8 @@ Events = dict[tuple[str, int, int], list[tuple[int, NDArray[np.intp]]]]
 
 
 def event_fields(problem: Problem, most: int) -> Events:
-    """For each kind and rank of events: (demand, shutters) in time order.
-
-    Demands that FLAG already meets are omitted. Raises GaveUp if there are more than `most` fields.
-    """
+    """For each kind and rank of events: (demand, shutters) in time order. Demands that FLAG already
+    meets are omitted. Raises GaveUp if there are more than `most` fields."""
     event_counts: dict[tuple[str, int], NDArray[np.int64]] = {}
     fields: Events = {}
     for i, demand in enumerate(problem.demands):
@@ -128,14 +126,13 @@ def _index_planes(problem: Problem, machine: Machine) -> Planes:
 
 
 def gray_index(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Number the shutters in Gray code; each member of a predicate is one test for equality.
-
-    Useful for long programs, whose kernels must repeat to fit the store: one kernel serves all
-    equality tests, and one inverts each plane.
-    """
+    """Number the shutters in Gray code; each member of a predicate is one test for equality. Useful
+    for long programs, whose kernels must repeat to fit the store: one kernel serves all equality
+    tests, and one inverts each plane."""
     if len({(d.edge, d.bucket) for d in problem.demands}) == 1:
         raise GaveUp("one kind of event is one field of times")
-    # Every member is an equality of its own, of two words and more: beyond a few, others win.
+    # Every member is a separate equality test of at least two words; for more than a few, other
+    # encodings are cheaper.
     if _members(problem) > 4 * len(problem.demands):
         raise GaveUp("predicates hold too many shutters for an equality each")
     return _index_equalities(problem, machine)
@@ -159,7 +156,7 @@ def _index_equalities(problem: Problem, machine: Machine) -> Encoding:
     return Encoding("shutter number in Gray code, equalities", planes, cubes)
 
 
-# An equality takes no search, but its gates take about as long to write down as these steps.
+# Equality tests need no search, but emitting their gates takes about as long as this many steps.
 _STEPS_A_MEMBER = 100
 
 
@@ -190,11 +187,9 @@ def covered_both_polarities(problem: Problem, machine: Machine, budget: Budget) 
 
 
 def covered_fields(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
-    """Store the values of the code's fields in Gray code; cover each predicate by cubes.
-
-    Rules are written in fields, so events of one field are equality tests. Shutters that differ
-    otherwise, for example never-open ones, cost a few cubes at a few boundaries.
-    """
+    """Store the values of the code's fields in Gray code; cover each predicate by cubes. Rules are
+    written in fields, so events of one field are equality tests. Shutters that differ otherwise,
+    for example never-open ones, cost a few cubes at a few boundaries."""
     if len(problem.values) < 2:
         raise GaveUp("one field is as good as the shutters' numbers")
     planes: Planes = []

@@ -28,11 +28,9 @@ from nscc.truth import columns, members, union, vector
 
 @dataclass(frozen=True)
 class _Field:
-    """Numbers (shutters,), and for each event, in time order, its demand and number.
-
-    Shutters without an event have the number `count` - 1. An event of shutters with several numbers
-    has the lowest one.
-    """
+    """Numbers (shutters,), and for each event, in time order, its demand and number. Shutters
+    without an event have the number `count` - 1. An event of shutters with several numbers has the
+    lowest one."""
 
     name: str
     numbers: NDArray[np.int64]
@@ -66,8 +64,8 @@ class _Form:
         return " x ".join(high + [str(r) for r in self.radices]) or "1"
 
 
-# Choices of digits that are tried, the fewest turns first; choices that are looked at; kinds of
-# events, of which there may be more than registers, since several can share a field.
+# Limits: layouts tried (fewest inversions first), layouts considered, and kinds of events, which
+# may exceed the registers since several can share a field.
 _MOST_TRIED = 6
 _MOST_COMBINED = 20_000
 _MOST_KINDS = 24
@@ -132,10 +130,8 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
 
 def _atoms(vectors: Sequence[int]) -> list[int] | None:
     """The smallest disjoint `vectors` whose unions are all the others, in their order; None if
-    there are none.
-
-    One field then serves all: an atom is a number, a union of atoms several equality tests.
-    """
+    there are none. One field then serves all: an atom is a number, a union of atoms several
+    equality tests."""
     atoms: list[int] = []
     covered = 0
     for v in sorted(set(vectors), key=int.bit_count):
@@ -168,7 +164,8 @@ def _turns(field: _Field, form: _Form, base: int) -> dict[int, tuple[Segment, ..
     turned: dict[int, tuple[Segment, ...]] = {}
     back = tuple((bit, 0) for bit in range(form.bits))
     for demand, number in (*field.events, (-1, None)):
-        # A plane stands turned over where the group's cube asks for a 1: now reads as all zeros.
+        # A plane is inverted if the group's cube requires a 1, so that the current group reads as
+        # zeros.
         cube = back if number is None else cubes[number // form.size]
         flips = [bit for bit, value in cube if standing[bit] != value]
         if flips:

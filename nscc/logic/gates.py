@@ -8,11 +8,9 @@ from nscc.logic.problem import Gate, Machine
 
 
 def words_of(sources: int, fan_in: int | None) -> int:
-    """The words of a NOR or OR of `sources` registers into another register.
-
-    The first word reads `fan_in` of them. Each further pair of words is in place and reads one
-    source less, since the partial result is also a source.
-    """
+    """The words of a NOR or OR of `sources` registers into another register. The first word reads
+    `fan_in` of them. Each further pair of words is in place and reads one source less, since the
+    partial result is also a source."""
     if fan_in is None or sources <= fan_in:
         return 1
     return 1 + 2 * -(-(sources - fan_in) // (fan_in - 1))
@@ -53,7 +51,7 @@ class Gates:
         if limit is not None and len(sources) > limit:
             if scratch is None:
                 raise ValueError("no scratch register to gather the sources of WHERE")
-            # If `scratch` is a source itself, the others are gathered on top of it.
+            # If `scratch` is a source, the other sources are ORed into it.
             other_sources = [name for name in sources if name != scratch]
             head = [scratch] if scratch in sources else []
             spill = len(other_sources) - (limit - 1)
@@ -75,8 +73,8 @@ class Gates:
         limit = self._machine.or_sources
         other_sources = [source for source in sources if source != destination]
         in_place = len(other_sources) < len(sources)
-        # OR is associative, so what does not fit is gathered in the destination first. NOR is not:
-        # only the last gate inverts. In place, the destination takes one of the sources' places.
+        # OR is associative, so excess sources are first gathered in the destination. NOR is not:
+        # only the last gate inverts. In place, the destination is one of the sources.
         if limit is not None:
             room = limit - 1 if in_place else limit
             while len(other_sources) > room:

@@ -24,20 +24,21 @@ from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 from nscc.logic.replay import fault
 from nscc.plugins import Group, added, unusable
 
-# Search steps of one generator at each level; a step is one cofactor of a truth vector
-# of up to 512 shutters.
+# Search steps of a generator at each level; a step is a cofactor of a truth vector of up to 512
+# shutters.
 SEARCH_STEPS = {0: 50_000, 1: 400_000, 2: 500_000, 3: 4_000_000}
 
-# Where all of them gave up, they are tried again with this many: seconds instead of none at all.
+# Steps of a second attempt after all generators gave up; it takes seconds.
 PATIENT_STEPS = 4_000_000
 
-# Covers of more shutters than this are tried only where nothing else works: they would not win.
+# With more shutters, covers are too expensive and only tried if nothing else works.
 MOST_COVERED = 512
 
-# A family's member of at most so many times the words that every solution needs ends the search.
+# A family's solution within this factor of the minimum number of words ends the search.
 _CLOSE = 1.1
 
-# Cascades take seconds to search. They are tried where every other solution takes so many times the
+# Cascades take seconds to search. They are tried only if every other solution takes this
+# many times the
 # words that are needed, and at -O2 for no more demands than these: they would not win.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
 _MOST_CASCADED = {2: 32, 3: 1 << 20}
@@ -120,10 +121,8 @@ _GROUP: Group = "nscc.encodings"
 
 
 def added_generators() -> dict[str, Generator]:
-    """The generators that other distributions add.
-
-    Raises Rejected (NS0905) for an invalid generator or declaration.
-    """
+    """The generators that other distributions add. Raises Rejected (NS0905) for an invalid
+    generator or declaration."""
     generators: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, generator in generators.items():
         if not isinstance(generator, Generator):

@@ -24,8 +24,8 @@ def gray(number: Numbers) -> Numbers:
 def cycle(groups: int, bits: int) -> tuple[int, ...]:
     """A Gray code whose last or last but one code is a neighbour of the first: few bits to
     restore."""
-    # There on the codes without the top bit and back on those with it: a circle. If the number is
-    # odd, one more follows on the last.
+    # Count up without the top bit and down with it, which is a cycle. An odd number adds one code
+    # after the last.
     half = groups // 2
     ascending = [gray(i) for i in range(half)]
     top = 1 << bits - 1

@@ -51,7 +51,7 @@ class _Writer:
     def script(self) -> Script:
         """The script of all planes and gates."""
         border = 1 << self.bits
-        # A shutter that never opens has its last slot before its start.
+        # A never-open shutter has its last slot before its start.
         start = np.where(self.bumps.never, 1, self.bumps.start)
         last = np.where(self.bumps.never, 0, self.bumps.stop - 1)
         halves = columns(np.stack([last >= border, start < border], axis=1))

@@ -75,7 +75,7 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
             inner = radices_of(room - stored, -(-values // (1 << bits)))
             for radices in inner[:2]:
                 for negative in (False, True):
-                    # Complemented demands want the planes the other way round.
+                    # For complemented demands the planes are complemented.
                     if negative and (bits or not any(nest.complemented)):
                         continue
                     script = _digit_script(nest, stored, radices, bits, flips, negative)
@@ -85,12 +85,12 @@ def digits(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution]
                 break
 
 
-# Numbers of demands stored raw that are tried, the most that fit first.
+# Numbers of directly stored demands to try, the largest possible first.
 _MOST_STORED = 2
 
 
 _Flips = tuple[tuple[int, ...], ...]
-"""How binary digits step through their values: the bits turned over at each step."""
+"""The order of inversions for binary digits: the bits inverted at each step."""
 
 
 @cache
@@ -132,14 +132,14 @@ def _turned(old: Sequence[int], new: Sequence[int]) -> tuple[int, ...]:
 
 def _group_cubes(h: int, polarity: Sequence[int], bits: int) -> int | None:
     """The number of cubes in group h if the planes have this `polarity`; None if no mask exists."""
-    # What each plane is 1 for, as the values of the highest digit. A NOR that reads those of them
-    # that are 0 at h holds for h, and for no lower value if together they are 1 for all of them.
+    # Each plane as the set of values of the highest digit at which it is 1. The NOR of those that
+    # are 0 at h selects h, and no lower value if together they contain all of these.
     groups = range(1 << bits)
     planes = [{c for c in groups if (c >> i & 1) ^ polarity[i]} for i in range(bits)]
     masks: set[int] = set().union(*(p for p in planes if h not in p))
     if not set(range(h)) <= masks:
         return None
-    # "Above" is an OR: planes that lie inside it are free, cubes are a word each, taken greedily.
+    # "Above" is an OR: planes inside it are free, cubes cost one word each and are chosen greedily.
     above = {c for c in groups if c > h}
     uncovered = above.difference(*(p for p in planes if p <= above)) if planes else set()
     cubes = []
@@ -162,7 +162,7 @@ def _digit_script(
     nest: Nest, stored: int, radices: tuple[int, ...], bits: int, flips: _Flips, negative: bool
 ) -> Script:
     per_group = int(np.prod(radices))
-    # The last demands are planes of their own; before them those ranks are all alike.
+    # The last demands have separate planes; before them those ranks are equivalent.
     ranks = np.minimum(nest.ranks, nest.steps - stored)
     planes = binary_planes("highest digit of the rank, bit", ranks // per_group, bits)
     planes += thermometers(ranks % per_group, radices, negative)
@@ -200,7 +200,8 @@ class _Form(Enum):
 
 _BESIDE = {_Form.DIGITS: 2, _Form.STATE: 3, _Form.TIGHT: 2, _Form.PAIR: 2, _Form.FLAG: 1}
 
-# Bits whose cubes are submasks, the others being turned over: fewer of them need a smaller store.
+# The number of bits whose cubes are submasks, the others being inverted: fewer of them need a
+# smaller store.
 _SUBMASK_BITS = (13, 6, 4, 2)
 
 
@@ -219,8 +220,8 @@ def counted(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
             in_flag = form in (_Form.PAIR, _Form.FLAG)
             if in_flag and (not problem.flag_lasts or any(nest.complemented)):
                 continue
-            # With digits inside, a group has as many values as they tell apart; a state by itself
-            # serves a group of one, and a pair of them a group of two.
+            # With inner digits, a group has as many values as they distinguish; a state alone
+            # serves a group of one, a pair a group of two.
             room = machine.registers - bits - _BESIDE[form]
             if form is _Form.DIGITS:
                 choices = radices_of(room, least)[:2] if least > 1 else ()
@@ -237,8 +238,8 @@ def _counted_script(
     nest: Nest, radices: tuple[int, ...], bits: int, low: int, form: _Form
 ) -> Script:
     per_group = int(np.prod(radices))
-    # The low bits are counted by submasks. The high ones are in Gray code: a bit of them is turned
-    # over each time that the low ones begin anew.
+    # Submasks count the low bits. The high bits are in Gray code: one of them is inverted each time
+    # the low bits overflow.
     groups = nest.ranks // per_group
     high = groups >> low
     coded = gray(high) << low | groups & (1 << low) - 1
@@ -254,7 +255,7 @@ def _counted_script(
             current_group += 1
             run: list[Segment] = []
             if current_group and not current_group & (1 << low) - 1:
-                # The Gray code of k differs from that of k - 1 in the lowest 1 of k.
+                # The Gray codes of k and k - 1 differ in the lowest 1 of k.
                 flip = ((current_group >> low) & -(current_group >> low)).bit_length() - 1 + low
                 turned.append(flip)
                 run += turned_over([flip])
@@ -272,8 +273,8 @@ def _counted_script(
 def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...]:
     """Remove the shutters of the cube NOR(equal) from "greater"; all shutters if `equal` is
     empty."""
-    # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still holds
-    # those that are equal now: DIGITS keep its inverse, for the demands that lower digits decide.
+    # "greater and not equal" is NOR(NOT greater, equal). Before the step "greater" still contains
+    # the equal shutters: DIGITS keeps its inverse for the demands that lower digits decide.
     if form in (_Form.DIGITS, _Form.STATE):
         inverse = "s1" if form is _Form.DIGITS else "t1"
         turn = Gate("NOT", inverse, ("s0",))
@@ -281,13 +282,14 @@ def _advance(form: _Form, equal: Sequence[str], bits: int) -> tuple[Segment, ...
             return ((turn, Gate("CLR", "s0", ())),)
         return (turn,), nor("t0", equal), (Gate("NOR", "s0", (inverse, "t0")),)
     if form is _Form.TIGHT:
-        # One scratch register: the cube goes where the state was, which waits inverted.
+        # With one scratch register, the cube goes to the state's register, and the inverted state
+        # to t0.
         if not equal:
             return ((Gate("CLR", "s0", ()),),)
         turn = Gate("NOT", "t0", ("s0",))
         return (turn,), nor("s0", equal), (Gate("NOR", "s0", ("s0", "t0")),)
     if form is _Form.PAIR:
-        # Two demands a group: FLAG, which the plane of the last digit decides as well, answers the
+        # Two demands a group: FLAG, which also reads the plane of the last digit, answers the
         # first; t1, "greater" alone, waits for the second and is the state from then on.
         narrow = Gate("NOR", "t1", ("t1", "t0")) if equal else Gate("CLR", "t1", ())
         both = Gate("NOR", "t0", ("t0", f"p{bits}")), Gate("WHERE", "FLAG", ("t0", "t1"))

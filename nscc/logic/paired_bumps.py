@@ -37,7 +37,7 @@ class _Form(Enum):
     FLAG = "state in FLAG"
 
 
-# Registers beside the planes of the groups' code: two places, the state, and what is computed in.
+# Registers besides the planes of the groups' code: two places, the state, and scratch.
 _BESIDE = {_Form.MASKED: 5, _Form.TIGHT: 4, _Form.REGISTER: 5, _Form.FLAG: 4}
 
 
@@ -48,18 +48,15 @@ def paired_bumps(problem: Problem, machine: Machine, steps: int) -> Iterator[Sol
     forms = (_Form.MASKED, _Form.TIGHT) if machine.masked else (_Form.REGISTER, _Form.FLAG)
     for form in forms:
         cubes = BumpCubes.of(machine.registers - _BESIDE[form], -(-bumps.steps // 2))
-        # A second rise cube is written where a mask says, which takes a masked register.
+        # A second rise cube is a masked write, which needs a masked register.
         if cubes is not None and (machine.masked or all(len(rise) == 1 for rise in cubes.rises)):
             writer = _Writer(bumps, cubes, form, Gates(machine), problem.flag_lasts)
             yield from walk(problem, machine, writer.script(), steps)
 
 
 class _Writer:
-    """Writes the gates of one frame.
-
-    `on` holds the bumps that continue after a group; `scratch` is for computation. If it keeps its
-    content (`lasts`), planes may move into it.
-    """
+    """Writes the gates of one frame. `on` holds the bumps that continue after a group; `scratch` is
+    for computation. If it keeps its content (`lasts`), planes may move into it."""
 
     def __init__(
         self, bumps: Bumps, cubes: BumpCubes, form: _Form, gates: Gates, lasts: bool
@@ -80,7 +77,7 @@ class _Writer:
     def script(self) -> Script:
         """The script of all planes and gates."""
         bumps, cubes = self.bumps, self.cubes
-        # A shutter that never opens has its last slot before its start.
+        # A never-open shutter has its last slot before its start.
         start = np.where(bumps.never, 1, bumps.start)
         last = np.where(bumps.never, 0, bumps.stop - 1)
         ends, number = np.unique(
@@ -102,7 +99,7 @@ class _Writer:
     def _slot(self, step: int) -> tuple[Segment, ...]:
         """The gates of one slot."""
         group, second = divmod(step, 2)
-        # There and back, so that no plane is inverted between the two slots.
+        # Alternating order, so that no plane is inverted between the two slots.
         rises = self.cubes.rises[group][:: -1 if second else 1]
         falls = self.cubes.falls[group] if group < len(self.cubes.falls) else ()
         segments: list[Segment] = []

@@ -16,16 +16,14 @@ Indices = NDArray[np.int64]
 
 
 class Planes:
-    """Code planes and all cubes that one NOR of them can compute, by price.
-
-    `planes` (P, W) are sets of points, `everything` (W,) is the set of all; `groups` are (words,
-    cubes (M, W), masks (M,)).
-    """
+    """Code planes and all cubes that one NOR of them can compute, by price. `planes` (P, W) are
+    sets of points, `everything` (W,) is the set of all; `groups` are (words, cubes (M, W), masks
+    (M,))."""
 
     def __init__(self, planes: Points, points: int, machine: Machine) -> None:
         self.planes = planes
         self.everything: Points = packed(np.ones((1, points), dtype=np.bool_))[0]
-        # The union of every subset of the planes, doubled plane by plane: row m is that of mask m.
+        # The union of every subset of the planes, doubled for each plane: row m belongs to mask m.
         limit = machine.or_sources
         ors = np.zeros((1, planes.shape[1]), dtype=np.uint64)
         for plane in planes:
@@ -34,7 +32,7 @@ class Planes:
         size = np.bitwise_count(masks)
         order = np.lexsort((masks, size))[1:]
         cubes = self.everything & ~ors[order]
-        # Of equal cubes the one with the fewest planes; never the empty cube.
+        # Of equal cubes, keep the one with the fewest planes; drop the empty cube.
         _, first = np.unique(cubes, axis=0, return_index=True)
         first = np.sort(first[cubes[first].any(axis=1)])
         cubes, masks, size = cubes[first], masks[order][first], size[order][first]

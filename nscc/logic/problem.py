@@ -42,16 +42,13 @@ class Gate:
 
     @property
     def words(self) -> int:
-        """The words of the gate, without SET of a mask.
-
-        A word cannot read and write the same register: a gate in place is a pair of words that
-        keeps the result on the bus.
-        """
+        """The words of the gate, without SET of a mask. A word cannot read and write the same
+        register: a gate in place is a pair of words that keeps the result on the bus."""
         return 2 if self.destination in self.sources else 1
 
 
 Segment = tuple[Gate, ...]
-"""Gates that run one after the other and are worth storing as one kernel."""
+"""Consecutive gates that are worth storing as one kernel."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,11 +97,9 @@ class Problem:
 
 @dataclass(frozen=True)
 class Machine:
-    """The costs and limits of gates on a target.
-
-    `registers` is the number of one-bit registers of a pixel. `masked`: one of them (R12 on
-    SCAMP-5) is written only where another (R0) is 1; masked gates need this pair.
-    """
+    """The costs and limits of gates on a target. `registers` is the number of one-bit registers of
+    a pixel. `masked`: one of them (R12 on SCAMP-5) is written only where another (R0) is 1; masked
+    gates need this pair."""
 
     registers: int
     masked: bool
@@ -150,10 +145,8 @@ class Solution:
         return [*self.opening, *chain.from_iterable(self.answers), *self.closing]
 
     def masked_pair(self) -> tuple[str, str] | None:
-        """The register that masked gates write and its mask; None without masked gates.
-
-        A pixel has one such pair, and every write to the first one is a masked gate.
-        """
+        """The register that masked gates write and its mask; None without masked gates. A pixel has
+        one such pair, and every write to the first one is a masked gate."""
         gates = chain.from_iterable(self.segments())
         return next(((g.destination, g.mask) for g in gates if g.mask is not None), None)
 
@@ -164,10 +157,8 @@ class Solution:
 
 
 def quietest(writes: Sequence[int]) -> int:
-    """The plane to put in the masked register if all registers are needed.
-
-    `writes[i]` is how often a frame writes plane i: each write costs the mask and one more word.
-    """
+    """The plane to put in the masked register if all registers are needed. `writes[i]` is how often
+    a frame writes plane i: each write costs the mask and one more word."""
     return min(range(len(writes)), key=lambda i: (writes[i], f"p{i}"))
 
 

@@ -14,7 +14,7 @@ _SOURCES = {
     "WHERE": (1, None), "OR": (1, None), "NOR": (1, None), "NOT": (1, 1), "MOV": (1, 1),
     "SET": (0, 0), "CLR": (0, 0),
 }  # fmt: skip
-"""Fewest and most sources of each gate; None for as many as the machine allows."""
+"""Fewest and most sources of each gate; None for the machine's limit."""
 
 _INVERTED = ("NOR", "NOT", "SET")
 
@@ -37,7 +37,7 @@ def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
     """Raise _Wrong for a solution that names missing registers."""
     planes, states, scratch = len(solution.planes), solution.states, solution.scratch
     pair = solution.masked_pair()
-    # Without masked gates, only a plane may live where a mask decides about writes.
+    # Without masked gates, only a plane may be in the masked register.
     room = machine.registers - (machine.masked and not planes and pair is None)
     if min(states, scratch) < 0 or planes + states + scratch > room:
         raise _Wrong(f"{planes} planes, {states} states, {scratch} scratch in {room} registers")
@@ -79,7 +79,7 @@ def _masks_agree(gate: Gate, pair: tuple[str, str] | None, machine: Machine) -> 
     """Whether the gate is masked exactly if its destination is the masked register."""
     if gate.mask is None:
         return pair is None or gate.destination != pair[0]
-    # A state is lost where a refresh sets the mask.
+    # A state is lost if a refresh sets the mask.
     return (
         machine.masked
         and (gate.destination, gate.mask) == pair
@@ -119,7 +119,7 @@ class _Frame:
     def _wait(self, flag_kept: bool, scratch_kept: bool) -> None:
         """Forget what other words and boundaries overwrite."""
         if self.solution.state_in_flag:
-            self._forget(("t0",))  # where FLAG waits while analog words need it
+            self._forget(("t0",))  # where FLAG is saved while analog words need it
         elif not flag_kept:
             self._forget(("FLAG",))
         if not scratch_kept:

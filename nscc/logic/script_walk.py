@@ -24,11 +24,8 @@ from nscc.truth import union
 
 @dataclass(frozen=True)
 class Script:
-    """An encoding and the gates that do not depend on how demands are answered.
-
-    `before[i]` runs before demand i is answered; it may overwrite states, scratch registers and
-    FLAG.
-    """
+    """An encoding and the gates that do not depend on how demands are answered. `before[i]` runs
+    before demand i is answered; it may overwrite states, scratch registers and FLAG."""
 
     encoding: str
     planes: Planes
@@ -41,10 +38,8 @@ class Script:
 
 @dataclass(frozen=True)
 class _Choice:
-    """A cover of a demand, or of its complement if `inverted`, over the values of `names`.
-
-    With `turned`, the last name is the inverse of that value, which must be computed first.
-    """
+    """A cover of a demand, or of its complement if `inverted`, over the values of `names`. With
+    `turned`, the last name is the inverse of that value, which must be computed first."""
 
     cover: Cover
     names: tuple[str, ...]
@@ -55,13 +50,12 @@ class _Choice:
 
 _TURNED = "turned"
 
-# Words of an answer that need no other kind of cover (a NOR, a WHERE and a share of a kept cube),
-# and those from which one is looked for.
+# Words of an answer below which no other kind of cover is tried (a NOR, a WHERE and a share of a
+# lasting cube), and above which one is.
 _GOOD_PRICE = 2.5
 _DEAR = 4.0
 
-# Demands ahead of the one at hand that a cube's life is counted over: the longest horizon of
-# `cover`.
+# Number of following demands for the life of a cube: the longest horizon of `cover`.
 _AHEAD = 64
 
 
@@ -138,13 +132,13 @@ class _Walker:
         self._run(script.opening)
         answers: list[tuple[Segment, ...]] = []
         for i, demand in enumerate(problem.demands):
-            # What a register held where analog words or a refresh may have been is not known.
+            # After analog words or a refresh, the content of a register is unknown.
             if not (demand.flag_kept or script.state_in_flag):
                 self.values.pop("FLAG", None)
             if not demand.scratch_kept:
                 self.values = {k: v for k, v in self.values.items() if k[0] != "t"}
             if script.state_in_flag:
-                self.values.pop("t0", None)  # FLAG may have waited there
+                self.values.pop("t0", None)  # FLAG may have been saved there
             scripted = script.before.get(i, ())
             self._run(scripted)
             if self.values.get("FLAG") != demand.predicate:
@@ -185,11 +179,9 @@ class _Walker:
         self.used = max(self.used, int(scratch[1:]) + 1)
 
     def _answer(self, index: int) -> Segment:
-        """The gates for demand `index`, from the cheapest cover found.
-
-        Covers use all registers, then planes and states only, which frees scratch registers; one
-        value may be inverted first.
-        """
+        """The gates for demand `index`, from the cheapest cover found. Covers use all registers,
+        then planes and states only, which frees scratch registers; one value may be inverted
+        first."""
         problem = self.problem
         ahead = [d.predicate for d in problem.demands[index : index + _AHEAD]]
         against = [problem.everything & ~predicate for predicate in ahead]
@@ -240,8 +232,8 @@ class _Walker:
     def _emit(self, choice: _Choice, ahead: Sequence[int]) -> None:
         """Add the gates of a cover; new cubes overwrite the values that are needed last."""
         names = list(choice.names)
-        # Cubes that read scratch come first, since later ones may overwrite it; then those of most
-        # sources, which are the likeliest to be in the way.
+        # Cubes that read scratch come first, because later ones may overwrite it; then those with
+        # most sources, whose registers are most likely overwritten.
         cubes = sorted(
             choice.cover.cubes,
             key=lambda c: (-sum(names[k][0] == "t" for k in c.sources), -len(c.sources)),

@@ -34,7 +34,7 @@ def state_in_flag(problem: Problem, machine: Machine, budget: Budget) -> Solutio
 def _solve(problem: Problem, machine: Machine, budget: Budget, *, in_flag: bool) -> Solution:
     if any(d.edge != "open" for d in problem.demands):
         raise GaveUp("the demands are events already")
-    # Where no shutter opens later than slot 0, all start open, the never-open ones too.
+    # If no shutter opens after slot 0, all start open, including never-open ones.
     from_open = [not any(b & ~a for a, b in pairwise(levels)) for levels in problem.opens]
     events, needed_before = _events(problem, from_open)
     inner = replace(problem, demands=tuple(events), flag_lasts=False)
@@ -76,11 +76,9 @@ def _times(problem: Problem, machine: Machine, budget: Budget, room: int) -> Enc
 
 
 def _events(problem: Problem, from_open: Sequence[bool]) -> tuple[list[Demand], list[int]]:
-    """Rises and falls in time order, and the number of them before each demand.
-
-    The demand at boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n
-    come before it. A bucket starts open or closed in all pixels (`from_open`).
-    """
+    """Rises and falls in time order, and the number of them before each demand. The demand at
+    boundary n + 1 asks for the level of slot n, so the events of boundaries 0..n come before it. A
+    bucket starts open or closed in all pixels (`from_open`)."""
     events: list[Demand] = []
     needed: list[int] = []
     boundary = 0

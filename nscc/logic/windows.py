@@ -44,7 +44,7 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
                 for solution in walk(problem, machine, script, steps):
                     yield solution
                     solution_count += 1
-            # A walk takes as long as the frame has steps.
+            # The time of a walk grows with the steps of a frame.
             if solution_count >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
 
@@ -93,8 +93,8 @@ def _toggle_script(
         target = gray(now) << low | gray(place)
         flips = turned_over(set_bits(standing ^ target))
         standing = target
-        # A NOR that leaves out the bit in which this group's code differs from the last one's holds
-        # for both groups: those that open now and those that opened one length ago.
+        # A NOR without the bit in which the codes of this and the previous group differ selects
+        # both groups: shutters that open now and those that opened one length ago.
         apart = (now & -now).bit_length() - 1 + low if now else -1
         hit = tuple(f"p{b}" for b in range(high + low) if b != apart)
         turn = _turn_state(state, roomy) if now else _open_state(state)
@@ -115,11 +115,8 @@ def _open_state(state: str) -> Segment:
 
 
 def _turn_state(state: str, roomy: bool) -> Segment:
-    """state := state XOR t0, with three scratch registers if `roomy`, else two.
-
-    t1 := neither; then "t0 alone" and "state alone" are a NOR each with t1, and their OR is the
-    XOR.
-    """
+    """state := state XOR t0, with three scratch registers if `roomy`, else two. t1 := neither; then
+    "t0 alone" and "state alone" are a NOR each with t1, and their OR is the XOR."""
     on, off = ("t0", "t2") if roomy else ("t1", "t0")
     last = Gate("WHERE", "FLAG", (on, off)) if state == "FLAG" else Gate("OR", state, (on, off))
     return (
@@ -132,7 +129,7 @@ def _turn_state(state: str, roomy: bool) -> Segment:
 
 def _length(bumps: Bumps) -> int:
     length = bumps.length
-    # A bump that the end of the frame cuts is a whole one as far as the frame goes.
+    # A bump cut by the end of the frame is complete up to there.
     expected_stop = np.minimum(bumps.start + length, bumps.steps)
     if length < 2 or np.any((bumps.stop != expected_stop) & ~bumps.never):
         raise GaveUp("bumps of different lengths")
@@ -153,8 +150,9 @@ def _script(
 ) -> Script:
     """`codes` are those of the groups. With `doubled` both polarities of offset planes are stored;
     also of the `low` lowest bits of the group."""
-    # At place m those of this group are open if offset <= m, those of the group before if not. One
-    # of the two groups is odd: with the planes of odd ones turned over, both read a plane alike.
+    # At place m, shutters of this group are open if offset <= m, and those of the previous group if
+    # not. One of the two groups is odd, and its planes are inverted, so both read a plane in the
+    # same way.
     group = np.where(bumps.never, 0, bumps.start // length)
     everything = (1 << len(bumps.start)) - 1
     planes = [

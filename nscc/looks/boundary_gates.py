@@ -20,8 +20,7 @@ FLAG = "FLAG"
 _STEPS = 4_000_000
 _MOST_CUBES = 24
 _MOST_ORDERED = 3
-"""So many registers are tried in every order in which their new values may be written; of more, the
-next one is always that which is cheapest then."""
+"""Up to this many registers are tried in every order; of more, the cheapest is written next."""
 
 
 @dataclass(frozen=True)
@@ -43,11 +42,9 @@ class GateSequence:
 
 @dataclass
 class Board:
-    """The register contents at a boundary, while gates are chosen.
-
-    `values` are the contents by name, with FLAG if it is known and the scratch registers (t0, t1,
-    ..) in use. `gates` are the gates chosen so far.
-    """
+    """The register contents at a boundary, while gates are chosen. `values` are the contents by
+    name, with FLAG if it is known and the scratch registers (t0, t1, ..) in use. `gates` are the
+    gates chosen so far."""
 
     machine: Machine
     everything: int
@@ -136,7 +133,7 @@ class Board:
     def _ways(self, target: int, destination: str, most: float) -> Iterator[GateSequence]:
         """Gate sequences for a vector, from covers of it and of its complement; all of at most
         `most` words are included."""
-        # Of registers that hold the same, the first: those of code and states stand before scratch.
+        # Of registers with equal contents, the first: those of code and states before scratch.
         first = {v: name for name, v in reversed(self.values.items()) if v}
         names, values = list(first.values()), list(first)
         fewest = None
@@ -145,7 +142,7 @@ class Board:
             yield sequence
             if sequence.price == (1, 0):
                 return
-        # A complement takes a word, and what reads it another.
+        # A complement takes one word, and its reader another.
         if most >= 2 and (fewest is None or fewest > 2):
             for v, name in tuple(first.items()):
                 if self.everything & ~v not in first:
@@ -198,7 +195,7 @@ class Board:
             return GateSequence(gates.take(), tuple(scratch_values.items()))
         positive = []
         for cover_cube in cover.cubes:
-            # Complements are made where they are read first: fewer are alive at once.
+            # Complements are computed just before their first reader, so fewer are alive at once.
             cube = [source(i) for i in cover_cube.sources]
             positive.append(scratch(cover_cube.vector))
             gates.nor(positive[-1], cube)
@@ -208,10 +205,8 @@ class Board:
 
 
 def update(board: Board, new_values: dict[str, int]) -> None:
-    """Write new values to registers simultaneously: gates read old values.
-
-    Raises GaveUp if the contents do not distinguish lanes with different new values.
-    """
+    """Write new values to registers simultaneously: gates read old values. Raises GaveUp if the
+    contents do not distinguish lanes with different new values."""
     changes = {name: v for name, v in new_values.items() if board.values[name] != v}
     best: Board | None = None
     for begun in (board, *_with_changes(board, changes)):
@@ -239,10 +234,9 @@ def _ordered(board: Board, new_values: dict[str, int], best: Board | None) -> Bo
     """The board after writing all new values in the order of fewest words; `best` if no order takes
     fewer words."""
     if best is not None and board.words + len(new_values) >= best.words:
-        return best  # every value takes a word at least
+        return best  # every value takes at least one word
     if not new_values:
         return board
-    # Every value takes a word at least.
     most = inf if best is None else best.words - len(new_values)
     greedy = len(new_values) > _MOST_ORDERED
     cheapest: tuple[str, Board] | None = None

@@ -76,7 +76,7 @@ def _outlasts(machine: Machine, k: int) -> bool:
     alike = np.unique(
         np.column_stack([machine.behaviour, other_values]), axis=0, return_inverse=True
     )[1].reshape(-1)  # fmt: skip
-    # Nodes of the next stage that differ in the answer alone count as one; -1 stands for none.
+    # Nodes of the next stage that differ only in the answer count as one; -1 stands for none.
     after = np.where(machine.steps >= 0, alike[machine.steps], -1)
     for stage in range(machine.stages):
         span, begin = machine.nodes(stage), machine.starts(stage)

@@ -61,11 +61,9 @@ class Moment:
 
 @dataclass(frozen=True, eq=False)
 class LookingPlan:
-    """The moments of a frame in order, and the use of analog registers.
-
-    `reference` holds the reset level, or its negative if every exposure is a single copy: each word
-    adds an error, and the negative takes one word less.
-    """
+    """The moments of a frame in order, and the use of analog registers. `reference` holds the reset
+    level, or its negative if every exposure is a single copy: each word adds an error, and the
+    negative takes one word less."""
 
     program: Program
     machine: Machine
@@ -122,7 +120,7 @@ def _moments(machine: Machine) -> Iterator[Moment]:
         span = machine.nodes(stage)
         nodes = np.arange(span.start, span.stop)
         begin, end = machine.starts(stage), machine.ends(stage)
-        # Most slots are like the one before them in every node.
+        # Most slots are equal to the previous one in every node.
         opens, resets = machine.opens[span], machine.resets[span]
         changes = (opens[:, :, 1:] != opens[:, :, :-1]).any(axis=(0, 1)) | resets[:, 1:].any(axis=0)
         for boundary in (np.flatnonzero(changes) + 1).tolist():

@@ -20,7 +20,7 @@ from nscc.words.container import Container
 from nscc.words.machine import StatePlanes
 
 ENCODINGS = {0: (1, 32), 1: (4, 32), 2: (128, 128), 3: (1024, 1024)}
-"""So many encodings are tried at each level, and so many until one fits."""
+"""For each level the number of encodings to try, and the number until one fits."""
 
 
 @dataclass(frozen=True)

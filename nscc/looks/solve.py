@@ -239,7 +239,7 @@ class _Moment:
                 board.values[FLAG] = v
             return
         for name, new in self.new_values.items():
-            # A register that holds nothing yet takes its new value at once; FLAG reads it there.
+            # A register without a value takes its new value at once, and FLAG reads it there.
             if new == v and not board.values[name]:
                 sequence = board.make(v, name)
                 if sequence is not None:
@@ -288,7 +288,7 @@ def renamed(gates: Sequence[Item]) -> list[Item]:
         if not isinstance(gate, Gate):
             renamed_items.append(gate)
             continue
-        # A register is free once the last gate that reads it is over.
+        # A register is free after the last gate that reads it.
         busy = {name: end for name, end in busy.items() if end >= place}
         sources = tuple(names.get(name, name) for name in gate.sources)
         destination = gate.destination

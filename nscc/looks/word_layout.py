@@ -25,7 +25,7 @@ from nscc.operations import Op, op
 
 Words = tuple[Op, ...]
 _MOST_CLEARED = 4
-"""Registers that one CLR of the public library takes."""
+"""Registers that one CLR of the public library accepts."""
 
 
 def lay_out_looks(

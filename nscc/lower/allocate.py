@@ -40,7 +40,7 @@ def allocate(solution: Solution, target: Target) -> Allocation:
     ]
     names = [name for name in (*planes, *states, *scratch) if name not in places]
     if target.mask_register in free and len(free) > len(names):
-        free.remove(target.mask_register)  # code stays out of the mask while there is room
+        free.remove(target.mask_register)  # code avoids the mask while there are other registers
     places.update(zip(names, free[: len(names)], strict=True))
     holders = {
         **dict(zip(planes, solution.holders, strict=True)),
@@ -105,16 +105,14 @@ def _gate_words(gate: Gate, places: dict[str, str]) -> tuple[Op, ...]:
 
 
 def refresh_words(registers: tuple[str, ...], allocation: Allocation) -> tuple[Op, ...]:
-    """Words that rewrite the content of every one of `registers`.
-
-    They overwrite FLAG if both the masked register and its mask carry code.
-    """
+    """Words that rewrite the content of every one of `registers`. They overwrite FLAG if both the
+    masked register and its mask carry code."""
     masked, mask = allocation.masked, allocation.mask
     out: list[Op] = []
     plain = [r for r in registers if r != masked]
     if masked in registers and mask is not None:
         if mask in allocation.code_registers:
-            # The mask's code waits in FLAG; moving it back refreshes it too.
+            # The mask's code is saved in FLAG; writing it back also refreshes it.
             out += [op("WHERE", (), (mask,)), op("SET", (mask,))]
             out += [*pair("REFRESH", masked, (masked,)), op("MOV", (mask,), ("FLAG",))]
             plain = [r for r in plain if r != mask]

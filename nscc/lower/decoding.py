@@ -18,20 +18,15 @@ from nscc.program.wide import whole_name
 from nscc.words.container import DecodeTable
 
 Before = Literal["nothing", "all", "keep", "load"]
-"""What a step needs done to FLAG before its words.
-
-"nothing": FLAG does not matter; "all": set it everywhere; "load": bring the step's predicate;
-"keep": FLAG still holds the last predicate that was loaded, or 1 everywhere if the step is for
-every pixel.
-"""
+"""How a step obtains FLAG before its words. "nothing": FLAG does not matter; "all": set it in every
+pixel; "load": load the step's predicate; "keep": FLAG still holds the last loaded predicate, or 1
+everywhere if the step is for every pixel."""
 
 
 @dataclass(frozen=True)
 class Decoding:
-    """A plan with the gates that compute its predicates.
-
-    `problem` is the plan's problem, `actions` says what each step does to FLAG.
-    """
+    """A plan with the gates that compute its predicates. `problem` is the plan's problem, `actions`
+    says what each step does to FLAG."""
 
     plan: ExposurePlan
     problem: Problem
@@ -59,10 +54,8 @@ def problem_of(
 
 
 def _field_values(program: Program) -> dict[str, NDArray[np.int64]]:
-    """The value of every field in one code of each shutter; free bits are separate fields.
-
-    Of several codes, one whose values other shutters also need is chosen.
-    """
+    """The value of every field in one code of each shutter; free bits are separate fields. Of
+    several codes, one whose values other shutters also need is chosen."""
     codes = _code_of_shutter(program.table)
     values: dict[str, NDArray[np.int64]] = {}
     for index, field in enumerate(program.fields):

@@ -35,11 +35,8 @@ Role = Literal["setup", "reset", "look", "open", "rise", "fall"]
 
 
 class PlanStep(NamedTuple):
-    """Analog words at one boundary in the pixels of `predicate`.
-
-    `predicate` None means every pixel, independent of FLAG. `bucket` is the bucket's number, -1 for
-    steps of the whole frame.
-    """
+    """Analog words at one boundary in the pixels of `predicate`. `predicate` None means every
+    pixel, independent of FLAG. `bucket` is the bucket's number, -1 for steps of the whole frame."""
 
     boundary: int
     role: Role
@@ -51,10 +48,8 @@ class PlanStep(NamedTuple):
 @dataclass(frozen=True)
 class ExposurePlan:
     """The analog part of a program; `registers` maps every used analog register to its holder.
-
     `analog_writes` are the fewest and most analog words (`bus`) that a pixel with an opening
-    shutter executes after the setup.
-    """
+    shutter executes after the setup."""
 
     lowering: Lowering
     steps: tuple[PlanStep, ...]
@@ -72,10 +67,8 @@ class ExposurePlan:
 
 @dataclass(frozen=True)
 class Misfit:
-    """Why a lowering cannot be used: an unmet condition, or too few registers.
-
-    With `searched`, no gates were found, which proves nothing.
-    """
+    """Why a lowering cannot be used: an unmet condition, or too few registers. With `searched`, no
+    gates were found, which proves nothing."""
 
     reason: str
     resource: str | None = None
@@ -86,9 +79,7 @@ class Misfit:
 
 class AnalogRegisters(NamedTuple):
     """Use of analog registers: one a bucket, one for the reset level if needed, and scratch.
-
-    `holders` maps every register to its holder.
-    """
+    `holders` maps every register to its holder."""
 
     buckets: tuple[str, ...]
     reference: str | None
@@ -177,7 +168,7 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     """See ExposurePlan."""
     shutters = len(program.table.shutters)
     counts = np.zeros(shutters, dtype=np.int64)
-    # By identity: there are few tuples of words, and comparing them takes long.
+    # Compared by identity, because there are few tuples of words and comparing them is slow.
     distinct = {id(s.words): s.words for s in steps}
     alike = Counter((s.predicate, id(s.words)) for s in steps if s.bucket >= 0)
     for (predicate, known), times in alike.items():
@@ -191,7 +182,7 @@ def _analog_writes(program: Program, steps: Sequence[PlanStep]) -> tuple[int, in
     return (int(used.min()), int(used.max())) if used.size else (0, 0)
 
 
-# Twice and a pause, as the library's respix does: one word is too short to empty the well.
+# Twice with a pause, as the library's respix does: one word is too short to reset the photodiode.
 RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
@@ -274,7 +265,7 @@ class _Builder:
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
         rises = [RESET if resets else self._subtract(register) for register in self.registers]
-        # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
+        # With a reference, PIX has the reset level at boundary 0, so there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():
             for bucket, (before, after) in enumerate(changes):

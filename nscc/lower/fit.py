@@ -145,10 +145,8 @@ def faults(choice: Choice, *, level: int) -> list[Diagnostic]:
 
 
 def has_ways_out(diagnostic: Diagnostic) -> bool:
-    """Whether nearby programs may avoid this error.
-
-    Not if the words that read the light already take too long.
-    """
+    """Whether nearby programs may avoid this error. Not if the words that read the light already
+    take too long."""
     short_of = diagnostic.data.get("resource")
     if short_of in ("slot_us", "words_per_slot"):
         return only_search_can_tell(diagnostic)

@@ -13,17 +13,14 @@ from nscc.lower.lowered import Lowered, lay_out
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
-# Solutions, the best of each encoding, that are worth steps of improvement at each level.
+# Number of solutions to improve at each level, the best of each encoding.
 MOST_IMPROVED = {0: 1, 1: 1, 2: 6, 3: 16}
 
 
 @dataclass(frozen=True)
 class Gated:
-    """The plans with gates, best first, and why others have none.
-
-    `fits`: whether the words of the best one fit. `faults`: exceptions of generators, which were
-    ignored.
-    """
+    """The plans with gates, best first, and why others have none. `fits`: whether the words of the
+    best one fit. `faults`: exceptions of generators, which were ignored."""
 
     program: Program
     time: Timeline
@@ -42,9 +39,7 @@ def find_gates(
     most_words: int | None = None,
 ) -> Gated:
     """The gates of the plans of `planned`: without `price_all` until no better plan can follow.
-
-    `most_words` is the largest allowed number of words at a boundary, None for any.
-    """
+    `most_words` is the largest allowed number of words at a boundary, None for any."""
     lowerings: list[Lowered] = []
     misfits = dict(planned.misfits)
     faults: list[GeneratorFault] = []
@@ -92,8 +87,8 @@ def lower(
     """
     program, target, time = planned.program, planned.program.target, planned.time
     if most_words is not None and level >= 2:
-        # Improving starts from what fits: a limit that the cheapest solution meets in the end might
-        # leave out what that is made from.
+        # Improvement needs fitting solutions as input; a limit that only the final solution meets
+        # would exclude them.
         free = lower(planned, plan, level, results, None, faults)
         if isinstance(free, Misfit):
             return free
@@ -129,7 +124,7 @@ def lower(
             except Exception as error:
                 note_fault(error, "improve", level, faults)
         if level > 0 and searched and (level > 1 or not ranked or not ranked[0].fits):
-            # More steps end some generators elsewhere and leave out others: not always better.
+            # More steps change where generators stop, so the result is not always better.
             below = cheapest(level - 1)
             if below is not None:
                 ranked.append(below)

@@ -15,16 +15,14 @@ from nscc.lower.schedule import Schedule, kernel_us, schedule
 from nscc.lower.timeline import Timeline
 from nscc.program.program import Program
 
-# Times are sums of decimal fractions: a slot just as long as its words is long enough.
+# Relative tolerance for times, which are sums of decimal fractions.
 _ROUNDING = 1 + 1e-9
 
 
 @dataclass(frozen=True, repr=False)
 class Lowered:
-    """A plan, its gates and its words, with costs on the program's target.
-
-    `most_words` is the user's limit on words at a boundary, None for none.
-    """
+    """A plan, its gates and its words, with costs on the program's target. `most_words` is the
+    user's limit on words at a boundary, None for none."""
 
     program: Program
     decoding: Decoding
@@ -75,7 +73,7 @@ class Lowered:
     def shortest_slot_launches(self) -> int:
         """Kernel launches included in `shortest_slot_us`."""
         boundary = self.busy_us.index(self.shortest_slot_us)
-        # The frame's first launch comes before the exposure starts.
+        # The first launch of the frame is before the start of the exposure.
         return sum(n == boundary for n, _ in self.schedule.launches[1:])
 
     @property
@@ -130,11 +128,8 @@ class Lowered:
 
     @property
     def headroom_e(self) -> float:
-        """The most electrons a frame, at constant light with an open shutter, that no code
-        saturates.
-
-        The limits are PIX between two resets and the frame registers.
-        """
+        """The largest constant light that saturates no code, in electrons a frame of an always-open
+        shutter. The limits are PIX between two resets and the frame registers."""
         program, plan = self.program, self.plan
         target = program.target
         slot_us = np.array(program.frame.slot_us)
@@ -150,7 +145,7 @@ class Lowered:
         else:
             pix_share = float(share[: max(reads, default=0)].sum())
             if plan.lowering == "edges":
-                # A rising edge subtracts all the light before it.
+                # A rising edge subtracts all light before it.
                 last = max((s.boundary for s in plan.steps if s.role == "rise"), default=0)
                 register_share = max(register_share, float(share[:last].sum()))
         limits = [target.full_well_e / pix_share] if pix_share else []
@@ -161,10 +156,8 @@ class Lowered:
 
 @dataclass(frozen=True)
 class Choice:
-    """All lowerings, best first, and why others failed.
-
-    `failed_generators` names the generators that raised an exception.
-    """
+    """All lowerings, best first, and why others failed. `failed_generators` names the generators
+    that raised an exception."""
 
     lowerings: tuple[Lowered, ...]
     misfits: dict[Lowering, Misfit]

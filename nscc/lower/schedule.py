@@ -84,7 +84,7 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
     setup_us = kernel_us(boundaries[0][0][: exposed + 1], target)
     apart: set[Words] = set()
     for n in time.refresh_at or ():
-        # A state that nobody has written yet in this frame is nobody's.
+        # A state that was not written yet in this frame needs no refresh.
         written = {register for run in boundaries[:n] for words_ in run for word in words_
                    for register in word.destinations}  # fmt: skip
         to_refresh = (*refreshed, *(r for r in allocation.state_registers if r in written))
@@ -93,8 +93,8 @@ def schedule(decoding: Decoding, time: Timeline, target: Target) -> Schedule:
             apart.add(boundaries[n][0])
     if refreshed:
         boundaries[plan.slots].append(refresh_words(refreshed, allocation))
-    # A refresh inside the frame comes at a few boundaries only, each unlike the others: launched
-    # by itself it is stored once and leaves them alike.
+    # Refreshes inside the frame differ at each boundary. As separate kernels they are stored once,
+    # and leave the other kernels of boundaries equal.
     for form in (_merged(boundaries, apart), boundaries):
         kernels, launches = _shared(form)
         result = Schedule(allocation, kernels, launches, setup_us, refreshed)
@@ -147,11 +147,9 @@ def _segments(decoding: Decoding, allocation: Allocation) -> list[list[Words]]:
 def refreshed_registers(
     boundaries: Sequence[Sequence[Words]], allocation: Allocation, time: Timeline
 ) -> tuple[str, ...]:
-    """The code registers that the frame's own words do not write often enough.
-
-    A write to the masked register counts only after SET of its mask, because it does not reach all
-    pixels otherwise.
-    """
+    """The code registers that the frame's own words do not write often enough. A write to the
+    masked register counts only after SET of its mask, because it does not reach all pixels
+    otherwise."""
     written: dict[str, set[int]] = {register: set() for register in allocation.code_registers}
     mask_is_set = False
     for n, segments in enumerate(boundaries):

@@ -33,10 +33,8 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
 
 
 def late_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0601: words take longer than the slot at whose start they run.
-
-    Certain if in every lowering the analog words and one launch take too long.
-    """
+    """NS0601: words take longer than the slot at whose start they run. Certain if in every lowering
+    the analog words and one launch take too long."""
     lowered = choice.best
     program, target = lowered.program, lowered.program.target
     slots_us = program.frame.slot_us
@@ -74,10 +72,8 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
 
 
 def overfull_fault(choice: Choice, level: int) -> Diagnostic:
-    """NS0603: more words at a boundary than `--max-words-per-slot` allows.
-
-    Certain if in every lowering the analog words of a boundary exceed the limit.
-    """
+    """NS0603: more words at a boundary than `--max-words-per-slot` allows. Certain if in every
+    lowering the analog words of a boundary exceed the limit."""
     lowered = choice.best
     program, allowed = lowered.program, lowered.most_words
     assert allowed is not None

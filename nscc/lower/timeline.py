@@ -8,18 +8,16 @@ from itertools import accumulate, pairwise
 
 from nscc.chips.target import Target
 
-# Words take time, and the retention is a typical figure: nothing is left to age beyond this share.
+# Share of the retention time that may be used: words take time, and the retention is a typical
+# value.
 RETENTION_SHARE = 0.9
 
 
 @dataclass(frozen=True)
 class Timeline:
-    """The frame's times in microseconds.
-
-    `boundary_us[n]` is the time of boundary n; `between_us` is from boundary N to the next frame's
-    boundary 0 (readout). `refresh_at` are the boundaries inside the frame at which registers must
-    be refreshed; None if even that is not enough.
-    """
+    """The frame's times in microseconds. `boundary_us[n]` is the time of boundary n; `between_us`
+    is from boundary N to the next frame's boundary 0 (readout). `refresh_at` are the boundaries
+    inside the frame at which registers must be refreshed; None if even that is not enough."""
 
     boundary_us: tuple[float, ...]
     between_us: float

@@ -1,4 +1,4 @@
-"""What is allowed and yet worth saying: warnings and notes about a program without errors."""
+"""Warnings and notes about valid programs."""
 
 from __future__ import annotations
 
@@ -22,10 +22,12 @@ def judge_rules(
     basis: str,
     problems: Problems,
 ) -> None:
-    """Warns of rules that never open (NS0350) and, where there are fields, always do (NS0351).
+    """Warn of rules that never open (NS0350) and, if there are fields, of rules that always open
+    (NS0351).
 
-    Never is judged by the codes compiled for (`table`, `basis` in words): the frame would stay
-    dark. Always is judged by `survey`, all codes if they are few: pixels may well be open for long.
+    Never is judged by the compiled codes (`table`; `basis` describes them), since the frame would
+    stay dark. Always is judged by `survey`: all codes if there are few, since the pixels in use may
+    need long exposures.
     """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
@@ -47,10 +49,8 @@ def judge_names(
     books: Books,
     problems: Problems,
 ) -> None:
-    """Warns of fields that no rule reads (NS0352); notes lets and books that nothing does (NS0355).
-
-    `rules` are all expressions that shutters depend on; a sense's level may be a field, too.
-    """
+    """Warn of fields that no rule reads (NS0352); note unused lets and codebooks (NS0355). `rules`
+    are all expressions that shutters depend on; a sense's level may also be a field."""
     read = _names_read(declared)
     in_rules = frozenset[str]().union(*(rule.variables for rule in rules))
     in_rules |= {s.level.text for s in declared.senses.values() if isinstance(s.level, tree.Name)}
@@ -71,7 +71,7 @@ def judge_names(
 
 
 def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
-    """Warns where bumps of one length are cut by the frame's edge (NS0354)."""
+    """Warn of bumps of one length that the frame's edge cuts (NS0354)."""
     if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",
@@ -85,7 +85,7 @@ def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Pro
 
 
 def _names_read(declared: Declarations) -> set[str]:
-    """Every name that an expression anywhere in the file reads."""
+    """Every name in the expressions of the file."""
     exprs: list[tree.Expr] = [let.value for let in declared.lets.values()]
     exprs += [r.condition for r in declared.requires]
     exprs += [r.rule for r in declared.rules]
@@ -107,7 +107,7 @@ def _names_read(declared: Declarations) -> set[str]:
 
 
 def _looked_at(declared: Declarations) -> Iterator[tree.Expr]:
-    """The expressions in statements of version 2."""
+    """The expressions in statements of language version 2."""
     for sense in declared.senses.values():
         yield sense.at
         levels = sense.level.items if isinstance(sense.level, tree.Levels) else (sense.level,)

@@ -1,4 +1,4 @@
-"""Codebooks: the digits of every row, written in the program or read from a file."""
+"""Codebooks: the digits of all rows, from the program or from files."""
 
 from __future__ import annotations
 
@@ -22,11 +22,9 @@ Digits = NDArray[np.bool_]
 def make_books(
     books: dict[str, Book], slots: Meaning, base: Path, problems: Problems
 ) -> dict[str, Digits | None]:
-    """The digits (K, N) of every codebook, None where an error was reported.
-
-    `slots` is what N means: where that failed, row lengths are not judged and every book is None.
-    Reports rows of a wrong length or with other digits (NS0310), files (NS0313, NS0314, NS0315).
-    """
+    """The digits (K, N) of every codebook, None after reporting an error. `slots` is the meaning of
+    N: if it failed, row lengths are not checked and every book is None. Reports rows of wrong
+    length or with other digits (NS0310) and errors of files (NS0313, NS0314, NS0315)."""
     return {name: _make(book, slots, base, problems) for name, book in books.items()}
 
 
@@ -63,7 +61,7 @@ def _wrong_digit(book: BookInline, problems: Problems) -> bool:
 
 
 def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
-    """Reports the first row that has not N digits, and how many have not."""
+    """Report the first row that does not have N digits, and the number of such rows."""
     if slots.kind != "constant":
         return False
     wrong_rows = [row for row in book.rows if len(row.digits) != slots.value]
@@ -102,7 +100,7 @@ def _from_file(book: BookFromFile, slots: Meaning, base: Path) -> Digits | None:
 
 
 def _key(book: BookFromFile, file: ArraysFile) -> str:
-    """The array meant: the stated key, else the one of the book's name, else the only one."""
+    """The array to read: the stated key, else the book's name, else the only array."""
     if book.key is not None:
         return book.key.text
     if book.name.text not in file.keys and len(file.keys) == 1:

@@ -1,7 +1,7 @@
-"""Which of the paper's classes the shutters are: a name for the report, and why.
+"""The shutter class of a program (as in the paper), and the reason.
 
-Bumps and always-open shutters are recognised from the shutters themselves, however the rule is
-written. A codebook and free bits (class e) are how a rule is written, so the rule is asked.
+Always-open shutters and bumps are recognised from the decode table, independent of the rule's form.
+Codebooks and free bits (class e) are recognised from the rule.
 """
 
 from __future__ import annotations
@@ -22,8 +22,8 @@ from nscc.words.container import DecodeTable
 
 
 class Recognised(NamedTuple):
-    """`name` a, b, c, d, e, codebook or general; `reason` a sentence; `cut` counts the shutters
-    whose bump is shorter than the class's because the frame ends."""
+    """Class `name` (a, b, c, d, e, codebook or general) with a `reason` sentence; `cut` is the
+    number of shutters whose bump the end of the frame shortens."""
 
     name: str
     reason: str
@@ -31,10 +31,8 @@ class Recognised(NamedTuple):
 
 
 def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: str) -> Recognised:
-    """The class of a program; several buckets are of a class if each one is, else general.
-
-    `basis` says in words which codes `table` holds.
-    """
+    """The class of a program; several buckets must all be of one class, else it is general. `basis`
+    describes the codes in `table`."""
     recognised = [
         _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
         for k, rule in enumerate(rules.rules)
@@ -88,7 +86,7 @@ def _codebook_reason(rules: Rules, node: Index, by_shape: Recognised) -> str:
 
 
 def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
-    """Is the rule `bits[I]` with an index that names another bit in every slot?"""
+    """Whether the rule is `bits[I]` with a different bit in every slot."""
     if isinstance(node.index, Name) and node.index.text == "n":
         return True
     fields = {field.name for field in rules.fields}
@@ -105,7 +103,7 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
-    """Class a, b, c or d by where the distinct `shutters` (K, N) open and close, else general."""
+    """Class a, b, c or d from the distinct `shutters` (K, N), else general."""
     slots = shutters.shape[1]
     length = np.count_nonzero(shutters, axis=1)
     opens = length > 0
@@ -133,7 +131,7 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
     slots_text = counted(longest, "slot")
     if not short.any():
         return Recognised("c", f"every shutter is one bump of {slots_text}{also}, {basis}")
-    # Two whole bumps show that one length is meant; a single one may be the longest of many.
+    # Two complete bumps show a common length; a single one may be the longest of many.
     if np.count_nonzero(full_length) > 1 and bool(at_an_edge[short].all()):
         cut = int(np.count_nonzero(short))
         return Recognised(

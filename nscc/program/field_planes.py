@@ -1,4 +1,4 @@
-"""The value of every field at every pixel: expressions over the array, tiles, files."""
+"""The value of every field at every pixel, from expressions, tiles or files."""
 
 from __future__ import annotations
 
@@ -39,19 +39,19 @@ def make_planes(
     base: Path,
     problems: Problems,
 ) -> dict[str, Plane]:
-    """The plane of every field; fields with errors, here or before, are left out.
+    """The plane of every field, without fields that have errors.
 
-    Without any `pixels` statement, or without a target, there are none. Reports fields not given
-    (NS0210), values outside their range (NS0311), faults of expressions, tiles that are no
-    rectangle (NS0316), files (NS0313, NS0314, NS0315). A bit field that no number holds has a plane
-    for each of its parts.
+    Empty without `pixels` statements or without a target. Reports fields without pixels (NS0210),
+    values outside their range (NS0311), faults of expressions, tiles that are not rectangular
+    (NS0316) and errors of files (NS0313, NS0314, NS0315). A long bit field has a plane for each of
+    its chunks.
     """
     return _Maker(declared, fields, constants, target, base, problems).run()
 
 
 @dataclass(eq=False, repr=False)
 class _Maker:
-    """What planes are made from."""
+    """The inputs for making planes."""
 
     declared: Declarations
     fields: Mapping[str, Field | None]
@@ -215,7 +215,7 @@ class _Maker:
                 self.problems.adopt(wrong, statement.path.span)
                 continue
             (plane, beyond), *higher_chunks = stored
-            # Only bits that the file gives one by one reach into the other parts.
+            # Only single bits from a file can set the other chunks.
             if any(chunk.any() for chunk, _ in higher_chunks):
                 planes.update(zip(names, (chunk_plane for chunk_plane, _ in stored), strict=True))
             else:
@@ -229,7 +229,7 @@ class _Maker:
         statement: PixelsExpr | PixelsTile | PixelsFromFile,
         beyond: NDArray[np.bool_] | None = None,
     ) -> None:
-        """Adds a plane whose values are in range; `beyond` are places that int64 cannot hold."""
+        """Add a plane after a range check; `beyond` marks values that int64 cannot represent."""
         outside = (plane < field.low) | (plane > min(field.high, LIMIT))
         if beyond is not None:
             outside |= beyond
@@ -253,12 +253,12 @@ class _Maker:
 
 
 def _range(field: Field) -> str:
-    """The values of a field; a number has at most 62 bits."""
+    """The range of a field; a number has at most 62 bits."""
     return f"{field.low}..{min(field.high, LIMIT)}"
 
 
 def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
-    """How to give the pixels of a bit field that no number holds."""
+    """Help on how to define the pixels of a long bit field."""
     if field.high <= LIMIT or target is None:
         return ()
     shape = f"({target.rows}, {target.cols}, {field.bits})"
@@ -266,7 +266,7 @@ def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
-    """Where the value of pixel (x, y) comes from."""
+    """The place that defines the value of pixel (x, y)."""
     match statement:
         case PixelsExpr():
             return statement.value.span
@@ -279,7 +279,7 @@ def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: 
 
 
 Stored = tuple[Plane, NDArray[np.bool_]]
-"""A plane, and where what was given is beyond int64."""
+"""A plane, and where the given values do not fit int64."""
 
 
 def stored_planes(
@@ -289,7 +289,7 @@ def stored_planes(
     chunk_count: int = 1,
     bits: int | None = None,
 ) -> list[Stored]:
-    """The planes of the field `name` in a file, as `planes_of` makes them; NS0313, NS0314."""
+    """The planes of field `name` in a file, as of `planes_of`; raises NS0313, NS0314."""
     most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
     stored = file.integers(name, most=max(most, 2**20), bools=True)
     return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
@@ -346,7 +346,7 @@ def _single_bits(
 
 
 def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
-    """Integers as int64, and where they are beyond it."""
+    """Integers as int64, and where they do not fit."""
     beyond = np.zeros(stored.shape, dtype=bool)
     if stored.dtype.kind == "u" and stored.dtype.itemsize == 8:
         beyond = np.asarray(stored > np.uint64(2**63 - 1), dtype=bool)
@@ -355,11 +355,11 @@ def as_plane(stored: NDArray[Any]) -> tuple[Plane, NDArray[np.bool_]]:
 
 
 def first_place(places: NDArray[np.bool_]) -> tuple[int, int]:
-    """(y, x) of the first place, row by row."""
+    """(y, x) of the first true place, row by row."""
     y, x = np.unravel_index(int(places.argmax()), places.shape)
     return int(y), int(x)
 
 
 def pixel_text(x: int, y: int) -> str:
-    """A pixel's place for messages, in both ways of naming it."""
+    """Name a pixel in messages by both conventions."""
     return f"pixel at x = {x}, y = {y} (row {y}, column {x})"

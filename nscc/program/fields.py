@@ -1,4 +1,4 @@
-"""The fields of the pixel code: what values each may have."""
+"""The fields of the pixel code and their value ranges."""
 
 from __future__ import annotations
 
@@ -26,19 +26,16 @@ def make_fields(
     books: Mapping[str, NDArray[np.bool_] | None],
     problems: Problems,
 ) -> dict[str, Field | None]:
-    """Every declared field, None where an error was reported, here or about its book. Tells
-    `declared` which bit fields are longer than a number.
-
-    Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row of` what is
-    no codebook (NS0209, NS0214).
-    """
+    """Every declared field, None after an error in it or its codebook. Sets the long bit fields in
+    `declared`. Reports an empty range (NS0306), a bit count outside 1..MOST_BITS (NS0307) and `row
+    of` something other than a codebook (NS0209, NS0214)."""
     maker = _Maker(declared, scope, books, problems)
     return {name: maker.make(statement) for name, statement in declared.codes.items()}
 
 
 @dataclass(eq=False, repr=False)
 class _Maker:
-    """What codes' fields are made from."""
+    """The inputs for making fields."""
 
     declared: Declarations
     scope: Scope
@@ -84,7 +81,7 @@ class _Maker:
         return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
 
     def _bits_place(self, statement: CodeBits) -> Span:
-        """The place of `bit[K]`: the tree has K alone."""
+        """The place of `bit[K]`; the tree only has the place of K."""
         start = self.problems.source.text.rfind(
             "bit", statement.name.span.end, statement.count.span.start
         )

@@ -17,10 +17,8 @@ LONGEST_US = Fraction(10**12)
 def make_frame(
     statement: EqualSlots | ListedSlots, slots: Meaning, problems: Problems
 ) -> Frame | None:
-    """The frame, or None after reporting a slot without a usable length (NS0309).
-
-    `slots` is what N means; where that failed there is no frame, and no further report.
-    """
+    """The frame, or None after reporting invalid slot lengths (NS0309). `slots` is the meaning of
+    N; if it failed there is no frame and no further report."""
     times = (statement.length,) if isinstance(statement, EqualSlots) else statement.lengths
     invalid = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in invalid[:8]:

@@ -1,4 +1,4 @@
-"""The statements of version 2, checked: what a pixel senses, remembers, resets and reads out."""
+"""Checked statements of language version 2: senses, states, resets and readouts."""
 
 from __future__ import annotations
 
@@ -22,12 +22,9 @@ from nscc.words import machine
 
 @dataclass(frozen=True, eq=False)
 class CheckedSense:
-    """What is compared: `signal` as of `machine.Comparison`, at the boundaries `at`.
-
-    The answer is whether the signal is above its level, or below where not `above`. `steps` has the
-    level in steps of IN, one for each boundary of `at`; None where the `field` of the code gives
-    it, in codes of the ADC.
-    """
+    """A comparison of `signal` (see `machine.Comparison`) at the boundaries `at`. The answer is
+    whether the signal is above its level, or below if not `above`. `steps` is the level in steps of
+    IN for each boundary of `at`; None if the `field` of the code gives it, in codes of the ADC."""
 
     name: str
     signal: int
@@ -40,7 +37,7 @@ class CheckedSense:
 
 @dataclass(frozen=True, eq=False)
 class CheckedNext:
-    """The value that a state takes at a look, and when; None: always."""
+    """The next value of a state at a look, and its condition (None: always)."""
 
     value: Checked
     condition: Checked | None
@@ -49,7 +46,7 @@ class CheckedNext:
 
 @dataclass(frozen=True, eq=False)
 class Looking:
-    """All that shutters depend on beside code and slot."""
+    """Everything besides code and slot that shutters depend on."""
 
     senses: tuple[CheckedSense, ...]
     states: tuple[machine.State, ...]
@@ -63,7 +60,7 @@ class Looking:
 
     @property
     def expressions(self) -> list[Checked]:
-        """What `next` and `reset when` ask."""
+        """The expressions of `next` and `reset when`."""
         expressions = [] if self.reset is None else [self.reset]
         for step in self.nexts.values():
             expressions += [step.value] if step.condition is None else [step.value, step.condition]
@@ -76,11 +73,11 @@ def make_looking(
     target: Target | None,
     problems: Problems,
 ) -> Looking | None:
-    """The statements of version 2; None where there are none, or after reporting what is wrong.
+    """The checked statements of version 2; None if there are none, or after reporting errors.
 
-    Reports names that are no state (NS0209, NS0214), levels that cannot be told from the well or
-    that IN cannot have (NS0320, NS0321), senses that never look (NS0322), starts outside their
-    range (NS0311) and signals that cannot be compared (NS0323).
+    Reports names that are not states (NS0209, NS0214), levels that the well or IN cannot represent
+    (NS0320, NS0321), senses that never look (NS0322), starts outside their range (NS0311) and
+    signals that cannot be compared (NS0323).
     """
     if not declared.looking:
         return None
@@ -127,7 +124,6 @@ class _Maker:
         }
 
     def sense(self, sense: tree.Sense) -> CheckedSense | None:
-        """One sense."""
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
@@ -165,7 +161,7 @@ class _Maker:
         return number
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
-        """The boundaries 1..N of a sense."""
+        """The boundaries 1..N of a sense, or None after reporting an error."""
         checked = check(
             sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
         )
@@ -254,7 +250,6 @@ class _Maker:
         return level_steps(float(value), unit, target)
 
     def state(self, name: str, state: State) -> machine.State | None:
-        """One state."""
         boolean = isinstance(state, tree.StateBit)
         low, high = 0, 1
         if isinstance(state, tree.StateRange):
@@ -286,13 +281,12 @@ class _Maker:
         return machine.State(name, low, high, start, state.kept, read, boolean)
 
     def _start(self, state: State) -> int | None:
-        """START; a bit may start with true and false, too."""
+        """The start value; a bit may also start with true or false."""
         if isinstance(state, tree.StateBit) and isinstance(state.start, tree.Bool):
             return int(state.start.value)
         return constant(state.start, self.constants, self.problems, "the start of a state")
 
     def next(self, statement: tree.Next) -> CheckedNext | None:
-        """One `next`."""
         if not self.known_state(statement.name):
             return None
         boolean = isinstance(self.declared.states[statement.name.text], tree.StateBit)
@@ -314,7 +308,7 @@ class _Maker:
         return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
-        """Whether this is a state; says so if it is not."""
+        """Whether the name is a state; reports an error if not."""
         if name.text in self.declared.states:
             return True
         if name.text in self.declared.refused:
@@ -346,12 +340,12 @@ def level_steps(value: float, unit: str, target: Target) -> int:
 
 
 def can_tell(value: float, unit: str, target: Target) -> bool:
-    """Whether pixels can hold less than a level and more: IN reaches it, and neither PIX nor a
-    register is full below it."""
+    """Whether the signal can be below and above a level: IN can represent it, and neither PIX nor a
+    register saturates below it."""
     reached = 1 <= level_steps(value, unit, target) <= target.in_high
     return reached and level_e(value, unit, target) < _full_e(target)
 
 
 def _full_e(target: Target) -> float:
-    """Electrons at which a pixel is full, where it is read or where that is held."""
+    """Electrons at which PIX or a register saturates."""
     return min(target.full_well_e, target.register_max_e)

@@ -1,5 +1,4 @@
-"""What a target or a readout does not allow of a program that looks, what makes its machine too
-large, and what is worth saying."""
+"""Errors, warnings and notes about programs with senses: target limits, readouts, machine size."""
 
 from __future__ import annotations
 
@@ -30,11 +29,8 @@ def judge_looking(
     target: Target,
     problems: Problems,
 ) -> None:
-    """Reports a readout that does not tell how long pixels were open (NS0324), a reset that the
-    target does not have (NS0415), and rules that never open (NS0350).
-
-    `untold` as of `nscc.program.open_time.with_open_times`.
-    """
+    """Report readouts that do not determine open times (NS0324), unsupported resets (NS0415) and
+    rules that never open (NS0350). `untold` as of `nscc.program.open_time.with_open_times`."""
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
@@ -64,11 +60,9 @@ def judge_looked_names(
     machine: Machine,
     problems: Problems,
 ) -> None:
-    """Notes senses and states that nothing reads, and states that keep their start (NS0355).
-
-    A sense that nothing reads is in use where it alone makes a look, if a `next` steps there or
-    `looks` is read. `rules` say when shutters are open.
-    """
+    """Note unused senses and states, and states that never change (NS0355). An unread sense is used
+    if it alone causes a look at which a `next` steps or which `looks` counts. `rules` are the rules
+    of shutters."""
     read = frozenset[str]().union(
         *(checked.variables for checked in [*rules, *looking.expressions])
     )
@@ -108,7 +102,7 @@ def _nexts_of_other_states(looking: Looking, name: str) -> dict[str, CheckedNext
 def _judge_resets(
     statement: tree.Reset, machine: Machine, target: Target, problems: Problems
 ) -> None:
-    """Where the reset is global, all pixels that can be at a boundary must agree on it."""
+    """With a global reset, all pixels at a boundary must agree on it."""
     for stage in range(machine.stages):
         slots = slice(machine.starts(stage), machine.ends(stage))
         stage_resets = machine.resets[machine.nodes(stage), slots]
@@ -129,7 +123,7 @@ def _judge_resets(
 
 
 def shutters_in_the_dark(machine: Machine) -> NDArray[np.bool_]:
-    """The shutters (behaviours, buckets, N) of pixels whose signals are never above a level."""
+    """The shutters (behaviours, buckets, N) of pixels whose signals never exceed a level."""
     nodes = machine.start_nodes()
     shutters = machine.opens[nodes].copy()
     for stage in range(1, machine.stages):
@@ -141,7 +135,7 @@ def shutters_in_the_dark(machine: Machine) -> NDArray[np.bool_]:
 
 @dataclass(frozen=True)
 class Excess:
-    """What there is too much of: its place, None for the fields; a label; what would help."""
+    """The largest factor of a machine's size: its place (None for fields), a label, and helps."""
 
     place: Span | None
     text: str
@@ -151,11 +145,9 @@ class Excess:
 def largest_part(
     declared: Declarations, looking: Looking, fields: Sequence[str], codes: CodeArray
 ) -> Excess:
-    """What multiplies the transitions most: codes, states, or the levels of one boundary.
-
-    `codes` (codes, fields) are compiled for, in the order of `fields`. How to have fewer codes is
-    not among the helps.
-    """
+    """The largest factor of the number of transitions: codes, states, or the levels of one
+    boundary. `codes` (codes, fields) are the compiled ones, in the order of `fields`. The helps do
+    not include how to have fewer codes."""
     values = {name: len(np.unique(codes[:, k])) for k, name in enumerate(fields)}
     boundary, levels_of_sense = _busiest(looking, values)
     levels = sum(levels_of_sense.values())
@@ -173,7 +165,7 @@ def largest_part(
 
 
 def most_looks(declared: Declarations, looking: Looking) -> Excess:
-    """The sense that looks most often: what multiplies the times that pixels can be open."""
+    """The sense with most looks, as the largest factor of the number of open times."""
     sense = max(looking.senses, key=lambda candidate: len(candidate.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
     helps = ["use fewer looks, or a state that keeps a shutter closed"]
@@ -199,8 +191,8 @@ def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
 
 
 def _state_combinations(looking: Looking, answers: int) -> int:
-    """The most values that states hold together: kept ones begin a frame with any of theirs, the
-    others reach one for each of 2^`answers` histories, and no more than they have."""
+    """An upper bound on the combined values of states: kept states start with any value; others
+    have one value for each of 2^`answers` histories, at most their range."""
     kept_values, reached = (
         prod(state.high - state.low + 1 for state in looking.states if state.is_kept == is_kept)
         for is_kept in (True, False)
@@ -209,7 +201,7 @@ def _state_combinations(looking: Looking, answers: int) -> int:
 
 
 def _busiest(looking: Looking, values: Mapping[str, int]) -> tuple[int, dict[str, int]]:
-    """The boundary where most levels are compared, and how many are by its senses."""
+    """The boundary with most levels to compare, and the number of levels of each of its senses."""
     levels = {s.name: 1 if s.field is None else values[s.field] for s in looking.senses}
     level_counts = Counter[int]()
     for sense in looking.senses:

@@ -1,7 +1,7 @@
-"""The finite machine of a program that looks: its text, played through every code and answer.
+"""The finite state machine of a program with senses, built by running it for every code and answer.
 
-One stage after the other: the nodes that can be reached, what the rules say in them until the next
-look, and where each outcome of that look leads.
+For each stage: the reachable nodes, the shutters and resets in them until the next look, and the
+next node for each outcome of that look.
 """
 
 from __future__ import annotations
@@ -25,19 +25,19 @@ from nscc.program.wide import whole_name
 from nscc.words.machine import Comparison, Machine, State
 
 MOST_TRANSITIONS = 10**7
-"""Most codes x states x outcomes that are played through, and replayed by the proof."""
+"""Most codes x states x outcomes, which the proof also replays."""
 MOST_CELLS = 1 << 29
-"""Most nodes x slots, of all stages and rules together: a byte each."""
+"""Most nodes x slots of all stages and rules together, a byte each."""
 MOST_HISTORIES = 1 << 16
-"""Most different times that a pixel may have been open in one node, while they are counted."""
+"""Most different open times of one node."""
 
 Nodes = NDArray[np.int64]
-"""(nodes, 1 + states + held senses): the row of the code, the states' values, the answers."""
+"""(nodes, 1 + states + remembered senses): the row of the code, the states' values, the answers."""
 
 
 @dataclass(frozen=True, eq=False)
 class Stage:
-    """The nodes between two looks, what they do, and where the look at the end leads them."""
+    """The nodes between two looks, their shutters and resets, and their next nodes."""
 
     nodes: Nodes
     opens: NDArray[np.bool_]
@@ -48,11 +48,8 @@ class Stage:
 def build_machine(
     rules: Rules, looking: Looking, codes: CodeArray, target: Target
 ) -> tuple[Machine, NDArray[np.int32]]:
-    """The machine, and the behaviour of every code (codes,).
-
-    Raises NoValue where an expression has none for something that can happen, or a state leaves
-    its range; TooMuch beyond MOST_TRANSITIONS.
-    """
+    """The machine, and the behaviour of every code (codes,). Raises NoValue if an expression has no
+    value in a reachable node or a state leaves its range, and TooMuch beyond MOST_TRANSITIONS."""
     return _Builder(rules, looking, codes, target).build()
 
 
@@ -64,7 +61,7 @@ class _Builder:
         in_rules = {name for expression in expressions for name in expression.variables}
         for step in looking.nexts.values():
             used = step.value.variables | (step.condition.variables if step.condition else set())
-            # A `next` at a look of other senses reads the latest answer, too.
+            # A `next` at a look of other senses also reads the latest answer.
             in_rules |= {s.name for s in looking.senses if s.name in used and self._stale(s)}
         self.remembered = [sense for sense in looking.senses if sense.name in in_rules]
         self.width = 1 + len(looking.states)
@@ -95,7 +92,7 @@ class _Builder:
         return self._joined(stages, tuple(comparisons))
 
     def _start(self) -> Nodes:
-        """Every code, with every value that kept states may have."""
+        """Every code with every possible value of its kept states."""
         ranges = [(s.low, s.high) if s.is_kept else (s.start, s.start) for s in self.looking.states]
         size = len(self.codes) * math.prod(high - low + 1 for low, high in ranges)
         self._limit(size)
@@ -115,7 +112,7 @@ class _Builder:
             raise TooMuch(message, self.transitions, MOST_TRANSITIONS)
 
     def _bindings(self, nodes: Nodes, looks: int) -> dict[str, Value]:
-        """Fields, states and latest answers as columns (nodes, 1), and the looks so far."""
+        """Fields, states and latest answers as columns (nodes, 1), and the number of looks."""
         bindings: dict[str, Value] = {LOOKS: scalar(looks)}
         for k, field in enumerate(self.rules.fields):
             column = self.codes[nodes[:, 0], k].reshape(-1, 1)
@@ -136,10 +133,10 @@ class _Builder:
     def _rules(
         self, nodes: Nodes, begin: int, end: int, looks: int
     ) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """Where shutters are open (nodes, buckets, N) and PIX is reset (nodes, N)."""
+        """Open shutters (nodes, buckets, N) and resets of PIX (nodes, N)."""
         slots = self.rules.slots
         self._limit(len(nodes))
-        # Every stage keeps what its nodes open and reset in all slots of the frame.
+        # Every stage stores opens and resets for all slots of the frame.
         self.cells += len(nodes) * (len(self.rules.rules) + 1) * slots
         if self.cells > MOST_CELLS:
             message = (
@@ -168,7 +165,7 @@ class _Builder:
         begin: int,
         needed: NDArray[np.bool_] | None = None,
     ) -> NDArray[np.int64]:
-        """The value of an expression everywhere; raises NoValue where it has none and is needed."""
+        """The values of an expression; raises NoValue if a `needed` one does not exist."""
         evaluated = evaluate(expr, bindings, self.rules.books)
         data = np.broadcast_to(np.asarray(evaluated.data), shape)
         if evaluated.faults is None:
@@ -188,13 +185,14 @@ class _Builder:
         )
 
     def _place(self, node: Nodes, boundary: int) -> str:
-        """A node in words."""
+        """Describe a node at a boundary in words."""
         texts = [code_text(self.rules, self.codes[node[0]])] if self.rules.fields else []
         texts += [f"{state.name} = {node[1 + k]}" for k, state in enumerate(self.looking.states)]
         return f"for {', '.join(texts)}, at n = {boundary}" if texts else f"at n = {boundary}"
 
     def _comparisons(self, boundary: int) -> tuple[list[Comparison], dict[str, NDArray[np.int64]]]:
-        """The comparisons of a look, and the number of that of each sense by code (codes,)."""
+        """The comparisons of a look, and for each sense the comparison number of every code
+        (codes,)."""
         comparisons: list[Comparison] = []
         of_sense: dict[str, NDArray[np.int64]] = {}
         for sense in self.looking.senses:
@@ -239,7 +237,7 @@ class _Builder:
         comparison_count: int,
         of_sense: Mapping[str, NDArray[np.int64]],
     ) -> tuple[NDArray[np.int64], Nodes]:
-        """Where each outcome leads (nodes, outcomes), as rows of the nodes that follow."""
+        """The next node of each outcome (nodes, outcomes), as rows of the returned nodes."""
         outcomes = 1 << comparison_count
         self._limit(len(nodes) * outcomes)
         rows = np.repeat(nodes, outcomes, axis=0)
@@ -279,7 +277,7 @@ class _Builder:
     def _joined(
         self, stages: list[Stage], comparisons: tuple[Comparison, ...]
     ) -> tuple[Machine, NDArray[np.int32]]:
-        """One machine of what is different in the codes."""
+        """Join the stages, with one copy of codes that behave equally."""
         behaviour_of_code, chosen = self._behaviours(stages)
         most = max(stage.steps.shape[1] for stage in stages)
         stage_rows = [np.flatnonzero(np.isin(stage.nodes[:, 0], chosen)) for stage in stages]
@@ -314,7 +312,7 @@ class _Builder:
         return machine, behaviour_of_code
 
     def _behaviours(self, stages: list[Stage]) -> tuple[NDArray[np.int32], NDArray[np.int64]]:
-        """The behaviour of every code, and the first code of each; alike codes do the same."""
+        """The behaviour of every code, and the first code of each behaviour."""
         behaviour_of_key: dict[bytes, int] = {}
         behaviour_of_code = np.empty(len(self.codes), np.int32)
         chosen: list[int] = []

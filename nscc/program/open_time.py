@@ -1,4 +1,4 @@
-"""How long every pixel was open, as the readout tells it: from its code and the states read."""
+"""The open time of every pixel, determined by its code and the states that are read out."""
 
 from __future__ import annotations
 
@@ -14,26 +14,22 @@ from nscc.program.table import TooMuch
 from nscc.words.machine import Machine
 
 Times = tuple[tuple[int, float], ...]
-"""By bucket: open slots, and the microseconds that they last."""
+"""For each bucket: the number of open slots, and their total length in microseconds."""
 
 
 @dataclass(frozen=True)
 class Untold:
-    """A readout that does not tell how long pixels were open.
-
-    `bucket` is the first whose time differs between pixels of one code and readout. `states` are
-    the fewest to `read` beside those that are, that would tell it: () if no state does.
-    """
+    """A readout that does not determine open times. `bucket` is the first whose time differs
+    between pixels of equal code and readout. `states` are the fewest additional states to `read`
+    that would determine it, () if no states do."""
 
     bucket: int
     states: tuple[str, ...]
 
 
 def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine, Untold | None]:
-    """The machine with `open_us` and `open_slots`; or what the readout does not tell.
-
-    Raises TooMuch where there are too many different times to count.
-    """
+    """The machine with `open_us` and `open_slots`, or an Untold. Raises TooMuch for too many
+    different times."""
     times = _times(machine, np.array(slot_us, np.float64))
     last = range(*machine.nodes(machine.stages - 1).indices(len(machine.behaviour)))
     read = [k for k, state in enumerate(machine.states) if state.read]
@@ -48,14 +44,15 @@ def with_open_times(machine: Machine, slot_us: Sequence[float]) -> tuple[Machine
 
 
 def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Times]]:
-    """By node the times that a pixel can have been open when its stage ends."""
+    """For each node, the possible open times at the end of its stage."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
     times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
     slots = machine.opens.sum(axis=2).tolist()
     us = (machine.opens @ slot_us).tolist()
     for node in range(len(machine.behaviour)):
-        # Sums of decimal fractions in another order: the picosecond is beyond a slot's own figures.
+        # Rounded because sums of decimal fractions depend on the order; slot lengths are multiples
+        # of 1 ps.
         times[node] = {
             tuple(
                 (n + slots[node][b], round(t + us[node][b], 6)) for b, (n, t) in enumerate(before)
@@ -74,7 +71,7 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
 def _differing(
     machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> int | None:
-    """The first bucket whose time code and these states do not tell; None if they tell all."""
+    """The first bucket whose time is not determined by code and these states; None if all are."""
     by_readout: dict[tuple[int, ...], set[Times]] = {}
     for node in last:
         values = machine.values[node, list(read)].tolist()

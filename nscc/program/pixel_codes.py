@@ -1,4 +1,4 @@
-"""From field values at every pixel to codes: those in use, and those of a compiled program."""
+"""Codes from the field values of all pixels: those in use, or those of a compiled program."""
 
 from __future__ import annotations
 
@@ -26,17 +26,15 @@ from nscc.program.wide import grouped
 from nscc.words.container import DecodeTable
 
 _DENSE = 2**20
-"""Spans of values up to this are counted in a table; wider ones are sorted."""
+"""Value ranges up to this are counted in a table; wider ones are sorted."""
 
 
 def codes_in_use(
     planes: Sequence[Plane], shape: tuple[int, int]
 ) -> tuple[NDArray[np.int64], NDArray[np.int32]]:
-    """The distinct codes of the pixels, and the row of each pixel's.
-
-    `planes` holds one array of `shape` (rows, cols) for each field. The codes (codes, fields) are
-    sorted by field values, the first field first; without fields there is one code of no fields.
-    """
+    """The distinct codes of the pixels, and the row of each pixel's code. `planes` holds one array
+    of `shape` (rows, cols) for each field. The codes (codes, fields) are sorted by field values,
+    first field first; without fields there is one code."""
     codes = np.zeros((1, 0), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for plane in planes:
@@ -47,7 +45,7 @@ def codes_in_use(
 
 
 def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
-    """The distinct values of `plane`, ascending, and the place of each among them."""
+    """The distinct values of `plane`, ascending, and the index of each pixel's value."""
     low = int(plane.min())
     span = int(plane.max()) - low + 1
     if span > _DENSE:
@@ -60,7 +58,7 @@ def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
 
 
 Ranges = Mapping[str, tuple[int, int]]
-"""The least and the largest value that each field may have."""
+"""The smallest and the largest value of each field."""
 
 
 def codes_from_file(
@@ -101,11 +99,8 @@ def codes_from_arrays(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """The same of arrays, one for each field of `table`, by name.
-
-    Raises Rejected: NS0314 for arrays that are missing, too many, of another shape or of no
-    integers; for their values as `codes_from_file`.
-    """
+    """Like `codes_from_file`, from arrays by field name. Raises Rejected: NS0314 for missing,
+    additional or unsuitable arrays, and the errors of `codes_from_file` for values."""
     fields = grouped(table.fields)
     for name in {*arrays} - {*fields}:
         raise rejected(
@@ -195,13 +190,12 @@ def _unknown(
 def rows_of(
     codes: NDArray[np.int64], planes: Sequence[NDArray[np.int64]]
 ) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
-    """The row of `codes` (sorted, distinct) that holds the values of `planes`, place by place, and
-    where there is none. `planes` has an array for each field, one or more, all of one shape.
-    """
+    """The row of `codes` (sorted, distinct) with the values of `planes` at each place, and the
+    places without one. `planes` has an array of equal shape for each field, at least one."""
     shape = planes[0].shape
     unknown = np.zeros(shape, dtype=bool)
-    # One field after the other: `known` numbers the distinct beginnings of the codes, and
-    # `at_pixel` the beginning of each pixel's code.
+    # One field after the other: `known` numbers the distinct prefixes of the codes, and `at_pixel`
+    # is the prefix of each pixel's code.
     known = np.zeros(len(codes), dtype=np.int64)
     at_pixel = np.zeros(shape, dtype=np.int64)
     for column, plane in zip(codes.T, planes, strict=True):

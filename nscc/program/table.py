@@ -1,4 +1,4 @@
-"""The decode table: the rules evaluated for every code and slot, shutters made distinct."""
+"""The decode table: rules evaluated for every code and slot, with distinct shutters."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from nscc.words.container import DecodeTable
 CodeArray = NDArray[np.int64]
 
 _BLOCK = 2**18
-"""Codes x slots evaluated at once: 2 MB of integers, which stay in the cache."""
+"""Codes x slots evaluated at once: 2 MB of integers, which fit the cache."""
 
 
 class TooMuch(Exception):
-    """More codes, slots or operations than a stated limit: the numbers in words."""
+    """Codes, slots or operations exceed a limit."""
 
     def __init__(self, message: str, required: int, available: int) -> None:
         super().__init__(message)
@@ -42,7 +42,8 @@ class TooMuch(Exception):
 
 @dataclass(eq=False, repr=False)
 class MissingValue:
-    """One expression without a value: why, for which code and slot first, and for how many."""
+    """An expression without a value: the reason, the first code and slot, and the number of
+    cases."""
 
     fault: Fault
     place: str
@@ -50,14 +51,14 @@ class MissingValue:
 
     @property
     def text(self) -> str:
-        """Where it happens, in words."""
+        """The places, in words."""
         if self.count == 1:
             return self.place
         return f"first {self.place}; {self.count} times in all"
 
 
 class NoValue(Exception):
-    """Expressions that have no value for some code: one finding for each."""
+    """Expressions without a value, one entry for each."""
 
     def __init__(self, findings: Sequence[MissingValue]) -> None:
         super().__init__("; ".join(f.fault.message for f in findings))
@@ -66,10 +67,8 @@ class NoValue(Exception):
 
 @dataclass(eq=False, repr=False)
 class Rules:
-    """What decides which codes exist and what they mean, all names and types right.
-
-    `rules` has one boolean expression for each bucket; `slots` is N.
-    """
+    """The checked rules that define codes and shutters. `rules` has one boolean expression for each
+    bucket; `slots` is N."""
 
     fields: tuple[Field, ...]
     requires: Sequence[Checked]
@@ -79,16 +78,14 @@ class Rules:
 
     @property
     def combinations(self) -> int:
-        """How many combinations the fields' ranges name, whether `require` allows them or not."""
+        """The number of combinations in the fields' ranges, ignoring `require`."""
         return prod(field.high - field.low + 1 for field in self.fields)
 
 
 def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
-    """Which of `codes` (codes, fields) satisfy every `require`.
-
-    The conditions are tried in the order written, each on the codes that the ones before allow.
-    Raises NoValue where one has no value, TooMuch beyond the work limit.
-    """
+    """Which of `codes` (codes, fields) satisfy every `require`. Conditions are evaluated in order,
+    each for the codes that satisfy the previous ones. Raises NoValue if a condition has no value,
+    TooMuch beyond the work limit."""
     _limit_work(rules.requires, rules, len(codes), 1)
     satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
@@ -108,11 +105,8 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
 
 
 def legal_codes(rules: Rules) -> CodeArray:
-    """Every code that fields and `require` allow, sorted by field values.
-
-    Raises TooMuch before it enumerates more combinations, or keeps more codes, than the limits
-    say; NoValue where a condition has no value for some combination.
-    """
+    """Every code that fields and `require` allow, sorted by field values. Raises TooMuch if limits
+    on combinations or codes are exceeded; NoValue if a condition has no value."""
     sizes = [field.high - field.low + 1 for field in rules.fields]
     total = rules.combinations
     if not rules.requires:
@@ -138,11 +132,9 @@ def legal_codes(rules: Rules) -> CodeArray:
 
 
 def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
-    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal.
-
-    The shutters are sorted as rows of bits: the first bucket's slot 0 counts most, closed before
-    open. Raises TooMuch beyond the limits before evaluating, NoValue where a rule has no value.
-    """
+    """The decode table of `codes` (codes, fields), which are sorted, distinct and legal. Shutters
+    are sorted as rows of bits: first bucket's slot 0 first, closed before open. Raises TooMuch
+    beyond the limits, before evaluation; NoValue if a rule has no value."""
     _limit_codes(rules, len(codes))
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
@@ -171,7 +163,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
 ) -> tuple[NDArray[np.bool_], MissingValue | None]:
-    """Open or closed (codes, slots), and what has no value."""
+    """Whether open, (codes, slots), and the first missing value."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = array(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
@@ -196,7 +188,7 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
         column = np.ascontiguousarray(codes[:, k]).reshape(-1, 1)
         bindings[field.name] = Value(column, field.low, field.high)
         if field.bits is not None:
-            # Of a long field's parts the last one has the highest bit.
+            # The last chunk of a long field has the highest bit.
             bindings[bit_count(whole_name(field.name))] = scalar(field.first_bit + field.bits)
     return bindings
 
@@ -208,20 +200,20 @@ def _everywhere(evaluated: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
-    """One code (fields,) for messages: `start = 3, stop = 7`."""
+    """Format one code (fields,) for messages: `start = 3, stop = 7`."""
     assignments = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
     return ", ".join(assignments[:6]) + (", ..." if len(assignments) > 6 else "")
 
 
 def _blocks(count: int, width: int) -> Iterator[slice]:
-    """Consecutive slices of `count` rows, each of `width` values or less than _BLOCK of them."""
+    """Slices of `count` rows with at most _BLOCK values of `width` a row."""
     step = max(1, _BLOCK // max(width, 1))
     for start in range(0, count, step):
         yield slice(start, min(start + step, count))
 
 
 UNCOUNTED = 2**72
-"""More codes than this are told by a power of two: nobody reads so many digits."""
+"""More codes than this are printed as a power of two."""
 
 
 def _limit_codes(rules: Rules, codes: int) -> None:
@@ -255,7 +247,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
 
 
 def distinct_rows(packed: NDArray[np.uint8]) -> tuple[NDArray[np.uint8], NDArray[np.int32]]:
-    """The distinct rows in the order of their bits, and which of them every row is."""
+    """The distinct rows in bit order, and the index of every row among them."""
     width = packed.shape[1]
     if width <= 8:
         wide = np.zeros((len(packed), 8), dtype=np.uint8)

@@ -1,4 +1,4 @@
-"""The proof of a file: words that came from anywhere, against their own decode table."""
+"""The proof of a container file: its words against its decode table."""
 
 from __future__ import annotations
 
@@ -13,11 +13,9 @@ from nscc.words.legality import decoded
 
 
 def prove_file(path: Path) -> tuple[Container, Proof]:
-    """The container in `path` and the proof that its words open what its decode table says.
-
-    Raises Rejected where it cannot be read or holds words that are none; with status 1, NS0443
-    where it has no decode table, and NS0440 where the proof fails.
-    """
+    """The container in `path`, and the proof that its words match its decode table. Raises Rejected
+    if the file cannot be read or has invalid words; with status 1, NS0443 if it has no decode
+    table, and NS0440 if the proof fails."""
     container = read_container(path)
     kernels = decoded(container)
     if container.target.streamed:
@@ -37,7 +35,7 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
 
 
 def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
-    """A proof that holds; NS0440 where it does not."""
+    """Return a successful proof; raise NS0440 for a failed one."""
     if proof.failure is not None:
         raise rejected(
             "NS0440",

@@ -1,16 +1,17 @@
-"""The proof of programs that look: words against the machine, for every code, state and answer.
+"""The proof of programs with senses: words against the state machine, for every code, state and
+answer.
 
-From every node in which a frame can start, all outcomes of all comparisons are followed. At each
-boundary the program's own comparisons must be made, each once, by a `where` that sums exactly
-level - signal, or signal - level; each lane becomes two, one for each answer. When the frame ends,
-every bucket holds the light of the slots in which the program was open, code and states are held as
-the container says, and a second frame starts from whatever the first one left behind.
+All outcomes of all comparisons are followed from every initial node. At each boundary the program's
+comparisons must be made exactly once, by a `where` whose sum is exactly level - signal, or signal -
+level; each lane then splits in two, one for each answer. At the end of the frame, every bucket must
+hold the light of the program's open slots, and code and states must be as the container says. A
+second frame starts from the final registers of the first.
 
-An analog value is a number for one random light, and what it owes: it is `owes` times the exposure
-that each bucket should hold by now, plus a rest. Lanes that agree in node, bits, what they owe and
-rests go on alike whatever exposure they have gathered: they are merged, or accumulating programs
-would have 2^looks histories. A merged lane carries the numbers of one of its histories, and `exact`
-says whether all of them had the same exposures.
+An analog value is a number for one random light, and its debt: `owes` times the exposure that each
+bucket should hold by now, plus a rest. Lanes with equal node, bits, debts and rests behave equally
+for any gathered exposure, so they are merged; otherwise accumulating programs would have 2^looks
+histories. A merged lane has the numbers of one history, and `exact` says whether all its histories
+had equal exposures.
 """
 
 from __future__ import annotations
@@ -35,18 +36,16 @@ from nscc.words.container import Container
 from nscc.words.machine import LIGHT, Machine
 
 MOST_LANES = 10**7
-"""Most transitions that are followed in a frame."""
+"""Most transitions to follow in a frame."""
 
 _DIGITS = 1e8
-"""Rests that differ by less than a part in so many of the frame's light are the same."""
+"""Rests that differ by less than this fraction of the frame's light are equal."""
 
 
 class Looks(Pixels):
-    """The nodes of a container's machine, and the answers that lead to them.
-
-    By lane: `node` and the `outcome` of the look so far, int64 (lanes,); `due` (lanes, buckets),
-    the exposure that the program wants; `since` (lanes,), its `light`; `exact` bool (lanes,).
-    """
+    """The lanes of a container's machine during the proof. For each lane: `node` and the `outcome`
+    of the current look so far, int64 (lanes,); `due` (lanes, buckets), the program's exposures;
+    `since` (lanes,), its `light`; `exact` bool (lanes,)."""
 
     def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None
@@ -60,14 +59,14 @@ class Looks(Pixels):
         self.bits |= self._state_bits(kept_only=True)
 
     def _start(self, nodes: NDArray[np.int64]) -> None:
-        """Lanes at boundary 0."""
+        """Create the lanes at boundary 0."""
         self.node, self.outcome = nodes, np.zeros_like(nodes)
         self.due = np.zeros((len(nodes), len(self.container.buckets)))
         self.since = np.zeros(len(nodes))
         self.exact = np.ones(len(nodes), np.bool_)
 
     def choose(self, lanes: NDArray[np.intp]) -> None:
-        """Keeps some of the lanes, some perhaps twice."""
+        """Select lanes by index, possibly repeated."""
         super().choose(lanes)
         self.node, self.outcome = self.node[lanes], self.outcome[lanes]
         self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
@@ -90,7 +89,7 @@ class Looks(Pixels):
         return known_registers
 
     def prove_frame(self, light: Values) -> None:
-        """Runs one frame in `light` (N,); raises Wrong with the first thing that is."""
+        """Run one frame in `light` (N,); raises Wrong at the first error."""
         machine, slots = self.machine, self.container.slots
         light_e = light * (self.full_e / light.sum())
         self.start_frame()
@@ -115,14 +114,14 @@ class Looks(Pixels):
         self._next_frame()
 
     def _readouts(self) -> dict[str, int]:
-        """The bucket that an analog register ends up as."""
+        """The bucket that each analog register is read out as."""
         buckets = self.container.buckets
         return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
     def _fall(self, slot: int, light_e: float) -> None:
-        """The program's resets, and the light of a slot."""
+        """Apply the program's resets and the light of a slot."""
         self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
-        # What a register holds stays; said by exposures that grow, its rest shrinks.
+        # The content of a register stays constant, so its rest shrinks as exposures grow.
         self.due += self.machine.opens[self.node, :, slot] * light_e
         self.analog["PIX"][:, 0] += light_e
 
@@ -146,7 +145,7 @@ class Looks(Pixels):
                 raise Wrong(WRONG_CODE)
 
     def _next_frame(self) -> None:
-        """The nodes in which the next frame starts, by what this one keeps."""
+        """Set the initial nodes of the next frame from the kept states."""
         machine = self.machine
         kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
         keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
@@ -154,7 +153,7 @@ class Looks(Pixels):
         self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
     def compare(self, word: Op) -> Bits:
-        """One of the program's comparisons: all lanes follow both answers."""
+        """Check a comparison of the program and split all lanes by its answer."""
         if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
             raise Wrong(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
         total = self.total(word)
@@ -172,7 +171,7 @@ class Looks(Pixels):
         )
 
     def _is(self, value: Values, signal: int, level_e: float) -> bool:
-        """Whether a value (lanes, parts) is exactly signal - level."""
+        """Whether a value (lanes, parts) is exactly signal - level, for each lane."""
         if signal == LIGHT:
             return bool(self._amounts_to(value, None, self.since - level_e).all())
         return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
@@ -180,8 +179,8 @@ class Looks(Pixels):
     def _amounts_to(
         self, value: Values, bucket: int | None, expected_e: Values
     ) -> NDArray[np.bool_]:
-        """In which lanes a value (lanes, parts) is `expected_e`, whatever the light: it owes the
-        exposure of `bucket` once and nothing else."""
+        """Whether, for each lane, a value (lanes, parts) equals `expected_e` in any light: it owes
+        the exposure of `bucket` once and nothing else."""
         owes = value[:, 1:].copy()
         if bucket is not None:
             owes[:, bucket] -= 1.0
@@ -191,7 +190,7 @@ class Looks(Pixels):
         )
 
     def _follow_both(self, number: int, above: bool) -> Bits:
-        """Doubles the lanes; returns FLAG, which is 1 where comparison `number` says `above`."""
+        """Double the lanes; returns FLAG, which is 1 if comparison `number` is `above`."""
         count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:
@@ -203,8 +202,8 @@ class Looks(Pixels):
         return (yes, no) if above else (no, yes)
 
     def _merge(self, readouts: Mapping[str, int]) -> None:
-        """Keeps one of equal lanes. `readouts` names the bucket that an analog register ends up as:
-        where all histories have the same exposures, what it holds is said by them."""
+        """Merge equal lanes. If all histories of a lane have equal exposures, the registers in
+        `readouts` are determined by these."""
         for register, bucket in readouts.items():
             self.analog[register][self.exact, 1:] = 0.0
             self.analog[register][self.exact, 1 + bucket] = 1.0

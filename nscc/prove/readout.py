@@ -1,4 +1,4 @@
-"""The proof of the words before readout: they leave in registers what codes stand for."""
+"""The proof of the words before readout: registers then hold what the codes mean."""
 
 from __future__ import annotations
 
@@ -13,11 +13,8 @@ _TOLERANCE = 1e-9
 
 
 def readout_fault(container: Container) -> tuple[str, str] | None:
-    """The bucket whose register is not read out as the target promises, and what is wrong; None
-    where all are.
-
-    Random values stand for all exposures, as words on them are linear.
-    """
+    """The first bucket whose register is not read out as the target specifies, and the error; None
+    if all are. Random values suffice, because the words are linear."""
     preparation = preparation_of(container)
     buckets = {readout.register: readout.bucket for readout in container.readouts}
     for word in preparation.words:
@@ -38,7 +35,7 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 def _contents_around_readout(
     container: Container, preparation: Preparation
 ) -> dict[str, tuple[float, float]]:
-    """What is in each register that is read out, before the words and after them, in electrons."""
+    """The content in electrons of each read-out register, before and after the words."""
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
     registers = [readout.register for readout in container.readouts]
@@ -50,8 +47,8 @@ def _contents_around_readout(
 
 
 def _converter_input_e(container: Container, exposure_e: float) -> float:
-    """What the converter, whose codes are symmetric around a register that holds nothing, has to
-    be given so that the code says `exposure_e`."""
+    """The converter input, in electrons, for which the code means `exposure_e`; the converter's
+    codes are symmetric around an empty register."""
     target = converter_of(container)
     own_e = 2 * target.full_well_e / ((1 << target.adc_bits) - 1)
     middle = (1 << (target.adc_bits - 1)) if target.conversion == "full" else 0.0

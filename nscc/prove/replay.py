@@ -1,4 +1,4 @@
-"""Replays the words of fixed shutters: a lane is a row of the container's encoding."""
+"""Replay of programs with fixed shutters; each lane is a row of the container's encoding."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc.words.container import Container
 
 
 class Replay(Pixels):
-    """The pixels of all codes."""
+    """The simulated pixels of all codes."""
 
     def __init__(
         self, container: Container, kernels: Sequence[Sequence[Op]], *, lights: int = 1,
@@ -23,10 +23,8 @@ class Replay(Pixels):
         self.code = self.code_bits(container.encoding)
 
     def exposures(self, light: Values) -> dict[str, Values]:
-        """Runs one frame; `light` (N, lights) is in electrons a slot.
-
-        Returns, by bucket, the exposure in electrons (lanes, lights).
-        """
+        """Run one frame in `light` (N, lights), in electrons a slot. Returns the exposure in
+        electrons (lanes, lights) of each bucket."""
         container = self.container
         gathered = np.zeros((container.slots + 1, light.shape[1]))
         np.cumsum(light, axis=0, out=gathered[1:])
@@ -41,7 +39,7 @@ class Replay(Pixels):
         return {r.bucket: self.analog[r.register] * r.gain for r in container.readouts}
 
     def prove_frame(self, light: Values) -> None:
-        """Runs one frame in `light` (N,); raises Wrong where it is not the decode table's."""
+        """Run one frame in `light` (N,); raises Wrong if it differs from the decode table."""
         measured = self.exposures(light[:, None])
         table = self.container.table
         for index, bucket in enumerate(self.container.buckets):
@@ -56,29 +54,27 @@ class Replay(Pixels):
 
 
 def _sums(shutters: NDArray[np.bool_], light: Values) -> Values:
-    """shutters @ light, a few rows at a time: as float64 a whole table may not fit in memory."""
+    """shutters @ light in blocks of rows, since a whole table as float64 may not fit in memory."""
     rows = max(1, (1 << 20) // max(1, shutters.shape[1]))
     blocks = [shutters[i : i + rows] @ light for i in range(0, len(shutters), rows)]
     return np.concatenate(blocks)
 
 
-# Slots whose light is told apart in one float64: powers of four from 1 to 4^23, so that weights of
-# -1, 0, 1 and 2 a slot are exact.
+# Number of slots whose light one float64 can distinguish: powers of four from 1 to 4^23, so that
+# weights of -1, 0, 1 and 2 a slot are exact.
 _SLOTS_A_LIGHT = 24
 
 
 def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[np.bool_] | None:
     """S[n] of every lane, (lanes, buckets, slots), found by replaying the words with light in one
-    slot at a time; None where a slot's weight in an exposure is neither 0 nor 1.
-
-    Lanes are the rows of `container.encoding`.
-    """
+    slot at a time; None if the weight of a slot is neither 0 nor 1. Lanes are the rows of
+    `container.encoding`."""
     slots = container.slots
     lights = -(-slots // _SLOTS_A_LIGHT)
     light = np.zeros((slots, lights))
     numbers = np.arange(slots)
     light[numbers, numbers // _SLOTS_A_LIGHT] = 4.0 ** (numbers % _SLOTS_A_LIGHT)
-    # A reset level of zero keeps the sums exact; that programs subtract it is the proof's business.
+    # A reset level of zero keeps the sums exact; the proof checks that programs subtract it.
     replay = Replay(container, kernels, lights=lights, quiet=True)
     measured = replay.exposures(light)
     opened = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)

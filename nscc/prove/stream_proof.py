@@ -1,4 +1,4 @@
-"""The proof of planes of bits: what they open, pixel by pixel and slot by slot, is the program."""
+"""The proof of bit planes: every pixel's light goes to the open bucket in every slot."""
 
 from __future__ import annotations
 
@@ -10,11 +10,9 @@ from nscc.words.stream import schedule
 
 
 def prove_stream(container: Container) -> Proof:
-    """Follows the light of every pixel through the planes, and compares with the decode table.
-
-    A plane is whole when it acts, and is loaded when no other one is. Nothing is taken from how
-    planes were made. A container without pixels has no planes: only the times are proved.
-    """
+    """Follow the light of every pixel through the planes, and compare with the decode table. Planes
+    must be completely loaded before they act, one at a time. The proof does not use the code that
+    made the planes. Without pixels there are no planes, and only the times are proved."""
     table, target = container.table, container.target
     failure = _times(container)
     sent, pixels = container.stream, container.pixel_codes
@@ -37,7 +35,7 @@ def prove_stream(container: Container) -> Proof:
 
 
 def _times(container: Container) -> Failure | None:
-    """Planes that overlap, or are cut short."""
+    """The failure of planes that overlap or act too early; None if there is none."""
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us

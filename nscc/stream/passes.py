@@ -1,4 +1,4 @@
-"""The passes of programs for chips without logic, as `nscc.pipeline` lists them."""
+"""The passes for chips without logic, as `nscc.pipeline` lists them."""
 
 from __future__ import annotations
 
@@ -17,10 +17,8 @@ Found = Sequence[Diagnostic]
 
 
 def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
-    """The way of the light, or why there is none (NS0509).
-
-    `word_options` names options that concern words, which such a chip does not have (NS0510).
-    """
+    """The route of the light, or why there is none (NS0509). `word_options` names options that
+    concern words, which such a chip does not have (NS0510)."""
     if word_options:
         return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)
@@ -31,13 +29,13 @@ def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | No
 
 
 def timed(sending: Sending) -> tuple[Sending, Found]:
-    """The same, where every plane can be loaded in time (NS0508)."""
+    """The same plan if every plane can be loaded in time, else NS0508."""
     fault = late_fault(sending)
     return sending, [fault] if fault else []
 
 
 def container_of(sending: Sending) -> Container:
-    """The container: no words, and planes where pixels have codes."""
+    """The container: no words, and bit planes if pixels have codes."""
     program, target = sending.program, sending.program.target
     names = tuple(bucket.name for bucket in program.buckets)
     used = len(names)

@@ -1,4 +1,4 @@
-"""The planes of bits that a chip without logic is sent for the codes of its pixels."""
+"""The bit planes of a chip without logic for the codes of its pixels."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from nscc.words.stream import Stream
 
 
 def laid(container: Container, way: Route) -> Container:
-    """The container with the planes of its pixels' codes; without pixels it has none."""
+    """Add the bit planes of the pixel codes on a route; none without pixels."""
     pixels = container.pixel_codes
     if pixels is None:
         return replace(container, stream=None)
@@ -28,10 +28,8 @@ def laid(container: Container, way: Route) -> Container:
 
 
 def with_planes(container: Container) -> Container:
-    """The container of a chip without logic with planes for the codes that its pixels have now.
-
-    Raises Rejected (NS0509) where the light of its shutters has no way.
-    """
+    """Add the bit planes of the current pixel codes to a container of a chip without logic. Raises
+    Rejected (NS0509) if there is no route for the light of its shutters."""
     chosen_route = route(container.table.shutters, container.buckets, container.target)
     if isinstance(chosen_route, NoRoute):
         raise Rejected(no_route(chosen_route, container.target.name))
@@ -39,7 +37,7 @@ def with_planes(container: Container) -> Container:
 
 
 def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
-    """NS0509: light cannot be sorted as the program wants. Certain."""
+    """NS0509: the chip cannot route the light as the program requires. Certain."""
     message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
     help_text = (missing_route.help,)
     if program is None:

@@ -1,6 +1,6 @@
-"""What a key of a TOML file may hold: one small frozen value a kind.
+"""Kinds of values in a TOML file: small frozen classes.
 
-A kind reads the value of a file, says in words what it allows, and gives back what a file says.
+A kind reads a value from a file, describes the allowed values, and returns the form in a file.
 """
 
 from __future__ import annotations
@@ -14,8 +14,8 @@ from typing import Any, Protocol
 from nscc.toml.toml_text import shown
 
 LEAST = 1e-9
-"""The least that "above 0" takes. Quotients and squares of what is next to 0 leave the range of
-floats, and no time, charge or current that nscc knows is as small."""
+"""The smallest value of "above 0". Quotients and squares of smaller values exceed the range of
+floats, and no time, charge or current in nscc is as small."""
 
 
 class Kind(Protocol):
@@ -23,23 +23,21 @@ class Kind(Protocol):
 
     @property
     def allowed(self) -> str:
-        """What ends the sentence "the key must be .."."""
+        """The end of the sentence "the key must be .."."""
 
     def read(self, value: Any) -> Any:
-        """The value as Python keeps it; ValueError for one that is not allowed."""
+        """The value in Python; raises ValueError if it is not allowed."""
 
     def plain(self, value: Any) -> Any:
-        """The value as a file says it: what `read` takes."""
+        """The inverse of `read`: the value in a file."""
         return value
 
 
 @dataclass(frozen=True, slots=True)
 class Number(Kind):
-    """A finite number within `low`..`high`; the bounds themselves may be excluded.
-
-    Its value is an int if `is_whole`, else a float. None is written as "any" if `unlimited`, as
-    "auto" if `automatic`. If 0 is an excluded bound, the range ends at LEAST instead.
-    """
+    """A finite number in `low`..`high`, with bounds that may be excluded. Its value is an int if
+    `is_whole`, else a float. None is written as "any" if `unlimited`, as "auto" if `automatic`. If
+    0 is an excluded bound, the range ends at LEAST instead."""
 
     low: float
     high: float
@@ -52,7 +50,7 @@ class Number(Kind):
 
     @property
     def _word(self) -> str:
-        """What stands for None, if anything."""
+        """The word for None, if any."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
@@ -85,7 +83,7 @@ class Number(Kind):
         below = value < self.high if self.high_excluded else value <= self.high
         if not (above and below and isfinite(value)):
             raise ValueError
-        # Adding 0.0 makes -0.0 plain 0.0: one value, one spelling.
+        # Adding 0.0 turns -0.0 into 0.0: one value, one spelling.
         return value if self.is_whole else float(value) + 0.0
 
     def plain(self, value: Any) -> Any:
@@ -111,10 +109,8 @@ class Flag(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Text(Kind):
-    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes.
-
-    `optional` ones may be "none", which is None.
-    """
+    """A text: one of `choices`, or a match of `pattern`, which `phrase` describes. `optional` ones
+    may be "none", which is None."""
 
     choices: tuple[str, ...] = ()
     pattern: str = ""
@@ -128,7 +124,7 @@ class Text(Kind):
         return self.phrase
 
     def read(self, value: Any) -> str | None:
-        # Bytes of the command line that are no UTF-8 arrive as halves of characters.
+        # Command-line bytes that are not UTF-8 arrive as surrogates.
         if not isinstance(value, str) or any("\ud800" <= c <= "\udfff" for c in value):
             raise ValueError
         if self.choices and value not in self.choices:
@@ -164,10 +160,8 @@ class Several(Kind):
 
 @dataclass(frozen=True, slots=True)
 class Axis(Kind):
-    """A value of one kind, or a list of different ones: as Python keeps it always a tuple.
-
-    Of a kind whose values are lists themselves, a list of lists is several values.
-    """
+    """One value of a kind, or a list of distinct values; always a tuple in Python. If the values of
+    the kind are lists, a list of lists is several values."""
 
     element: Kind
 

@@ -1,4 +1,4 @@
-"""A kind of TOML file as rows, one a key: what reading, changing and listing one follow from."""
+"""The schema of a kind of TOML file: one row for each key."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ from nscc.toml.kinds import Kind, Text
 from nscc.toml.toml_text import shown, span_of, spelled_value
 
 _FEW = 10
-"""So many keys are told one by one where none of them is like an unknown one."""
+"""Up to this many keys are listed for an unknown one without a similar name."""
 
 KeyValues = dict[str, Any]
-"""Values by the paths of their keys, as Python keeps them."""
+"""Values in Python, keyed by the paths of their keys."""
 
 
 @dataclass(frozen=True, slots=True)
 class Key:
     """The key `name` of the table `section` ("" for the top of the file).
 
-    `meaning` is half a sentence, `source` says where the default comes from (empty: it is public).
-    A file lists the key under `heading`, which is its section's name where none is given. Python
-    knows it as `attribute`, by default its name. A file must have `required` keys. A `later` one
-    came when there were containers already: at its default it is left out of them.
+    `meaning` is half a sentence; `source` is the origin of the default (empty if it is public). A
+    file lists the key under `heading`, by default its section. Python calls it `attribute`, by
+    default its name. A `required` key must be in the file. A `later` key was added after the first
+    containers: it is omitted from them at its default.
     """
 
     section: str
@@ -47,7 +47,7 @@ class Key:
 
     @property
     def path(self) -> str:
-        """The key with its table, as messages and changes name it."""
+        """The section and name, as messages and changes write the key."""
         return f"{self.section}.{self.name}" if self.section else self.name
 
 
@@ -83,12 +83,11 @@ Row = TypeVar("Row", bound=Key)
 
 @dataclass(frozen=True)
 class Schema(Generic[Row]):
-    """A kind of file.
+    """A kind of file, called `file_kind` in messages.
 
-    `what` it describes, its `keys` in the order of a file, each of its `headings` with a remark,
-    and the help that says how to get one to `start` from. `noun` is what a key is called, `option`
-    the option that changes one, `example` a change. ValueError if two keys have one path, or a key
-    has a heading that is none.
+    It has `keys` in the order of a file, `headings` with a remark each, and a help to `start` a
+    file. `noun` is the word for a key, `option` the option that changes one, `example` a change.
+    Raises ValueError if two keys have one path, or a key has an unknown heading.
     """
 
     file_kind: str
@@ -109,12 +108,12 @@ class Schema(Generic[Row]):
 
     @cached_property
     def by_path(self) -> dict[str, Row]:
-        """The keys by their paths."""
+        """The keys by path."""
         return {key.path: key for key in self.keys}
 
     @cached_property
     def sections(self) -> dict[str, tuple[str, ...]]:
-        """The names of the keys of each table; the top's first, with those of the tables."""
+        """The names of the keys in each table; those of the top include the tables."""
         names_of_table: dict[str, list[str]] = {"": []}
         for key in self.keys:
             names_of_table.setdefault(key.section, []).append(key.name)
@@ -129,11 +128,9 @@ class Schema(Generic[Row]):
     def read(
         self, values: Mapping[str, Any], source: Source | None = None, *, complete: bool = False
     ) -> tuple[KeyValues, list[Diagnostic]]:
-        """The values that are right, and everything that is wrong with a parsed file.
-
-        `source` is its text, for places. A key may be missing if it is not required; in `complete`
-        values none may but a list that is empty by default, and what came later.
-        """
+        """The valid values of a parsed file, and the errors of the others. `source` is its text,
+        for places. Keys may be missing unless required. With `complete` all must be present except
+        `later` keys and lists that are empty by default."""
         key_values: KeyValues = {}
         problems: list[Diagnostic | None] = []
         for name, value in values.items():
@@ -151,10 +148,8 @@ class Schema(Generic[Row]):
         return key_values, [item for item in problems if item]
 
     def changed(self, changes: Sequence[str]) -> tuple[KeyValues, list[Diagnostic]]:
-        """The values of changes, each KEY=VALUE, the last of a key, and what is wrong with them.
-
-        VALUE is written as in a file; the quotes of a text may be left out.
-        """
+        """The values of changes KEY=VALUE, the last of each key, and the errors of invalid ones.
+        VALUE is written as in a file; quotes of a text are optional."""
         key_values: KeyValues = {}
         problems: list[Diagnostic] = []
         for change in changes:
@@ -171,11 +166,8 @@ class Schema(Generic[Row]):
         return key_values, problems
 
     def plain(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """What a file holds: tables of keys, in the order of a file.
-
-        Every key is present but a list that is empty, as it is by default, and what came later
-        and has its default.
-        """
+        """The tables of keys in the order of a file. All keys are present, except lists that are
+        empty by default and `later` keys at their default."""
         tables: dict[str, Any] = {}
         for key in self.keys:
             if values[key.path] == key.default and (key.default == () or key.later):
@@ -216,7 +208,7 @@ class Schema(Generic[Row]):
         return self.problem(self.codes.unknown, message, section, name, source, help_text)
 
     def _meant(self, section: str, name: str, known: Sequence[str]) -> str:
-        """The help for a name that the table `section`, whose names are `known`, does not have."""
+        """The help for an unknown name in the table `section`, whose names are `known`."""
         homes = {key.name: key.section for key in reversed(self.keys)}
         nearest, elsewhere = closest(name, known), closest(name, homes)
         places = {table: f"under [{table}]" if table else "at the top" for table in self.sections}
@@ -232,7 +224,7 @@ class Schema(Generic[Row]):
         self, code: str, message: str, section: str, name: str, source: Source | None,
         help_text: str = "", note: str = "",
     ) -> Diagnostic:  # fmt: skip
-        """What is wrong at a key of a file ("" and a table's name: the table)."""
+        """An error at a key of a file (or at a table, if `section` is "" and `name` the table)."""
         return Diagnostic(
             code,
             message,

@@ -1,4 +1,4 @@
-"""Files of a schema: read with everything that is wrong said at once, and written whole."""
+"""Read files of a schema with all errors at once, and write complete files."""
 
 from __future__ import annotations
 
@@ -19,10 +19,8 @@ _REMARK_COLUMN = 42
 
 
 def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
-    """What a user's file holds, for `file_values`; Rejected (status 2) if it cannot be read.
-
-    `name` is the file's for messages, by default its path.
-    """
+    """Read a user's file for `file_values`; raises Rejected (status 2) if that fails. Messages call
+    the file `name`, by default its path."""
     reads(path)
     try:
         with open(path, "rb") as file:
@@ -40,11 +38,9 @@ def file_values(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
 ) -> tuple[KeyValues, list[Diagnostic], Source]:  # fmt: skip
-    """The values of a file's bytes that are right, what is wrong with the others, and its text.
-
-    `name` is the file's for messages. Where there are several kinds of such files, `choose` finds
-    the schema by what a file holds. Rejected (`status`) if it is no TOML at all.
-    """
+    """The valid values in a file's bytes, the errors of the others, and the text. Messages call the
+    file `name`. `choose` selects one of several schemas by the file's values. Raises Rejected
+    (`status`) for text that is not TOML."""
     values, source = file_table(schema, data, name, status=status)
     chosen = schema if choose is None else choose(values)
     return *chosen.read(values, source), source
@@ -53,7 +49,7 @@ def file_values(
 def file_table(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2
 ) -> tuple[dict[str, Any], Source]:
-    """The same as TOML has it, whatever keys it holds, and its text."""
+    """The raw TOML values of a file, and its text."""
     try:
         text, values = parsed(data)
     except NotToml as reason:
@@ -74,11 +70,8 @@ def file_text(
     *,
     beside: bool = False,
 ) -> str:
-    """A complete file that reads back as these values, which are by the paths of the keys.
-
-    `head` are comments to begin with. What `remark` says of a key stands above its line, or
-    `beside` it where there is room.
-    """
+    """A complete file with these values, which are keyed by path. `head` are leading comments.
+    `remark` returns the comment of a key, written above its line, or after it with `beside`."""
     lines = [f"# {line}" for line in head]
     for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]

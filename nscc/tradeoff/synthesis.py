@@ -1,4 +1,4 @@
-"""What compile time buys: words a frame against time, for each level, lowering and program."""
+"""The compile-time tradeoff: words a frame against time, for each level, lowering and program."""
 
 from __future__ import annotations
 
@@ -33,8 +33,8 @@ DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 
 @dataclass(frozen=True)
 class SynthesisCase:
-    """A program to compile in every way; `base` is the folder that its paths are relative to,
-    `target` a chip instead of the program's own."""
+    """A program to compile in all variants; its paths are relative to `base`, `target` replaces its
+    own target."""
 
     name: str
     source: Source
@@ -45,7 +45,7 @@ class SynthesisCase:
 
 @dataclass(frozen=True)
 class CompileVariant:
-    """One way to compile a case."""
+    """A case with a lowering and a level."""
 
     case: SynthesisCase
     lowering: Lowering
@@ -56,19 +56,19 @@ class CompileVariant:
 
 
 Progress = Callable[[Sequence[CompileVariant]], Iterable[CompileVariant]]
-"""Hands the ways on one by one, and may show how far that is."""
+"""Yields the variants one by one, and may show progress."""
 
 
 @dataclass(frozen=True)
 class SynthesisMeasurements:
-    """Points, by case, lowering and level, and the ways that are none, with the reason."""
+    """Points by case, lowering and level, and the variants that do not fit, with reasons."""
 
     points: tuple[Point, ...]
     refused: tuple[tuple[CompileVariant, str], ...]
 
 
 def builtin_cases() -> tuple[SynthesisCase, ...]:
-    """Classes b to e and a random codebook, at sizes that a chip of 13 registers takes."""
+    """Classes b to e and a random codebook, in sizes for a chip with 13 registers."""
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
     rules = {
         **{f"b {n}": (n, f"code stop : 0..{n - 1}\nopen when n < stop") for n in (16, 64, 256)},
@@ -84,7 +84,7 @@ def builtin_cases() -> tuple[SynthesisCase, ...]:
 
 
 def cases_of(files: Sequence[Path]) -> tuple[SynthesisCase, ...]:
-    """The programs in these files, by the shortest names that tell them apart."""
+    """The programs in these files, by their shortest distinct names."""
     paths = list(dict.fromkeys(files))
     short = len({path.stem for path in paths}) == len(paths)
     return tuple(
@@ -102,12 +102,9 @@ def measure(
     progress: Progress = iter,
     rows: Rows | None = None,
 ) -> SynthesisMeasurements:
-    """Compiles each way `repeats` times, from text to proof, without the cache.
-
-    The repeats go round all ways, so that what else the machine does is spread over them. What
-    `rows` knows is not compiled again. Raises Rejected where a program is wrong; one that does not
-    fit the chip in some way is refused there.
-    """
+    """Compile each variant `repeats` times, from text to proof, without the cache. Repeats are
+    interleaved over all variants, to spread disturbances. Results in `rows` are not measured again.
+    Raises Rejected for an invalid program; variants that do not fit are listed as refused."""
     rows = rows or Rows()
     watch = Stopwatch()
     times_ms: dict[CompileVariant, list[float]] = {way: [] for way in ways}
@@ -143,7 +140,7 @@ def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any
 
 
 def refusals_text(refused: Sequence[tuple[CompileVariant, str]]) -> list[str]:
-    """Why a case has no point in some lowering, a line for all levels with the same reason."""
+    """Why a case has no point in a lowering, one line for all levels with the same reason."""
     levels: dict[tuple[str, str, str], list[str]] = {}
     for way, reason in refused:
         key = (way.case.name, way.lowering, reason)
@@ -162,7 +159,7 @@ def every_way(
 
 
 def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
-    """The compiled program, or why it does not fit; raises Rejected for any other fault."""
+    """The compiled program, or the error if it does not fit; raises Rejected for other errors."""
     case = way.case
     options = Options(
         level=way.level, codes=case.codes, lowering=way.lowering, target=case.target,
@@ -178,8 +175,8 @@ def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
 
 
 def _words(compiled: Compiled, count: Count) -> tuple[int, int | None]:
-    """The words and their bound, which is that of the logic; all words are at least the plan's
-    analog ones more."""
+    """The words and their lower bound: the bound of the logic, plus the analog words of the plan if
+    all words count."""
     choice, proof = compiled.choice, compiled.proof
     assert choice is not None
     assert proof is not None

@@ -51,17 +51,15 @@ _MOST_PIECES = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
-    """The container that a text describes; files are looked up in the folder `base`.
-
-    Raises Rejected (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors found.
-    """
+    """Assemble a text to a container; its files are relative to the folder `base`. Raises Rejected
+    (NS0710 to NS0719, NS0708 and NS0230 to NS0236) with all errors."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     return link(draft, base, faults)
 
 
 def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
-    """The words of all kernels of a text, in order; it may be instructions and nothing else."""
+    """The words of all kernels of a text in order; the text may consist of instructions only."""
     faults = Faults(source)
     draft = _read(source, faults, _own_words(source, base))
     target = find_target(draft, base, faults)
@@ -72,7 +70,7 @@ def assemble_words(source: Source, base: Path) -> tuple[Word, ...]:
 
 
 def _own_words(source: Source, base: Path) -> tuple[Operation, ...]:
-    """The words that the text's target has of its own; what is wrong with it is said later."""
+    """The `[[words]]` of the text's target; errors are reported later."""
     target_lines, within = [], False
     for line in map(str.strip, source.text.split("\n")):
         if line.startswith("."):
@@ -128,7 +126,7 @@ def _block_line(text: str, begin: int, block: TextBlock | None, faults: Faults) 
 
 
 def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
-    """Whether a line begins with the name of a directive or an instruction."""
+    """Whether a line starts with a directive or instruction; reports an error if not."""
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
@@ -149,13 +147,14 @@ def _grammar() -> Lark:
 
 @lru_cache(1 << 12)
 def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
-    """The pieces of a line behind its first one, each with its place; kernels repeat lines."""
+    """The pieces of a line after the first one, with their places; memoized because kernels repeat
+    lines."""
     tokens = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
     return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in tokens)
 
 
 def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
-    """The pieces of a line behind `head`; None where the grammar does not take them."""
+    """The pieces of a line after `head`; None after reporting a syntax error."""
     begin = head.span.start
     is_instruction = head.text not in DIRECTIVES
     code = _CODE.split(text, 1)[0] if is_instruction else text
@@ -186,7 +185,7 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
 
 
 def _misplaced(piece: str, span: Span, head: Token, code: str, faults: Faults) -> None:
-    """Notes a piece that the grammar does not take there; an empty one is the line's end."""
+    """Report a piece that the grammar does not allow; an empty one is the end of the line."""
     name = head.text
     if name not in DIRECTIVES:
         if piece in ("", ","):

@@ -1,4 +1,4 @@
-"""What differs between two containers, in lines that a person reads."""
+"""The differences between two containers, as lines of text."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _MOST_LINES = 200
 
 
 def differences(first: Container, second: Container) -> list[str]:
-    """Lines saying what changed from `first` to `second`; empty if both are the same file."""
+    """The changes from `first` to `second`; empty if the files are equal."""
     if to_bytes(first) == to_bytes(second):
         return []
     lines: list[str] = []
@@ -117,7 +117,7 @@ def _listing_change(
     before: Kernel | None, first: Container, after: Kernel | None, second: Container
 ) -> Iterator[str]:
     old, new = _listing(before, first), _listing(after, second)
-    # Listings of which one begins with the other part where the shorter one ends.
+    # Listings of which one is a prefix of the other differ from the end of the shorter one.
     alike = takewhile(lambda pair: pair[0] == pair[1], zip_longest(old, new))
     same = sum(1 for _ in alike)
     yield from _text_change(old, new, 2, f"; they part at line {same}")
@@ -138,7 +138,7 @@ def _at_instants(container: Container) -> dict[int, tuple[str, ...]]:
 
 
 def _schedule(first: Container, second: Container) -> Iterator[str]:
-    """Instants that launch other kernels, those with the same change together."""
+    """Instants with different launches, grouped by change."""
     old, new = _at_instants(first), _at_instants(second)
     changes: dict[tuple[tuple[str, ...], tuple[str, ...]], list[int]] = {}
     for instant in sorted(old.keys() | new.keys()):
@@ -175,7 +175,7 @@ def _codes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _planes(first: Container, second: Container) -> Iterator[str]:
-    """What chips without logic are sent."""
+    """Differences of the bit planes of chips without logic."""
     old, new = first.stream, second.stream
     if old is not None and new is not None:
         yield from _rows("bits of slots", old.planes, new.planes)
@@ -184,7 +184,7 @@ def _planes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _rows(subject: str, old: NDArray[Any], new: NDArray[Any]) -> Iterator[str]:
-    """The rows in which arrays of one shape differ."""
+    """The rows in which arrays of equal shape differ."""
     if old.shape == new.shape and not np.array_equal(old, new):
         changed = (old != new).any(axis=tuple(range(1, old.ndim)))
         yield f"other {subject} {_cut(ranges_text(np.flatnonzero(changed).tolist()))}"
@@ -223,7 +223,7 @@ def _notes(first: Container, second: Container) -> Iterator[str]:
 
 
 def _visible(line: str) -> str:
-    """A line of somebody's text, with nothing in it that a terminal would act on."""
+    """Replace control characters in a line of text."""
     return line if line.isprintable() else ascii(line)[1:-1]
 
 

@@ -1,6 +1,6 @@
-"""The directives of assembly text, one function each: the pieces of a line into the draft.
+"""The directives of assembly text: functions that add the pieces of a line to the draft.
 
-The grammar, `assembly.lark`, has checked how many pieces there are and of which form.
+The grammar, `assembly.lark`, has checked the number and form of the pieces.
 """
 
 from __future__ import annotations
@@ -29,9 +29,9 @@ Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 @dataclass(frozen=True)
 class Directive:
-    """A directive: `read` takes its name, the pieces behind it, the draft and the faults, and
-    returns the block that lines behind bars go to. `needs` and `usage` are what a message says of
-    pieces that the grammar does not take."""
+    """A directive of assembly text. `read` takes its name, the pieces after it, the draft and the
+    faults, and returns the block for the lines with bars below. `needs` and `usage` describe the
+    pieces in messages."""
 
     read: Read
     needs: str
@@ -63,7 +63,9 @@ def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     for token in tokens:
-        if token.text.startswith("x"):  # so many of the slot before, which is one of them
+        if token.text.startswith(
+            "x"
+        ):  # the number of slots, of which the previous one is the first
             repeats = int(token.text[1:]) - 1
             if len(draft.slot_us) + repeats >= MOST_SLOTS:
                 message = f"a frame has 1 to {MOST_SLOTS} slots"
@@ -120,7 +122,7 @@ def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> No
 
 
 def _names(attribute: str) -> Read:
-    """The directive that adds its pieces to a list of the draft."""
+    """A directive that adds its pieces to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).extend(tokens)
@@ -129,7 +131,7 @@ def _names(attribute: str) -> Read:
 
 
 def _row(attribute: str) -> Read:
-    """The directive that adds its pieces as a row to a list of the draft."""
+    """A directive that adds its pieces as one row to a list of the draft."""
 
     def add(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
         getattr(draft, attribute).append(tuple(tokens))

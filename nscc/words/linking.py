@@ -1,4 +1,4 @@
-"""A draft put together: names resolved, indices and sizes checked, a container made."""
+"""Link a draft to a container: resolve names, check indices and sizes."""
 
 from __future__ import annotations
 
@@ -25,16 +25,16 @@ from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
 
 MOST_TABLE_CELLS = 1 << 28
-"""Shutters times buckets times slots that one text may ask for (a byte each)."""
+"""Most shutters times buckets times slots of one text (a byte each)."""
 
 _DEFAULT_BUCKET = "frame"
 _START = Span(0, 0)
 NO_TABLE = {"table": "none"}
-"""The note of a container that says what pixels hold, and not what it means."""
+"""The note of a container with pixel contents but without a decode table."""
 
 
 def link(draft: Draft, base: Path, faults: Faults) -> Container:
-    """The container of a draft. Raises Rejected with everything found, `faults` included."""
+    """The container of a draft. Raises Rejected with all errors, including those in `faults`."""
     target = find_target(draft, base, faults)
     if target is None:
         faults.stop()
@@ -45,7 +45,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     launches = _launches(draft, faults)
     readouts = _readouts(draft, target, buckets, faults)
     load = _load(draft, target, faults)
-    faults.stop()  # what follows needs sizes that hold
+    faults.stop()  # the rest needs valid sizes
 
     notes = dict(draft.notes)
     if draft.shutters or draft.codes:
@@ -105,7 +105,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
 
 
 def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
-    """The target that the text names, scamp5 if it names none; None if it is at fault."""
+    """The target that the text names, by default scamp5; None after reporting an error."""
     block = draft.target
     if block is None:
         return load_target(DEFAULT_NAME, base)
@@ -130,7 +130,7 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
 
 
 def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
-    """Note instructions that the target does not take, and kernels that overfill its store."""
+    """Report instructions that the target does not have, and kernels that exceed its store."""
     stored = 0
     for kernel in draft.kernels:
         for line in kernel.lines:
@@ -159,7 +159,7 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
 
 
 def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
-    """The index of a name; notes a fault and gives 0 where it is not known."""
+    """The index of a name; reports an unknown name and returns 0."""
     index = names.get(token.text)
     if index is not None:
         return index
@@ -178,7 +178,7 @@ def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
 
 
 def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
-    """The buckets that `.bucket` lists; without it those of the readouts, or `frame`."""
+    """The buckets in `.bucket`, else those of the readouts, else `frame`."""
     if draft.buckets:
         return tuple(_indexed(draft.buckets, "bucket", faults))
     named = [readout.bucket.text for readout in draft.readouts if readout.bucket]
@@ -186,7 +186,7 @@ def _buckets(draft: Draft, faults: Faults) -> tuple[str, ...]:
 
 
 def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
-    """All launches, by instant and then in the order of the text."""
+    """All launches, by instant, in the order of the text."""
     kernels = {kernel.name.text: i for i, kernel in enumerate(draft.kernels)}
     at_instant: dict[int, list[int]] = {}
     slots = len(draft.slot_us)
@@ -246,7 +246,7 @@ def _loading_order(
     target: Target,
     faults: Faults,
 ) -> tuple[str, ...]:
-    """The order of `.load`; without it the masked register first, for its mask must still be 1."""
+    """The order in `.load`; by default the masked register first, while its mask is 1."""
     if stated and set(stated) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
@@ -254,10 +254,8 @@ def _loading_order(
 
 
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
-    """A table for pixels of which only the registers' contents are known: no slot is open.
-
-    All codes share one shutter where nothing is loaded; else each is its own.
-    """
+    """A table without open slots, for pixels with known register contents only. Without planes all
+    codes share one shutter, else each has its own."""
     return DecodeTable(
         ("code",) if planes else (),
         np.arange(codes, dtype=np.int64)[:, None] if planes else np.zeros((1, 0), np.int64),
@@ -269,7 +267,7 @@ def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTa
 def _table(
     draft: Draft, target: Target, buckets: tuple[str, ...], faults: Faults
 ) -> tuple[DecodeTable, NDArray[np.bool_]]:
-    """The decode table and the encoding that `.fields`, `.shutter` and `.code` lines give."""
+    """The decode table and the encoding from `.fields`, `.shutter` and `.code` lines."""
     shutters, slots = len(draft.shutters), len(draft.slot_us)
     fields = tuple(_indexed(draft.fields, "field", faults))
     for lines, name in ((draft.shutters, ".shutter"), (draft.codes, ".code")):

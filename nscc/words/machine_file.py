@@ -1,4 +1,4 @@
-"""A machine in a container's file: what its header says, its arrays, and whether it is sound."""
+"""Storage of a machine in a container file: header, arrays and checks."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[Machine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
-"""Stands for None among the levels of launches."""
+"""The level of a launch without one."""
 _LARGEST = 2**62
 _WIDTH = 96
 
 
 def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, Any]:
-    """What the header says of a machine: JSON values."""
+    """The JSON header of a machine."""
     return {
         "states": [[getattr(state, name) for name in _STATE] for state in machine.states],
         "comparisons": [[c.boundary, c.signal, c.level] for c in machine.comparisons],
@@ -48,7 +48,7 @@ def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, 
 def layout_of(
     header: Mapping[str, Any], buckets: int, slots: int
 ) -> list[tuple[str, str, tuple[int, ...]]]:
-    """The machine's arrays in their order: name, type and shape; "?" is packed."""
+    """The machine's arrays in order: name, type and shape; "?" is bit-packed."""
     nodes, states = header["first"][-1], len(header["states"])
     return [
         ("behaviour", "<i4", (nodes,)),
@@ -62,7 +62,7 @@ def layout_of(
 
 
 def check_header(header: Any) -> None:
-    """Check the shape of a machine's header; ValueError where it is none."""
+    """Check the structure of a machine's header; raises ValueError."""
     complete = isinstance(header, dict) and header.keys() == {
         "states", "comparisons", "first", "looks", "outcomes", "planes",
     }  # fmt: skip
@@ -110,7 +110,7 @@ def _is_count(value: Any) -> bool:
 def machine_from(
     header: Mapping[str, Any], arrays: Mapping[str, NDArray[Any]]
 ) -> tuple[Machine, dict[str, StatePlanes]]:
-    """The machine and the planes of its states, of a checked header and its arrays."""
+    """The machine and the encodings of its states, from a checked header and its arrays."""
     machine = Machine(
         states=tuple(State(*state) for state in header["states"]),
         comparisons=tuple(Comparison(*entry) for entry in header["comparisons"]),
@@ -130,7 +130,7 @@ def machine_from(
 
 
 def to_text(container: Container) -> Iterator[str]:
-    """The lines that `.machine` has in assembly text: base64 of the header and the arrays."""
+    """The `.machine` lines of assembly text: base64 of the header and the arrays."""
     machine = container.machine
     assert machine is not None
     header = {**header_of(machine, container.state_planes), "levels": _levels(container)}
@@ -151,7 +151,8 @@ def _levels(container: Container) -> list[int | None]:
 
 
 def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None:
-    """The machine, its planes and the launches' levels of `to_text`; None where it is none."""
+    """The inverse of `to_text`: machine, state encodings and levels of launches; None if
+    invalid."""
     try:
         data = b64decode(text, validate=True)
         size = int.from_bytes(data[:4], "little")
@@ -179,7 +180,7 @@ def from_text(text: str, buckets: int, slots: int, launches: int) -> Read | None
 
 
 def faults(container: Container) -> Iterator[str]:
-    """What is wrong with a container's machine, each as part of a sentence."""
+    """The errors of a container's machine, each as part of a sentence."""
     machine = container.machine
     if machine is None:
         if any(launch.level is not None for launch in container.launches):

@@ -1,4 +1,4 @@
-"""Planes of 0 and 1 from files, and what they make of the pixels of a hand-written program."""
+"""Bit planes from files, and the pixel codes of hand-written programs."""
 
 from __future__ import annotations
 
@@ -21,16 +21,14 @@ _LARGEST_FILE = 1 << 28
 
 
 class _BadPlaneError(Exception):
-    """What is wrong with a plane's file, in words."""
+    """A plane's file is invalid, for a reason in words."""
 
 
 def read_planes(
     drafts: list[PlaneDraft], target: Target, base: Path, faults: Faults
 ) -> dict[str, NDArray[np.bool_]]:
-    """The planes bool (rows, cols) by register, in the order of the target's registers.
-
-    Notes NS0712, NS0716 and NS0719 in `faults`; the result is whole only where none is.
-    """
+    """The planes bool (rows, cols) by register, in the order of the target's registers. Reports
+    NS0712, NS0716 and NS0719 in `faults`; after an error the result is incomplete."""
     planes: dict[str, NDArray[np.bool_]] = {}
     for draft in drafts:
         register = draft.register.text
@@ -53,10 +51,8 @@ def read_planes(
 def codes_of_planes(
     planes: Mapping[str, NDArray[np.bool_]], target: Target
 ) -> tuple[NDArray[np.bool_], NDArray[np.int32] | None]:
-    """The distinct contents of pixels, bool (codes, registers), and each pixel's row of them.
-
-    Without planes there is one code, registers all 0, and no data.
-    """
+    """The distinct register contents of pixels, bool (codes, registers), and the row of each pixel.
+    Without planes there is one code with all registers 0, and no pixel data."""
     if not planes:
         return np.zeros((1, len(target.digital_registers)), dtype=np.bool_), None
     pattern = np.zeros((target.rows, target.cols), dtype=np.int64)
@@ -114,7 +110,7 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
 
 
 def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
-    """The array of an .npy stream; its size is checked before it is read."""
+    """Read the array of an .npy stream after checking its size."""
     try:
         _, stored_shape, fortran, dtype = npy_header(file)
     except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):

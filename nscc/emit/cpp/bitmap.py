@@ -9,11 +9,9 @@ _HEADER = 14 + 40
 
 
 def bitmap(plane: NDArray[np.bool_]) -> bytes:
-    """A 24-bit Windows bitmap, white where `plane` bool (rows, cols) is 1.
-
-    The width is rounded up to a multiple of 8, black beyond the plane, because the devkit packs
-    eight pixels of a row into a byte.
-    """
+    """A 24-bit Windows bitmap, white where `plane` bool (rows, cols) is 1. The width is rounded up
+    to a multiple of 8, black beyond the plane, because the devkit packs eight pixels of a row into
+    a byte."""
     rows, cols = plane.shape
     width = image_width(cols)
     pixels = np.zeros((rows, width, 3), dtype=np.uint8)

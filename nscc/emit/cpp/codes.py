@@ -26,11 +26,9 @@ _REFRESHES_IN_A_LIFE = 4
 
 @dataclass(frozen=True)
 class PlaneLoad:
-    """How one code register is loaded.
-
-    Without `patterns` its plane comes from the image `file`. `scratch` holds each pattern before it
-    is added; without a scratch register, several patterns are drawn pixel by pixel.
-    """
+    """How one code register is loaded. Without `patterns` its plane comes from the image `file`.
+    `scratch` holds each pattern before it is added; without a scratch register, several patterns
+    are drawn pixel by pixel."""
 
     register: str
     masked: bool
@@ -81,7 +79,7 @@ class CodeLoading:
         out: list[Call] = []
         if masked in registers and mask is not None:
             if mask in registers:
-                # The mask's code waits in FLAG, and moving it back refreshes it.
+                # The mask's code is saved in FLAG, and writing it back refreshes it.
                 out += [("WHERE", (mask,)), ("SET", (mask,)), ("REFRESH", (masked,))]
                 out.append(("MOV", (mask, "FLAG")))
                 registers.remove(mask)
@@ -112,10 +110,8 @@ class CodeLoading:
 
 
 def loading_of(planes: Mapping[str, NDArray[np.bool_]], target: Target, stem: str) -> CodeLoading:
-    """Choose how to load `planes`, which are in loading order.
-
-    File names of images start with `stem`.
-    """
+    """Choose how to load `planes`, which are in loading order. File names of images start with
+    `stem`."""
     order = list(planes)
     mask, masked = target.mask_register, target.masked_register
     free = [r for r in target.digital_registers if r not in planes and r != masked]
@@ -180,7 +176,7 @@ def _load_lines(loading: CodeLoading, load: PlaneLoad) -> Iterator[str]:
     if patterns is None:
         yield f"    load_image({literal(load.file)}, {register});"
     elif load.drawn:
-        # At once, for want of a register in which to gather the patterns.
+        # Drawn at once, because no register is free to gather the patterns.
         yield from template_lines(
             "drawn", register=register, codes=f"code_{name}", inverted="!" * patterns.inverted
         )

@@ -10,7 +10,7 @@ from textwrap import wrap
 WIDTH = 100
 
 Call = tuple[str, tuple[str, ...]]
-"""A call of the devkit's kernel library: its name and its operands."""
+"""A call of the devkit's kernel library: name and operands."""
 
 
 @cache
@@ -29,10 +29,8 @@ def template_lines(name: str, **values: object) -> list[str]:
 
 
 def safe(text: str) -> str:
-    """`text` as part of a `//` comment: one line of printable ASCII.
-
-    Backslashes and `??/` are replaced, because they would continue the comment on the next line.
-    """
+    """`text` as part of a `//` comment: one line of printable ASCII. Backslashes and `??/` are
+    replaced, because they would continue the comment on the next line."""
     shown = "".join(ch if " " <= ch <= "~" else "?" for ch in text)
     return shown.replace("\\", "/").replace("??", "? ?").strip()
 

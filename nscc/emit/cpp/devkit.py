@@ -17,11 +17,8 @@ _NAMES = re.compile(r"\bscamp5(_\w+(?=\()|\.hpp)")
 
 @dataclass(frozen=True)
 class Devkit:
-    """The library of a chip's devkit; its names start with `library`.
-
-    The library names `digital` registers R0, R1, ... With `tables` the layout of its constant
-    kernel tables is public.
-    """
+    """The library of a chip's devkit; its names start with `library`. The library names `digital`
+    registers R0, R1, ... With `tables` the layout of its constant kernel tables is public."""
 
     name: str
     library: str

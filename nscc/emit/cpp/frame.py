@@ -22,24 +22,22 @@ from nscc.words.container import Container, Kernel
 from nscc.words.encoding import decode
 
 LONGEST_GAP_US = 1 << 30
-"""A clock of 32 bits tells what is before from what is behind within half of its range."""
+"""A 32-bit clock orders times that differ by less than half of its range."""
 MOST_TIMES = (1 << 16) - 1
 AS_IT_IS = -32768
-"""Stands for a launch that leaves IN alone."""
+"""The level of a launch that does not set IN."""
 _COMMENTED_ROWS = 256
 _ROWS_A_LINE = 6
 _PART = 1 << 32
 _US = 1 << 32
-"""Where the clock goes round."""
+"""The period of the clock."""
 
 
 @dataclass(frozen=True)
 class Row:
     """`times` launches of a kernel: the first `at` microseconds after the frame's first word, each
-    next one `interval_us` later. `kernel` None only waits.
-
-    `instants` are the boundaries of the launches.
-    """
+    next one `interval_us` later. `kernel` None only waits. `instants` are the boundaries of the
+    launches."""
 
     at: Fraction
     interval_us: Fraction

@@ -19,15 +19,15 @@ from nscc.words.container import Word
 from nscc.words.encoding import encode, word_text
 
 MOST_SOURCES = {"OR": 4, "NOR": 4, "WHERE": 3}
-"""Most sources that the library's calls take; the array itself takes any number."""
+"""Most sources that the library's calls accept; the array accepts any number."""
 
 TOO_WIDE = "a word has more sources than a call: set or_sources = 4, where_sources = 3 in a target"
-"""What the compiler of such a program says."""
+"""The error when such a program is compiled."""
 
 MOST_DESTINATIONS = 4
-"""Most registers that one call of SET or CLR takes."""
+"""Most registers that one call of SET or CLR accepts."""
 
-# What reads best comes first where two macros are the same words: getpix is sub of PIX.
+# If two macros expand to the same words, the more readable one comes first: getpix is sub of PIX.
 _MACROS = (
     "respix", "get_image", "res", "getpix", "neg", "mov", "add", "sub", "abs", "div", "diva",
     "AND", "NAND", "ANDX", "NANDX", "IMP", "NIMP", "CLR_IF", "XORX", "MUX",
@@ -63,11 +63,9 @@ def calls_words(recorded: Sequence[Call]) -> int:
 def kernel_lines(
     name: str, ops: Sequence[Op], narrow: Sequence[Op] | None, *, tables: bool
 ) -> Iterator[str]:
-    """The C++ function `name`, which launches a kernel of the words `ops`.
-
-    `narrow` are equivalent words that all have calls, or None. They replace words without a call in
-    the simulator, and on chips whose `tables` are unknown.
-    """
+    """The C++ function `name`, which launches a kernel of the words `ops`. `narrow` are equivalent
+    words that all have calls, or None. They replace words without a call in the simulator, and on
+    chips whose `tables` are unknown."""
     recorded = calls(ops)
     if recorded is not None:
         yield from _recorded(name, recorded)

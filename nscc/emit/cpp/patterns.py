@@ -15,8 +15,8 @@ ADDRESS_BITS = 8
 """Bits of a row's address, and of a column's."""
 
 MOST_BITS = 12
-"""Most address bits that a plane may hang on to be made of patterns: a tile of 64 x 64 pixels, and
-some 700 patterns at worst. Beyond that an image, drawn pixel by pixel, is no slower."""
+"""Most address bits of a plane that is loaded by patterns: a tile of 64 x 64 pixels, at most some
+700 patterns. For more, an image, drawn pixel by pixel, is no slower."""
 
 _SIDE = 1 << ADDRESS_BITS
 _OPEN = _SIDE - 1
@@ -42,9 +42,7 @@ class Patterns:
 
 def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
     """`plane` bool (rows, cols) as address patterns; None if it depends on too many address bits.
-
-    Addresses outside the array are don't-cares.
-    """
+    Addresses outside the array are don't-cares."""
     rows, cols = plane.shape
     on, off = (np.zeros((_SIDE, _SIDE), dtype=np.bool_) for _ in range(2))
     on[:rows, :cols] = plane[:, ::-1]
@@ -61,10 +59,10 @@ def patterns_of(plane: NDArray[np.bool_]) -> Patterns | None:
 
 
 _Bit = tuple[bool, int]
-"""An address bit: whether it is the column's, and its value."""
+"""An address bit: whether it is a column bit, and its value."""
 
 _Cube = tuple[int, int]
-"""Variables that are named, and those of them that are 1."""
+"""The variables of a cube, and those of them that are 1."""
 
 
 def _support(on: NDArray[np.bool_], off: NDArray[np.bool_]) -> tuple[int, int, list[_Bit]]:

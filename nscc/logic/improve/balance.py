@@ -23,7 +23,7 @@ from nscc.logic.improve.search import settled
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# How many answers earlier a gate may go: its value takes a register all the way.
+# How many answers a gate may move forward; its value needs a register in between.
 REACH = 6
 
 
@@ -35,11 +35,9 @@ def balance(
     other_words: Sequence[int],
     limit: int = 0,
 ) -> Solution:
-    """Move gates to earlier boundaries without adding words to the frame.
-
-    `other_words` gives the words at each boundary 0..N besides the solution's gates. The words of
-    the largest boundary decrease, but not below `limit`. Returns `solution` if no gate can move.
-    """
+    """Move gates to earlier boundaries without adding words to the frame. `other_words` gives the
+    words at each boundary 0..N besides the solution's gates. The words of the largest boundary
+    decrease, but not below `limit`. Returns `solution` if no gate can move."""
     frame, items = flatten(solution, problem, machine)
     try:
         run = TrackedRun(frame, items, budget)
@@ -87,7 +85,7 @@ class _Loads:
 
 def _flatten_one(run: TrackedRun, loads: _Loads, most: int) -> bool:
     """Move one gate away from each boundary with `most` words; False if that fails."""
-    # All of them, or the largest one is as large as before.
+    # All gates must move, otherwise the largest boundary stays as large.
     full = [n for n, words in enumerate(loads.words) if words >= most]
     return all(_relieve(run, loads, n, most) for n in full)
 

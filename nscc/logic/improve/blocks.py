@@ -15,7 +15,7 @@ from itertools import pairwise
 from nscc.logic.improve.code import Check, FrameContext, Item
 
 FEWEST = 2
-"""A pair that comes less often is not merged: it has no second place to serve."""
+"""Pairs with fewer occurrences are not merged."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,10 +55,7 @@ def tokens_of(items: Sequence[Item]) -> list[SegmentToken]:
 
 def blocks_of(frame: FrameContext, items: Sequence[Item], room: int) -> list[Block]:
     """The distinct sequences, most words a frame first; all their segments take at most `room`
-    words.
-
-    Without room, every segment is a sequence.
-    """
+    words. Without room, every segment is a sequence."""
     tokens = tokens_of(items)
     merger = _Merger(frame, items, tokens)
     while merger.merge(room):
@@ -97,7 +94,7 @@ class _Merger:
                 return False
             merged = self.words[first] + self.words[second]
             uses_per_pair = 2 if first == second else 1
-            # A symbol that comes only in this pair needs no words of its own any more.
+            # A symbol that occurs only in this pair needs no separate words after the merge.
             gone = sum(self.words[s] for s in {first, second} if counts[s] == times * uses_per_pair)
             if stored + merged - gone <= room:
                 self._replace(first, second, merged)

@@ -15,13 +15,13 @@ from nscc.logic.problem import Gate, Machine, Problem, Segment, Solution, quiete
 from nscc.truth import set_bits
 
 Content = int | None
-"""What a register holds: a truth vector, None if unknown."""
+"""The content of a register: a truth vector, None if unknown."""
 
 OPENING, CLOSING = -1, -2
 """Places of operations that belong to no answer."""
 
 REFRESH_WORDS = 2
-"""What the schedule adds at the end of a frame for every plane that the frame does not write."""
+"""Words that the schedule adds for every plane that the frame does not write."""
 
 
 class Illegal(Exception):
@@ -52,10 +52,8 @@ class GateOp:
 
 @dataclass(frozen=True, slots=True)
 class Check:
-    """A point at which FLAG must equal `need` (if not None), at the end of `place`.
-
-    `forgets` is the bit mask of registers whose contents are unknown afterwards.
-    """
+    """A point at which FLAG must equal `need` (if not None), at the end of `place`. `forgets` is
+    the bit mask of registers whose contents are unknown afterwards."""
 
     need: int | None
     forgets: int
@@ -145,7 +143,7 @@ class FrameContext:
         if item.destination == self.masked and self.mask is None:
             return False
         limit = self.machine.or_sources
-        # A register copied onto itself would be a refresh, which is none of the gates' business.
+        # Copying a register to itself would be a refresh, which is not the gates' task.
         alone = item.sources == (item.destination,)
         return (limit is None or count <= max(limit, 1)) and (item.inverted or not alone)
 
@@ -174,10 +172,8 @@ class FrameContext:
 def flatten(
     solution: Solution, problem: Problem, machine: Machine
 ) -> tuple[FrameContext, list[Item]]:
-    """A solution as items, with as many scratch registers as the machine allows.
-
-    If gates without masks write the masked register, the items include SET of the mask before them.
-    """
+    """A solution as items, with as many scratch registers as the machine allows. If gates without
+    masks write the masked register, the items include SET of the mask before them."""
     planes, states = len(solution.planes), solution.states
     scratch, masked, mask = _room(solution, machine)
     everything = problem.everything
@@ -223,8 +219,8 @@ def _room(solution: Solution, machine: Machine) -> tuple[int, int | None, int | 
         return max(scratch, room - (machine.masked and not planes)), None, None
     writes = solution.writes()
     quiet = quietest(writes)
-    # Where all registers are taken, or a plane is never written, the masked register holds a plane
-    # and every other one is free; else it stays empty.
+    # If all registers are used, or a plane is never written, the masked register holds a plane and
+    # all others are free; otherwise it is empty.
     if scratch == room or (writes[quiet] == 0 and room > 0):
         return room, quiet, planes + states if room else None
     return max(scratch, room - 1), None, None
@@ -235,11 +231,11 @@ def _forgotten(frame: FrameContext, coming: int) -> int:
     demands = frame.problem.demands
     forgets = 0
     if frame.solution.state_in_flag:
-        # Analog words meanwhile may keep FLAG in t0.
+        # Analog words in between may keep FLAG in t0.
         forgets |= (frame.scratch > 0) << frame.planes + frame.states
     elif coming == len(demands) or not demands[coming].flag_kept:
         forgets |= 1 << frame.flag
-    # Only planes and states are refreshed in a frame that is longer than memory lasts.
+    # In a frame longer than the retention, only planes and states are refreshed.
     last = coming == len(demands)
     scratch_kept = frame.problem.flag_lasts if last else demands[coming].scratch_kept
     return (
@@ -263,7 +259,7 @@ def unflatten(frame: FrameContext, items: Sequence[Item]) -> Solution:
         if isinstance(item, Check):
             continue
         segments = segments_at[item.place]
-        # An operation that moved stays behind those that it follows now.
+        # A moved operation stays after the operations that precede it.
         last = max((i for i, segment in enumerate(segments) if segment), default=0)
         while len(segments) <= item.segment:
             segments.append([])

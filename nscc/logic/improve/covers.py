@@ -18,10 +18,8 @@ from nscc.truth import union
 def cover(
     target: int, sources: Sequence[tuple[int, int]], limit: int | None
 ) -> tuple[int, ...] | None:
-    """Choose few `sources` (register, content) that cover `target`; None if all together do not.
-
-    Of equally good ones, earlier sources are taken. At most `limit` of them.
-    """
+    """Choose few `sources` (register, content) that cover `target`; None if all together do not. Of
+    equally good ones, earlier sources are taken. At most `limit` of them."""
     reachable = 0
     for _, content in sources:
         reachable |= content
@@ -108,11 +106,9 @@ def inner(
     readable: Sequence[int],
     inverted: tuple[bool, ...] = (False, True),
 ) -> list[tuple[bool, int, int]]:
-    """Return the gates that are 1 on `ones` and 0 on `zeros` if one more source existed.
-
-    Each is (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1
-    and 0. The gate also reads all other registers that it may read.
-    """
+    """Return the gates that are 1 on `ones` and 0 on `zeros` if one more source existed. Each is
+    (inverted, ones', zeros'): the kind of the gate, and where the new source must be 1 and 0. The
+    gate also reads all other registers that it may read."""
     ways = []
     for invert in inverted:
         avoid, target = (ones, zeros) if invert else (zeros, ones)

@@ -26,10 +26,9 @@ from nscc.logic.improve.shrink import shrink
 from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# So many of the most promising vectors are tried for each register: each try is a search of its
-# own.
+# Number of promising vectors to try for each register; each try is a search.
 TRIED = 12
-# Operations this far apart are dropped together; fewer than in `search`, which comes afterwards.
+# Most distance of operations dropped together, smaller than in `search`, which runs afterwards.
 NEAR = 3
 HOLDER = "computed before the frame"
 
@@ -107,10 +106,8 @@ def _promising(run: TrackedRun) -> list[int]:
 
 def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counter[int]]:
     """The items that write each vector, the items whose values each item reads, and the number of
-    readers of each item. A plane whose final value an item writes counts as a reader.
-
-    A plane that holds an item's value at the end counts as one that reads it.
-    """
+    readers of each item. A plane whose final value an item writes counts as a reader. A plane that
+    holds an item's value at the end counts as one that reads it."""
     frame = run.frame
     makers: dict[int, list[int]] = {}
     feeds: list[set[int]] = []
@@ -131,12 +128,10 @@ def _flow(run: TrackedRun) -> tuple[dict[int, list[int]], list[set[int]], Counte
 def _saved(
     run: TrackedRun, numbers: Sequence[int], feeds: Sequence[set[int]], readers: Mapping[int, int]
 ) -> int:
-    """The words of items that become unused if their results are available elsewhere.
-
-    This is the fan-out-free cone of the items.
-    """
+    """The words of items that become unused if their results are available elsewhere. This is the
+    fan-out-free cone of the items."""
     readers_left: dict[int, int] = {}
-    # FLAG must be loaded all the same.
+    # FLAG must be loaded in any case.
     written = [item.destination for k in numbers if isinstance(item := run.items[k], GateOp)]
     saved = -written.count(run.frame.flag)
     gone = list(numbers)

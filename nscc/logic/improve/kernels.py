@@ -18,18 +18,16 @@ from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.truth import union
 
 Pass = Callable[[FrameContext, list[Item], Budget], list[Item]]
-"""Makes items shorter that a frame, or a part of one, consists of."""
+"""A pass that shortens the items of a frame or a part of one."""
 
 
 def improve_kernels(
     frame: FrameContext, items: list[Item], budget: Budget, shorten: Pass, room: int
 ) -> list[Item]:
-    """Shorten each kernel by the pass `shorten`, in the same way in all places.
-
-    Sequences of kernels are improved as one if `room` allows (see `blocks_of`).
-    """
+    """Shorten each kernel by the pass `shorten`, in the same way in all places. Sequences of
+    kernels are improved as one if `room` allows (see `blocks_of`)."""
     run = TrackedRun(frame, items, budget)
-    # Where each item of the run has gone: rewriting a block replaces its items by others.
+    # The current items for each original item: rewriting a block replaces them.
     replacements: list[list[Item]] = [[item] for item in run.items]
     for block in blocks_of(frame, run.items, room):
         new = _shortened(frame, run, block, budget, shorten)

@@ -20,11 +20,9 @@ from nscc.truth import set_bits
 
 @dataclass(slots=True)
 class _Value:
-    """The result of an operation, or the initial content of a register.
-
-    `last` is the last item that reads it; `home` the register required at the end. `banned` is the
-    bit mask of registers in which it would be overwritten, or would block a mask.
-    """
+    """The result of an operation, or the initial content of a register. `last` is the last item
+    that reads it; `home` the register required at the end. `banned` is the bit mask of registers in
+    which it would be overwritten, or would block a mask."""
 
     first: int
     last: int
@@ -35,10 +33,8 @@ class _Value:
 
 
 def recoloured(frame: FrameContext, items: Sequence[Item], without: int = 0) -> list[Item] | None:
-    """The same operations with other registers; None if there are too few.
-
-    Every result must be read. The registers `without` (a bit mask) are not used.
-    """
+    """The same operations with other registers; None if there are too few. Every result must be
+    read. The registers `without` (a bit mask) are not used."""
     values, written = _values(frame, items)
     masks = [value for value in values if value.masks]
     ends = [value.last for value in masks]
@@ -99,10 +95,10 @@ class _Painter:
         self.frame, self.items = frame, items
         self.values, self.written = values, written
         self.place = list(range(frame.flag + 1)) + [-1] * (len(values) - frame.flag - 1)
-        # Which value a register holds; the first ones that nobody reads do not count.
+        # The value in each register; initial values without a reader do not count.
         self.holds: list[int] = list(range(frame.flag))
         self.masks_from = {value.first for value in values if value.masks}
-        # Where the value is written that must be in a register at the end.
+        # Where the value is written that a register must hold at the end.
         self.homing = [-1] * frame.flag
         for value in values:
             if value.home >= 0:
@@ -141,16 +137,16 @@ class _Painter:
         def price(register: int) -> tuple[int, bool, bool, int]:
             in_place = int(register in sources)
             if in_place and _copies(item):
-                in_place = -1  # nothing to do at all
-            # What a mask is made from would be read in place if it were in the mask's register.
+                in_place = -1  # no operation
+            # In the mask's register, a source of the mask would be read in place.
             in_place += register == mask and value.last in self.masks_from
             away = value.home >= 0 and register != value.home
-            # A value in the way when a plane comes home makes that plane go elsewhere first.
+            # A value in a plane's home makes that plane go elsewhere first.
             plane = register < self.frame.planes
             in_the_way = plane and register != value.home and value.last > self.homing[register] > k
-            # Words first, the copy home among them (a part of a frame has no place for one, so away
-            # is dearer there). Then no plane's way home is blocked, then as little as can be is
-            # changed, then a register is taken that no plane needs, or only late.
+            # Sort key: words, including the copy home (impossible in a part of a frame, so away is
+            # more expensive there); then no plane's home blocked; then few changes; then a register
+            # that no plane needs, or only late.
             return (
                 in_place + away * (1 if self.frame.ends is None else 2),
                 in_the_way,
@@ -185,7 +181,7 @@ class _Painter:
             return out
         if frame.ends is not None:
             return None
-        import networkx as nx  # most builds end without it, a tenth of a second sooner
+        import networkx as nx  # slow to import, and most builds do not need it
 
         segment = max(
             (item.segment for item in out if isinstance(item, GateOp) and item.place == CLOSING),

@@ -13,24 +13,23 @@ from nscc.logic.improve.enrich import enrich
 from nscc.logic.improve.search import improve
 from nscc.logic.problem import Machine, Problem, Solution
 
-# Levels differ in steps only, never in seconds: the same input gives the same words everywhere.
-# Every solution gets so many steps before the best go on; which is best shows only then.
+# Levels differ in steps, not in seconds, so the same input gives the same words everywhere. First
+# every solution gets this many steps, because only then their order is known.
 FIRST_STEPS = {2: 8_000, 3: 60_000}
-# Each of the best gets so many more. A hundred thousand steps are about a second.
+# Further steps for each of the best. A hundred thousand steps take about a second.
 MORE_STEPS = {2: 60_000, 3: 2_000_000}
 ENRICH_STEPS = {2: 20_000, 3: 400_000}
-# Where kernels are kept, the first steps are so many times more: less is left to chance.
+# With kernels kept, the first steps are multiplied by this.
 KERNEL_SHARE = 4
-# The store's share for gates when segments are given kernels of their own; the rest is for analog
-# words.
+# The share of the store for gates if segments have separate kernels; the rest is for analog words.
 ROOM_SHARE = 0.75
 BEST = {2: 1, 3: 3}
-# Where words do not fit, so many of the cheapest are improved with their kernels kept as well.
+# If words do not fit, this many of the cheapest are also improved with kernels kept.
 MOST_KEPT = 2
 
 
 Price = tuple[bool, float, int, int, int]
-"""Sort key of a solution: less is better; the first part is False where everything fits."""
+"""Sort key of a solution, smallest first; the first part is False if everything fits."""
 
 
 class Priced(Protocol):
@@ -61,12 +60,10 @@ def refine(
     priced: Callable[[Solution], P],
     store_words: int,
 ) -> P:
-    """The best candidate after improvement, at levels 2 and 3.
-
-    `store_words` is the number of words that all kernels may take.
-    """
-    # With more demands than words in the store, kernels must come again and again: few of them
-    # are worth more than the words that many would save.
+    """The best candidate after improvement, at levels 2 and 3. `store_words` is the number of words
+    that all kernels may take."""
+    # With more demands than stored words, kernels must repeat: few distinct kernels matter more
+    # than few words.
     scarce = len(problem.demands) > store_words
     room = 0 if scarce else int(store_words * ROOM_SHARE)
     return _Refinery(problem, machine, level, priced, scarce, room).best(candidates)
@@ -94,15 +91,13 @@ class _Refinery(Generic[P]):
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
-        """(improved candidate, whether equal segments had to stay equal).
-
-        Unless `patient`, segments may differ, and a result that does not fit is given up.
-        """
+        """(improved candidate, whether equal segments had to stay equal). Unless `patient`,
+        segments may differ, and a result that does not fit is given up."""
         if self.scarce:
             return self._improve_keeping_kernels(candidate.solution, steps), True
         improved = self._form(self._improved(candidate.solution, steps))
         if improved.price[0] and patient:
-            # Rewritten freely, segments share no kernels any more.
+            # After free rewriting, segments rarely share kernels.
             with_kernels = self._improve_keeping_kernels(candidate.solution, KERNEL_SHARE * steps)
             if with_kernels.price < improved.price:
                 return with_kernels, True

@@ -41,11 +41,8 @@ def rewrite(
     order: Sequence[int] | None = None,
 ) -> Rewrite | None:
     """Insert `lead` before item `start`, drop the items `dropped`, and repair; None if it does not
-    save `least` words.
-
-    With `deepen`, the repair may insert gates. `order` lists the registers by preference as
-    sources.
-    """
+    save `least` words. With `deepen`, the repair may insert gates. `order` lists the registers by
+    preference as sources."""
     return _Walk(run, start, least, deepen, order).go(lead, dropped)
 
 
@@ -123,8 +120,9 @@ class _Walk:
     def _follow(self, k: int, item: GateOp) -> bool:
         """Process operation k in the current state: keep, drop or repair it."""
         target = item.destination
-        # In this order: nothing to do any more; as before; what it would overwrite is as good; its
-        # own new result is as good; other sources.
+        # In order: drop if the register already holds the result; keep if the result is equal; drop
+        # if the old content is equivalent; keep if the new result is equivalent; find other
+        # sources.
         required = self.run.before[k + 1][target]
         assert required is not None
         current = self.state[target]

@@ -14,12 +14,12 @@ from nscc.logic.improve.tracked_run import TrackedRun
 from nscc.logic.improve.wander import wander
 from nscc.logic.problem import GaveUp, Machine, Problem, Solution
 
-# Operations this far apart are dropped together: what belongs together lies within an answer or in
-# the next one.
+# Most distance of operations dropped together: they belong to one answer or to two consecutive
+# ones.
 PAIR_SPAN = 8
-# Steps of one walk, half a second; after it the sweeps follow.
+# Steps of one walk, half a second, before the next sweeps.
 WALK_STEPS = 50_000
-# So many walks in vain are the last.
+# Number of walks without gain before giving up.
 PATIENCE = 6
 # Steps of a walk over one kernel.
 KERNEL_STEPS = 2_000

@@ -19,7 +19,7 @@ def shrink(run: TrackedRun, span: int) -> None:
     while k >= 0:
         for j in range(k + 1, min(k + 1 + span, len(run.items))):
             if _drop(run, k, j):
-                # What was beyond reach may be within it now.
+                # A later change may make this one possible.
                 k = min(k + span, len(run.items) - 1)
                 break
         k -= 1

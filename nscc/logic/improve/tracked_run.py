@@ -14,11 +14,10 @@ from collections.abc import Collection, Sequence
 from nscc.logic.cubes import Budget
 from nscc.logic.improve.code import REFRESH_WORDS, Check, FrameContext, Item, states_before
 
-# How far an influence is followed; what reaches further is taken to matter in every shutter, which
-# is safe.
+# How many items an influence is followed; beyond that it is assumed to matter in every shutter.
 HORIZON = 4000
 
-# A step of the budget is one look at all registers; more shutters than this take longer.
+# Shutters for which a look at all registers is one step of the budget.
 STEP_SHUTTERS = 16384
 
 
@@ -89,10 +88,8 @@ class TrackedRun:
         self._settle(min(first, start), tail)
 
     def _settle(self, first: int, last: int) -> None:
-        """Recompute states from item `first` to `last`, and on while they change.
-
-        Contents that are not live may differ.
-        """
+        """Recompute states from item `first` to `last`, and on while they change. Contents that are
+        not live may differ."""
         if first:
             state = list(self.before[first - 1])
             self.frame.apply(self.items[first - 1], state)
@@ -107,10 +104,8 @@ class TrackedRun:
                 self.frame.apply(self.items[k], state)
 
     def _revive(self, start: int, end: int) -> int:
-        """Recompute liveness backwards from `end`, beyond `start` while it changes.
-
-        Drops operations whose result is not live; returns the first changed place.
-        """
+        """Recompute liveness backwards from `end`, beyond `start` while it changes. Drops
+        operations whose result is not live; returns the first changed place."""
         frame = self.frame
         dead: list[int] = []
         for k in range(end - 1, -1, -1):

@@ -16,7 +16,7 @@ from nscc.logic.improve.code import Check, GateOp
 from nscc.logic.improve.rewrite import Rewrite, rewrite
 from nscc.logic.improve.tracked_run import TrackedRun
 
-# Operations so far from one another are dropped together, or change places: an answer, mostly.
+# Most distance of operations that are dropped together or exchanged, about one answer.
 SPAN = 12
 
 
@@ -41,8 +41,9 @@ def _try(run: TrackedRun, choose: random.Random) -> Rewrite | None:
         return None
     order = list(range(run.frame.flag + 1))
     choose.shuffle(order)
-    # Half of the steps drop one to three operations; a quarter write elsewhere, an eighth earlier,
-    # and an eighth put in a NOR of some registers in place of one or two operations.
+    # Half of the steps drop one to three operations; a quarter change the destination, an eighth
+    # move an operation forward, and an eighth replace one or two operations by a NOR of some
+    # registers.
     kind = choose.randrange(8)
     lead: tuple[GateOp, ...] = ()
     dropped = [k]
