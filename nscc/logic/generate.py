@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from collections.abc import Generator as Yields
 from dataclasses import dataclass
+from math import inf
 from typing import Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.logic import (
     encodings,
     events,
-    field_digits,
     halved_bumps,
     nested,
     paired_bumps,
-    spans,
     states,
     windows,
 )
@@ -39,8 +37,13 @@ MOST_COVERED = 512
 # A family's member of at most so many times the words that every solution needs ends the search.
 _CLOSE = 1.1
 
-# Cascades take seconds to search; they are tried where no family's member comes so near.
+# Cascades take seconds to search. They are tried where every other solution takes so many times the
+# words that are needed, and at -O2 for no more demands than these: they would not win.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
+_MOST_CASCADED = {2: 32, 3: 1 << 20}
+# They get all steps where every other solution takes so many times the words, fewer where one is
+# nearer.
+_ALL_STEPS = 15.0
 
 Kind = Literal["direct", "family", "equality", "cascade", "cover", "last"]
 
@@ -92,11 +95,9 @@ GENERATORS: dict[str, Generator] = {
     "counted": Generator("family", nested.counted),
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
-    "stored_spans": Generator("family", spans.stored_spans),
     "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
     "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
-    "field_digits": Generator("family", field_digits.field_digits),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
     "state_register": _one("equality", states.state_register),
@@ -126,13 +127,13 @@ def added_generators() -> dict[str, Generator]:
     found: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, each in found.items():
         if not isinstance(each, Generator):
-            raise unusable(_GROUP, name, f"it is no Generator but {type(each).__name__}")
+            raise unusable(_GROUP, name, f"it is not a Generator, but {type(each).__name__}")
         if each.kind not in FROM_LEVEL:
-            raise unusable(_GROUP, name, f"its kind is none of {', '.join(FROM_LEVEL)}")
+            raise unusable(_GROUP, name, f"its kind is not one of {', '.join(FROM_LEVEL)}")
         if not callable(each.solve):
             raise unusable(_GROUP, name, "its `solve` cannot be called")
         if each.from_level is not None and each.from_level not in range(LEAST_ADDED, 4):
-            raise unusable(_GROUP, name, f"its `from_level` is none of {LEAST_ADDED} to 3")
+            raise unusable(_GROUP, name, f"its `from_level` is not between {LEAST_ADDED} and 3")
     return found
 
 
@@ -149,8 +150,8 @@ class GeneratorFault:
         """NS0504, with the traceback in its data."""
         return Diagnostic(
             "NS0504",
-            f"the generator {self.generator[:60]!a} of gates failed at -O{self.level} and was left "
-            f"out: {self.error}",
+            f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
+            f"left out: {self.error}",
             severity=Severity.WARNING,
             notes=("the program was compiled with the other generators; its words are proved",),
             data={"generator": self.generator, "traceback": self.traceback},
@@ -184,38 +185,40 @@ def solutions(
     generators = _asked(level)
     steps = SEARCH_STEPS[level]
 
-    def made(*kinds: Kind, allowed: int = steps) -> Yields[Solution, None, bool]:
-        """Solutions of generators of these kinds; returns whether there were any."""
-        some = False
+    def made(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
+        """Solutions of generators of these kinds."""
         for kind in kinds:
             for name, each in generators.items():
                 if each.kind == kind:
                     try:
-                        for solution in _tried(name, each, problem, machine, allowed):
-                            yield solution
-                            some = True
+                        yield from _tried(name, each, problem, machine, allowed)
                     except Exception as error:
                         note_fault(error, name, level, faults)
-        return some
 
     direct = list(made("direct"))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
-    fewest = float("inf")
-    for solution in made("family"):
-        yield solution
-        fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
+    fewest = inf
+
+    def counted(found: Iterable[Solution]) -> Iterator[Solution]:
+        """Solutions, the words of the best one noted."""
+        nonlocal fewest
+        for solution in found:
+            fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
+            yield solution
+
     least = _fewest_words(problem, machine)
+    yield from counted(made("family"))
     close = fewest <= _CLOSE * least
-    found = yield from made("equality")
-    found |= fewest < float("inf")
-    if fewest > _WORTH_CASCADES.get(level, 0.0) * least:
-        found |= yield from made("cascade")
-    if found and (close or problem.shutters > MOST_COVERED):
-        return
-    found |= yield from made("cover")
-    if not found:
+    yield from counted(made("equality"))
+    if fewest == inf or not (close or problem.shutters > MOST_COVERED):
+        yield from counted(made("cover"))
+    worth = fewest >= _WORTH_CASCADES.get(level, inf) * least
+    if worth and len(problem.demands) <= _MOST_CASCADED.get(level, 0):
+        share = min(1.0, fewest / (_ALL_STEPS * least))
+        yield from counted(made("cascade", allowed=int(share * steps)))
+    if fewest == inf:
         yield from made("cover", "last", allowed=PATIENT_STEPS)
 
 
@@ -253,8 +256,8 @@ def _tried(
 def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:
     """What is wrong with a solution of somebody else's."""
     if not isinstance(solution, Solution):
-        return f"it is no Solution but {type(solution).__name__}"
+        return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises where anything in it is not frozen: solutions are keys
     if not all(isinstance(text, str) for text in (solution.encoding, *solution.holders)):
-        return "its name or a holder is no text"
+        return "its name or a holder is not text"
     return fault(problem, machine, solution)

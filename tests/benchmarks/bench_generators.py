@@ -22,13 +22,12 @@ from time import monotonic
 from typing import Any
 from unittest.mock import patch
 
-from nscc_training.sweep.programs import compiled_of
-
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.logic.generate import GENERATORS, Generator
 from nscc.pipeline import Compiled, Options, run_passes
 from nscc.syntax.parse import read_source
 from nscc_training.sweep.grid import read_grid
+from nscc_training.sweep.point_programs import compiled_of
 
 ROOT = Path(__file__).parents[2]
 IMPROVERS: dict[str, tuple[str, Callable[..., Any]]] = {

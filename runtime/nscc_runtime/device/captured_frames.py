@@ -17,8 +17,8 @@ from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.device.device_chip import DeviceChip
+from nscc_runtime.device.device_errors import wrong_target
 from nscc_runtime.device.objects import target_digest
-from nscc_runtime.device.trouble import wrong_target
 from nscc_runtime.frame_file import Frame, FrameFile, Provenance, meta, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -79,7 +79,7 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
         raise rejected(
             "NS0784",
             f"cannot write into '{folder}': {error.strerror}",
-            helps=("name a folder that you may write",),
+            helps=("choose a folder that you may write to",),
         ) from None
     existing = set(folder.glob("frame-*.npz"))
     named = (folder / f"frame-{number:06d}.npz" for number in count(1))

@@ -15,6 +15,7 @@ from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
+from nscc_runtime.device.device_errors import check_fits, no_program, states_lost
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import SerialLink
@@ -27,7 +28,6 @@ from nscc_runtime.device.messages import (
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
-from nscc_runtime.device.trouble import check_fits, no_program, states_lost
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure

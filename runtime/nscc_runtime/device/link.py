@@ -9,9 +9,9 @@ from random import SystemRandom
 from time import monotonic
 from typing import Any, Self, TypeVar
 
+from nscc_runtime.device.device_errors import explained, port_lost, port_trouble
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.port import DEFAULT_BAUD, Port, PortGone, PortTrouble, open_port
-from nscc_runtime.device.trouble import explained, port_lost, port_trouble
 
 Result = TypeVar("Result")
 

@@ -15,6 +15,7 @@ from nscc.chips.target import Target
 from nscc.operations import Op, op
 from nscc.words.encoding import encode
 from nscc_runtime.device import tasks
+from nscc_runtime.device.device_errors import rejected
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import SerialLink
@@ -30,7 +31,6 @@ from nscc_runtime.device.objects import (
     Upload,
     target_digest,
 )
-from nscc_runtime.device.trouble import rejected
 
 LAUNCHES = 2001
 WORDS = 100
@@ -82,8 +82,10 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
     if min(analog_us, digital_us) < _NO_TIME_US:
         raise rejected(
             "NS0723",
-            f"words take no time on the device at '{link.path[:200]}': it has no pixels of its own",
-            "measure a chip; `nscc device serve` stands in for one, with the times of its target",
+            f"words take no time on the device at '{link.path[:200]}', because it has no "
+            "pixels of its own",
+            "calibrate a real chip, or `nscc device serve`, which simulates the word times "
+            "of its target",
         )
     return MeasuredTimes(
         round((plain.lasted_us - once) / (LAUNCHES - 1) - analog_us, 4),

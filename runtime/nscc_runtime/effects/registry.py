@@ -13,8 +13,7 @@ from nscc_runtime.effects.adc import ADC
 from nscc_runtime.effects.adc_noise import ADC_NOISE
 from nscc_runtime.effects.analog import ANALOG
 from nscc_runtime.effects.black_sun import BLACK_SUN
-from nscc_runtime.effects.comparator_noise import COMPARATOR_NOISE
-from nscc_runtime.effects.comparator_offset import COMPARATOR_OFFSET
+from nscc_runtime.effects.comparator import COMPARATOR_NOISE, COMPARATOR_OFFSET
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.dead_time import DEAD_TIME
@@ -51,7 +50,9 @@ def register(effect: Effect) -> None:
 
     Raises Rejected (NS0905) with all missing entries; then nothing is added.
     """
-    lacking = effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is no Effect"]
+    lacking = (
+        effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is not an Effect"]
+    )
     lacking = lacking or _clashes(effect)
     if lacking:
         name = getattr(effect, "name", None)
@@ -60,7 +61,7 @@ def register(effect: Effect) -> None:
             "NS0905",
             f"the effect {shown[:60]!a} cannot be used: it lacks {lacking[0]}",
             notes=tuple(f"it also lacks {each}" for each in lacking[1:]),
-            helps=("docs/emulator.md says what an effect declares",),
+            helps=("docs/emulator.md describes the declaration of an effect",),
         )
     _registered[effect.name] = effect
 

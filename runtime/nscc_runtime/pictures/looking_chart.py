@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.courses import Courses, courses, thresholds
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.shutter_sheet import (
     CHART_INCHES,
     chart_columns,

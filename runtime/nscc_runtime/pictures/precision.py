@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

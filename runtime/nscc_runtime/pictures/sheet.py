@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.pictures.look import Look, look
+from nscc_runtime.pictures.picture_colours import Look, look
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist

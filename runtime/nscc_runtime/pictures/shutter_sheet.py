@@ -12,7 +12,7 @@ from nscc.words.container import Container
 from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:

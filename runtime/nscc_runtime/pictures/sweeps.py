@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -17,7 +17,7 @@ from nscc_training.data import Scenes
 from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import number
-from nscc_training.protocol_scenes.made import exposed_arrays
+from nscc_training.protocol_scenes.given_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel
@@ -50,7 +50,7 @@ def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScen
     if not shown:
         raise rejected(
             "NS0811",
-            f"protocol {protocol.name} can expose none of the validation scenes",
+            f"protocol {protocol.name} cannot expose any of the validation scenes",
             notes=(f"they are {', '.join(scene.name for scene in scenes.val)[:200]}",),
             helps=("name other scenes in [data] val",),
         )

@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.protocol_scenes.deblur import moments
+from nscc_training.protocol_scenes.given_scenes import made_scene
 from nscc_training.protocol_scenes.hdr import ENDINGS, crops
-from nscc_training.protocol_scenes.made import made_scene
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.sci import sci_scenes
 from nscc_training.protocol_scenes.video import windows
@@ -65,9 +65,9 @@ def kinds_in(data: Path) -> list[Kind]:
         all_endings = ", ".join(ending for kind in KINDS for ending in endings[kind])
         raise rejected(
             "NS0811",
-            f"'{data}' holds no scenes",
+            f"'{data}' contains no scenes",
             notes=(f"clips and panoramas end in {all_endings}",),
-            helps=("name a folder of such files, or leave --data out: scenes are made then",),
+            helps=("name a folder of such files, or leave --data out to use synthetic scenes",),
         )
     return kinds
 
