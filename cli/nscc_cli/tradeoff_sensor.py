@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from nscc.lower.plan import LOWERINGS
+from nscc.lower.exposure_plan import LOWERINGS
 from nscc.tradeoff.points import csv_text, table_text
 from nscc_cli import options as shared
 from nscc_cli.completion import EFFECTS, TARGET
@@ -108,7 +108,7 @@ def command(**options: Any) -> int:
         for line in refusals_text(measured.refused):
             click.echo(line)
         if not measured.points:
-            rows.done()
+            rows.remove()
             return 1
         makers = {
             "csv": lambda: csv_text(measured.points, measured.target, measured.refused).encode(),

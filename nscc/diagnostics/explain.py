@@ -18,18 +18,20 @@ def page(code_or_name: str) -> str:
     Raises Rejected (NS0790, status 2) where there is none.
     """
     known = names()
-    wanted = code_or_name.strip()
-    match = _CODE.fullmatch(wanted)
+    query = code_or_name.strip()
+    match = _CODE.fullmatch(query)
     code = f"NS{int(match[1]):04d}" if match else ""
     if code not in known:
-        code = next((c for c, name in known.items() if name == wanted.lower()), "")
+        code = next((c for c, name in known.items() if name == query.lower()), "")
     if not code:
-        near = closest(wanted.upper(), list(known)) or closest(wanted.lower(), list(known.values()))
+        nearest = closest(query.upper(), list(known)) or closest(
+            query.lower(), list(known.values())
+        )
         raise rejected(
             "NS0790",
-            f"unknown message code or name '{wanted[:60]}'",
+            f"unknown message code or name '{query[:60]}'",
             helps=(
-                *((did_you_mean(near),) if near else ()),
+                *((did_you_mean(nearest),) if nearest else ()),
                 "`nscc explain` lists all codes",
             ),
         )

@@ -1,4 +1,4 @@
-"""Sure fixes applied to the text that they are for."""
+"""Sure fixes applied to a text."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from nscc.source import Source
 
 
 def mended(source: Source, diagnostics: Iterable[Diagnostic]) -> tuple[Source, int]:
-    """The text with the sure fixes of its diagnostics, and how many there were.
+    """Apply the sure fixes of a text's diagnostics; returns the text and the number of fixes.
 
-    Of several fixes of one diagnostic the first sure one is taken; of fixes that overlap the last
-    one in the text.
+    Each diagnostic contributes its first sure fix. Of overlapping fixes, the last one in the text
+    is applied.
     """
     fixes = []
     for diagnostic in diagnostics:

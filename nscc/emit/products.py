@@ -54,7 +54,7 @@ def _of_planes(kind: str, compiled: Compiled, sending: Sending) -> bytes:
     """A product of a program for a chip without logic."""
     from nscc.emit.listing import text_after
     from nscc.emit.report import report_bytes
-    from nscc.emit.stream import planes_bytes, sending_text, stream_report
+    from nscc.emit.sending_report import planes_bytes, sending_text, stream_report
     from nscc.syntax.printing import print_tree
     from nscc.words.file import to_bytes
     from nscc.words.legality import refuse_planes

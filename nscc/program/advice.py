@@ -31,8 +31,8 @@ def judge_rules(
         shutters = table.shutters[:, k, :]
         who = f"the bucket `{rule.name.text}`" if isinstance(rule, tree.Bucket) else "the shutter"
         if not shutters.any():
-            when = f"false in every slot, {basis}" if has_fields else "false in every slot"
-            problems.warning("NS0350", f"{who} never opens", rule.rule.span, when)
+            text = f"false in every slot, {basis}" if has_fields else "false in every slot"
+            problems.warning("NS0350", f"{who} never opens", rule.rule.span, text)
         elif has_fields and survey.shutters[:, k, :].all():
             message = f"{who} is always open, whatever the code"
             camera = ("for an ordinary camera write `open when true` without fields",)
@@ -70,16 +70,16 @@ def judge_names(
             problems.note("NS0355", f"the codebook `{name}` is not used", place, "not used")
 
 
-def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
+def judge_bumps(shape: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
     """Warns where bumps of one length are cut by the frame's edge (NS0354)."""
-    if found.name == "c" and found.cut:
+    if shape.name == "c" and shape.cut:
         problems.warning(
             "NS0354",
-            f"{counted(found.cut, 'shutter has', 'shutters have')} a bump that the end of "
+            f"{counted(shape.cut, 'shutter has', 'shutters have')} a bump that the end of "
             "the frame cuts short",
             rule.rule.span,
             f"a frame has the slots 0..{table.shutters.shape[2] - 1}",
-            notes=(found.reason,),
+            notes=(shape.reason,),
             helps=("limit the starts to N - len: `code start : 0..N - len`",),
         )
 
@@ -111,14 +111,14 @@ def _looked_at(declared: Declarations) -> Iterator[tree.Expr]:
     for sense in declared.senses.values():
         yield sense.at
         levels = sense.level.items if isinstance(sense.level, tree.Levels) else (sense.level,)
-        yield from (each for each in levels if not isinstance(each, tree.Amount | tree.Levels))
+        yield from (level for level in levels if not isinstance(level, tree.Amount | tree.Levels))
     for state in declared.states.values():
         yield state.start
         if isinstance(state, tree.StateRange):
             yield from (state.low, state.high)
-    for each in declared.nexts.values():
-        yield each.value
-        if each.condition is not None:
-            yield each.condition
+    for step in declared.nexts.values():
+        yield step.value
+        if step.condition is not None:
+            yield step.condition
     if declared.reset is not None:
         yield declared.reset.condition

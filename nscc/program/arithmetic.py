@@ -78,7 +78,7 @@ def either(a: Faults, b: Faults) -> Faults:
     return a | b
 
 
-def where(condition: Data, faults: Faults) -> Faults:
+def faults_where(condition: Data, faults: Faults) -> Faults:
     """The faults that remain where only the places of `condition` are evaluated."""
     if faults is None:
         return None
@@ -90,14 +90,14 @@ def where(condition: Data, faults: Faults) -> Faults:
 
 
 def guard(
-    wrong: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
+    at_fault: Data, data: Data, harmless: int, fault: Callable[[], Fault], before: Faults
 ) -> tuple[Data, Faults]:
-    """`data` with the places that are `wrong` made `harmless`, and the faults they are."""
-    if isinstance(wrong, np.ndarray):
-        if not wrong.any():
+    """Replace `data` by `harmless` where it is `at_fault`, and add those places to the faults."""
+    if isinstance(at_fault, np.ndarray):
+        if not at_fault.any():
             return data, before
-        return np.where(wrong, harmless, data), either(before, wrong)
-    if not wrong:
+        return np.where(at_fault, harmless, data), either(before, at_fault)
+    if not at_fault:
         return data, before
     return harmless, either(before, fault())
 
@@ -151,8 +151,8 @@ def _divisor(node: Binary, a: Value, b: Value) -> tuple[Data, Faults]:
     faults = either(a.faults, b.faults)
     if not b.low <= 0 <= b.high:
         return b.data, faults
-    what = "division by zero" if node.op == "/" else "remainder of a division by zero"
-    fault = Fault("NS0302", what, node.right.span, "this is 0")
+    message = "division by zero" if node.op == "/" else "remainder of a division by zero"
+    fault = Fault("NS0302", message, node.right.span, "this is 0")
     return guard(b.data == 0, b.data, 1, lambda: fault, faults)
 
 
@@ -182,8 +182,8 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
             message = f"invalid shift by {count}"
             return Fault("NS0304", message, place, f"the count is {count}")
 
-        wrong = (b.data < 0) | (b.data > MOST_SHIFT)
-        data, faults = guard(wrong, b.data, 0, fault, faults)
+        out_of_range = (b.data < 0) | (b.data > MOST_SHIFT)
+        data, faults = guard(out_of_range, b.data, 0, fault, faults)
         low, high = max(b.low, 0), min(max(b.high, 0), MOST_SHIFT)
         count = Value(data, min(low, high), high, faults)
         if data is not b.data:

@@ -53,19 +53,22 @@ class ArraysFile:
 
         return sha256(self._data).hexdigest()
 
-    def require_sha256(self, wanted: str) -> None:
+    def require_sha256(self, stated_sha256: str) -> None:
         """Raises Rejected (NS0315) unless the file has the digest that the program states."""
-        if len(wanted) != 64 or not all(c in "0123456789abcdefABCDEF" for c in wanted):
+        if len(stated_sha256) != 64 or not all(
+            c in "0123456789abcdefABCDEF" for c in stated_sha256
+        ):
             message = (
-                f'"{clipped(wanted)}" is not a SHA-256 digest: a digest has 64 hexadecimal digits'
+                f'"{clipped(stated_sha256)}" is not a SHA-256 digest: a digest has 64 hexadecimal '
+                "digits"
             )
             raise rejected("NS0315", message, helps=(f'the file has sha256 "{self.sha256}"',))
-        if wanted.lower() != self.sha256:
+        if stated_sha256.lower() != self.sha256:
             message = (
                 f'the contents of "{self.shown}" differ from the file that the program was '
                 "written for"
             )
-            notes = (f"expected {wanted.lower()}", f"found    {self.sha256}")
+            notes = (f"expected {stated_sha256.lower()}", f"found    {self.sha256}")
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
     def integers(self, key: str, *, most: int, bools: bool = False) -> NDArray[Any]:
@@ -134,8 +137,8 @@ class ArraysFile:
             message = f'"{self.shown}" is not an .npz file'
             raise rejected("NS0313", message, helps=(help_text,)) from error
 
-    def _broken(self, what: str) -> Rejected:
-        return rejected("NS0313", f'"{self.shown}" is damaged: {what}')
+    def _broken(self, reason: str) -> Rejected:
+        return rejected("NS0313", f'"{self.shown}" is damaged: {reason}')
 
     def _too_large(self, key: str, most: int) -> Rejected:
         message = f'the array `{clipped(key)}` of "{self.shown}" has more than {most} values'

@@ -35,26 +35,29 @@ def recognise(rules: Rules, buckets: Sequence[str], table: DecodeTable, basis: s
 
     `basis` says in words which codes `table` holds.
     """
-    found = [
-        _one(rules, rule, table.shutters[:, k, :], basis) for k, rule in enumerate(rules.rules)
+    recognised = [
+        _recognise_rule(rules, rule, table.shutters[:, k, :], basis)
+        for k, rule in enumerate(rules.rules)
     ]
-    if len(found) == 1:
-        return found[0]
-    cut = sum(f.cut for f in found)
-    names = {f.name for f in found}
-    parts = ", ".join(
-        f"{bucket} {_class_text(f.name)}" for bucket, f in zip(buckets, found, strict=True)
+    if len(recognised) == 1:
+        return recognised[0]
+    cut = sum(f.cut for f in recognised)
+    names = {f.name for f in recognised}
+    class_texts = ", ".join(
+        f"{bucket} {_class_text(f.name)}" for bucket, f in zip(buckets, recognised, strict=True)
     )
     if len(names) == 1:
-        return Recognised(found[0].name, f"by bucket: {parts}", cut)
-    return Recognised("general", f"buckets of different classes: {parts}", cut)
+        return Recognised(recognised[0].name, f"by bucket: {class_texts}", cut)
+    return Recognised("general", f"buckets of different classes: {class_texts}", cut)
 
 
 def _class_text(name: str) -> str:
     return f"class {name}" if len(name) == 1 else name
 
 
-def _one(rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str) -> Recognised:
+def _recognise_rule(
+    rules: Rules, rule: Checked, shutters: NDArray[np.bool_], basis: str
+) -> Recognised:
     if len(rules.rules) > 1:
         packed, _ = distinct_rows(np.packbits(shutters, axis=1))
         shutters = np.unpackbits(packed, axis=1, count=rules.slots).view(np.bool_)
@@ -95,8 +98,10 @@ def _own_bit_for_each_slot(rules: Rules, rule: Checked, node: Index) -> bool:
     if read & fields or not read <= {"n", *rule.constants}:
         return False
     slots = array(np.arange(rules.slots, dtype=np.int64))
-    found = evaluate(index, {"n": slots}, {})
-    return found.faults is None and len(set(np.ravel(found.data).tolist())) == rules.slots
+    bit_numbers = evaluate(index, {"n": slots}, {})
+    return (
+        bit_numbers.faults is None and len(set(np.ravel(bit_numbers.data).tolist())) == rules.slots
+    )
 
 
 def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
@@ -122,14 +127,14 @@ def _by_shape(shutters: NDArray[np.bool_], basis: str) -> Recognised:
             "b", f"every shutter is open from slot 0 up to a stop of its own{also}, {basis}"
         )
     longest = int(length.max())
-    whole = length == longest
-    short = opens & ~whole
+    full_length = length == longest
+    short = opens & ~full_length
     at_an_edge = (start == 0) | (stop == slots)
     slots_text = counted(longest, "slot")
     if not short.any():
         return Recognised("c", f"every shutter is one bump of {slots_text}{also}, {basis}")
     # Two whole bumps show that one length is meant; a single one may be the longest of many.
-    if np.count_nonzero(whole) > 1 and bool(at_an_edge[short].all()):
+    if np.count_nonzero(full_length) > 1 and bool(at_an_edge[short].all()):
         cut = int(np.count_nonzero(short))
         return Recognised(
             "c",

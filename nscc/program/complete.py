@@ -11,10 +11,11 @@ from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
+from nscc.program.field_planes import Plane, first_place, pixel_text
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
 from nscc.program.looking_advice import (
-    Part,
+    Excess,
     judge_looked_names,
     judge_looking,
     largest_part,
@@ -24,8 +25,7 @@ from nscc.program.looking_advice import (
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times
-from nscc.program.pixels import codes_in_use, rows_of
-from nscc.program.planes import Plane, first_place, pixel_text
+from nscc.program.pixel_codes import codes_in_use, rows_of
 from nscc.program.problems import Problems, counted
 from nscc.program.program import BucketRule, Codes, Frame, Program
 from nscc.program.table import (
@@ -270,7 +270,7 @@ class Completion:
             data=_proved(problem),
         )
 
-    def _too_much_looked(self, problem: TooMuch, part: Part) -> Rejected:
+    def _too_much_looked(self, problem: TooMuch, part: Excess) -> Rejected:
         """NS0450 at what makes the machine large."""
         self.problems.error(
             "NS0450",

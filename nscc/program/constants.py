@@ -18,9 +18,9 @@ from nscc.syntax.tree import EqualSlots, Expr, ListedSlots
 _MOST_CYCLES = 20
 
 
-def constant(expr: Expr, scope: Scope, problems: Problems, what: str) -> int | None:
+def constant(expr: Expr, scope: Scope, problems: Problems, role: str) -> int | None:
     """The value of a compile-time integer, or None after reporting why it has none."""
-    checked = check(expr, "integer", scope, problems, what)
+    checked = check(expr, "integer", scope, problems, role)
     if checked is None:
         return None
     value = evaluate(checked, {}, {})
@@ -104,8 +104,8 @@ class _Resolver:
 
     def _resolve(self, name: str) -> None:
         expr, place = self.exprs[name]
-        what = "the number of slots" if name == "N" else "a let"
-        value = constant(expr, self.scope, self.problems, what)
+        role = "the number of slots" if name == "N" else "a let"
+        value = constant(expr, self.scope, self.problems, role)
         if value is None:
             self._learn(name, FAILED)
         elif name == "N":
@@ -139,14 +139,15 @@ class _Resolver:
     def _report(self, cycle: list[str]) -> None:
         shown = [*cycle, cycle[0]] if len(cycle) <= 8 else [*cycle[:4], "...", cycle[-1], cycle[0]]
         chain = " -> ".join(shown)
-        first, *others = cycle
+        first, *following = cycle
         self.problems.error(
             "NS0203",
             f"`{first}` is defined by itself: {chain}",
             self.exprs[first][1],
             "depends on its own value",
             related=tuple(
-                Label(self.exprs[name][1], f"`{name}` is part of the circle") for name in others[:8]
+                Label(self.exprs[name][1], f"`{name}` is part of the circle")
+                for name in following[:8]
             ),
             helps=("give one of them a number",),
         )

@@ -15,7 +15,7 @@ from nscc.program.limits import MOST_BITS
 from nscc.program.names import Declarations
 from nscc.program.problems import Problems
 from nscc.program.program import Field
-from nscc.program.wide import PART_BITS
+from nscc.program.wide import CHUNK_BITS
 from nscc.source import Span
 from nscc.syntax.tree import CodeBits, CodeRange, CodeRow, Name
 
@@ -78,7 +78,7 @@ class _Maker:
             text = f"a bit field has 1 to {MOST_BITS} bits"
             self.problems.error("NS0307", message, statement.count.span, text)
             return None
-        if count > PART_BITS:
+        if count > CHUNK_BITS:
             self.declared.wide.add(statement.name.text)
         place = self._bits_place(statement)
         return Field(statement.name.text, "bits", 0, 2**count - 1, place, bits=count)
@@ -105,10 +105,10 @@ class _Maker:
         name = book.text
         if name in self.declared.refused:
             return
-        what = dict(self.declared.declared()).get(name)
-        if what is None:
+        declared_as = dict(self.declared.declared()).get(name)
+        if declared_as is None:
             self.problems.unknown("a codebook", name, book.span, self.declared.books)
             return
         helps = ("declare the shutters first: `shutters BOOK [ 1100, 0011 ]`",)
-        message = f"`{name}` is {what}, not a codebook"
-        self.problems.error("NS0209", message, book.span, what, helps=helps)
+        message = f"`{name}` is {declared_as}, not a codebook"
+        self.problems.error("NS0209", message, book.span, declared_as, helps=helps)

@@ -21,7 +21,7 @@ from nscc.words import machine
 
 
 @dataclass(frozen=True, eq=False)
-class Sense:
+class CheckedSense:
     """What is compared: `signal` as of `machine.Comparison`, at the boundaries `at`.
 
     The answer is whether the signal is above its level, or below where not `above`. `steps` has the
@@ -39,7 +39,7 @@ class Sense:
 
 
 @dataclass(frozen=True, eq=False)
-class Next:
+class CheckedNext:
     """The value that a state takes at a look, and when; None: always."""
 
     value: Checked
@@ -51,9 +51,9 @@ class Next:
 class Looking:
     """All that shutters depend on beside code and slot."""
 
-    senses: tuple[Sense, ...]
+    senses: tuple[CheckedSense, ...]
     states: tuple[machine.State, ...]
-    nexts: Mapping[str, Next]
+    nexts: Mapping[str, CheckedNext]
     reset: Checked | None
 
     @property
@@ -64,10 +64,10 @@ class Looking:
     @property
     def expressions(self) -> list[Checked]:
         """What `next` and `reset when` ask."""
-        found = [] if self.reset is None else [self.reset]
-        for each in self.nexts.values():
-            found += [each.value] if each.condition is None else [each.value, each.condition]
-        return found
+        expressions = [] if self.reset is None else [self.reset]
+        for step in self.nexts.values():
+            expressions += [step.value] if step.condition is None else [step.value, step.condition]
+        return expressions
 
 
 def make_looking(
@@ -87,7 +87,7 @@ def make_looking(
     maker = _Maker(declared, constants, target, problems)
     senses = [maker.sense(sense) for sense in declared.senses.values()]
     states = [maker.state(name, state) for name, state in declared.states.items()]
-    nexts = {name: maker.next(each) for name, each in declared.nexts.items()}
+    nexts = {name: maker.next(statement) for name, statement in declared.nexts.items()}
     for name in declared.reads.values():
         maker.known_state(name)
     reset = None
@@ -98,9 +98,9 @@ def make_looking(
     if problems.has_errors():
         return None
     return Looking(
-        tuple(each for each in senses if each is not None),
-        tuple(each for each in states if each is not None),
-        {name: each for name, each in nexts.items() if each is not None},
+        tuple(sense for sense in senses if sense is not None),
+        tuple(state for state in states if state is not None),
+        {name: step for name, step in nexts.items() if step is not None},
         reset,
     )
 
@@ -126,7 +126,7 @@ class _Maker:
             if isinstance(rule, tree.Bucket)
         }
 
-    def sense(self, sense: tree.Sense) -> Sense | None:
+    def sense(self, sense: tree.Sense) -> CheckedSense | None:
         """One sense."""
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
@@ -141,11 +141,11 @@ class _Maker:
         name, above = sense.name.text, sense.comparison == ">"
         field = self._field(sense.level)
         if field is not None:
-            return Sense(name, signal, above, at, None, field, sense.span)
+            return CheckedSense(name, signal, above, at, None, field, sense.span)
         steps = self._levels(sense, len(at), self.target)
         if steps is None:
             return None
-        return Sense(name, signal, above, at, steps, None, sense.span)
+        return CheckedSense(name, signal, above, at, steps, None, sense.span)
 
     def _signal(self, signal: tree.Light | tree.Exposure) -> int | None:
         if isinstance(signal, tree.Light):
@@ -166,23 +166,23 @@ class _Maker:
 
     def _boundaries(self, sense: tree.Sense) -> tuple[int, ...] | None:
         """The boundaries 1..N of a sense."""
-        asked = check(
+        checked = check(
             sense.at, "boolean", self.at_scope, self.problems, "the boundaries of a sense"
         )
-        if asked is None or not self.slots:
+        if checked is None or not self.slots:
             return None
         numbers = np.arange(1, self.slots + 1, dtype=np.int64)
-        found = evaluate(asked, {"n": array(numbers)}, {})
-        if isinstance(found.faults, Fault):
-            self.problems.error(*found.faults)
+        evaluated = evaluate(checked, {"n": array(numbers)}, {})
+        if isinstance(evaluated.faults, Fault):
+            self.problems.error(*evaluated.faults)
             return None
-        if found.faults is not None:
-            where = int(numbers[np.broadcast_to(found.faults, numbers.shape)][0])
-            text = f"for n = {where}"
+        if evaluated.faults is not None:
+            boundary = int(numbers[np.broadcast_to(evaluated.faults, numbers.shape)][0])
+            text = f"for n = {boundary}"
             message = "the boundaries of this sense cannot be computed"
             self.problems.error("NS0322", message, sense.at.span, text)
             return None
-        at = numbers[np.broadcast_to(np.asarray(found.data, np.bool_), numbers.shape)]
+        at = numbers[np.broadcast_to(np.asarray(evaluated.data, np.bool_), numbers.shape)]
         if not at.size:
             self.problems.error(
                 "NS0322", f"the sense `{sense.name.text}` never looks", sense.at.span,
@@ -258,13 +258,16 @@ class _Maker:
         boolean = isinstance(state, tree.StateBit)
         low, high = 0, 1
         if isinstance(state, tree.StateRange):
-            given = [
-                constant(each, self.constants, self.problems, what)
-                for each, what in ((state.low, "the start of a range"), (state.high, "its end"))
+            bounds = [
+                constant(expression, self.constants, self.problems, role)
+                for expression, role in (
+                    (state.low, "the start of a range"),
+                    (state.high, "its end"),
+                )
             ]
-            if given[0] is None or given[1] is None:
+            if bounds[0] is None or bounds[1] is None:
                 return None
-            low, high = given[0], given[1]
+            low, high = bounds[0], bounds[1]
             if low > high:
                 span = state.low.span.to(state.high.span)
                 message = f"the range {low}..{high} is empty"
@@ -288,23 +291,27 @@ class _Maker:
             return int(state.start.value)
         return constant(state.start, self.constants, self.problems, "the start of a state")
 
-    def next(self, each: tree.Next) -> Next | None:
+    def next(self, statement: tree.Next) -> CheckedNext | None:
         """One `next`."""
-        if not self.known_state(each.name):
+        if not self.known_state(statement.name):
             return None
-        boolean = isinstance(self.declared.states[each.name.text], tree.StateBit)
+        boolean = isinstance(self.declared.states[statement.name.text], tree.StateBit)
         value = check(
-            each.value, "boolean" if boolean else "integer", self.scope, self.problems,
+            statement.value, "boolean" if boolean else "integer", self.scope, self.problems,
             "the next value of a bit" if boolean else "the next value",
         )  # fmt: skip
         condition = None
-        if each.condition is not None:
+        if statement.condition is not None:
             condition = check(
-                each.condition, "boolean", self.scope, self.problems, "the condition of a `next`"
+                statement.condition,
+                "boolean",
+                self.scope,
+                self.problems,
+                "the condition of a `next`",
             )
             if condition is None:
                 return None
-        return None if value is None else Next(value, condition, each.span)
+        return None if value is None else CheckedNext(value, condition, statement.span)
 
     def known_state(self, name: tree.Name) -> bool:
         """Whether this is a state; says so if it is not."""
@@ -312,8 +319,8 @@ class _Maker:
             return True
         if name.text in self.declared.refused:
             return False
-        what = dict(self.declared.declared()).get(name.text)
-        if what is None:
+        declared_as = dict(self.declared.declared()).get(name.text)
+        if declared_as is None:
             self.problems.unknown("a state", name.text, name.span, self.declared.states)
             return False
         helps = ("`next` and `read` need a state: declare `state NAME : LO..HI = START`",)
@@ -322,8 +329,8 @@ class _Maker:
                 "store its answer in a state: `state seen : bit = false`, `next seen = "
                 f"{name.text}`, `read seen`",
             )
-        message = f"`{name.text}` is {what}, not a state"
-        self.problems.error("NS0209", message, name.span, what, helps=helps)
+        message = f"`{name.text}` is {declared_as}, not a state"
+        self.problems.error("NS0209", message, name.span, declared_as, helps=helps)
         return False
 
 

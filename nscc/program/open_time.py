@@ -51,24 +51,24 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
     """By node the times that a pixel can have been open when its stage ends."""
     buckets = machine.opens.shape[1]
     none: Times = ((0, 0.0),) * buckets
-    found: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
+    times: dict[int, set[Times]] = {node: {none} for node in range(int(machine.first[1]))}
     slots = machine.opens.sum(axis=2).tolist()
     us = (machine.opens @ slot_us).tolist()
     for node in range(len(machine.behaviour)):
         # Sums of decimal fractions in another order: the picosecond is beyond a slot's own figures.
-        found[node] = {
+        times[node] = {
             tuple(
                 (n + slots[node][b], round(t + us[node][b], 6)) for b, (n, t) in enumerate(before)
             )
-            for before in found[node]
+            for before in times[node]
         }
         for following in {step for step in machine.steps[node].tolist() if step >= 0}:
-            found.setdefault(following, set()).update(found[node])
-            if len(found[following]) > MOST_HISTORIES:
-                count = len(found[following])
+            times.setdefault(following, set()).update(times[node])
+            if len(times[following]) > MOST_HISTORIES:
+                count = len(times[following])
                 message = f"a pixel can be open for {count} or more different times"
                 raise TooMuch(message, count, MOST_HISTORIES)
-    return found
+    return times
 
 
 def _differing(
@@ -82,9 +82,9 @@ def _differing(
         by_readout.setdefault(key, set()).update(times[node])
     differing = [
         bucket
-        for each in by_readout.values()
-        if len(each) > 1
-        for bucket, of_bucket in enumerate(zip(*each, strict=True))
+        for readout_times in by_readout.values()
+        if len(readout_times) > 1
+        for bucket, of_bucket in enumerate(zip(*readout_times, strict=True))
         if len(set(of_bucket)) > 1
     ]
     return min(differing, default=None)
@@ -93,10 +93,10 @@ def _differing(
 def _missing(
     machine: Machine, last: range, times: dict[int, set[Times]], read: Sequence[int]
 ) -> tuple[str, ...]:
-    others = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
-    for more in _choices(others):
-        if _differing(machine, last, times, [*read, *more]) is None:
-            return tuple(machine.states[k].name for k in more)
+    unread = [k for k, state in enumerate(machine.states) if not (state.read or state.sense)]
+    for added in _choices(unread):
+        if _differing(machine, last, times, [*read, *added]) is None:
+            return tuple(machine.states[k].name for k in added)
     return ()
 
 

@@ -41,8 +41,8 @@ def _frame_text(frame: Frame) -> str:
     if frame.equal:
         return f"{slots} of {frame.slot_us[0]:g} us, {total}"
     shown = ", ".join(f"{us:g}" for us in frame.slot_us[:16])
-    more = ", ..." if len(frame.slot_us) > 16 else ""
-    return f"{slots} of {shown}{more} us, {total}"
+    ellipsis = ", ..." if len(frame.slot_us) > 16 else ""
+    return f"{slots} of {shown}{ellipsis} us, {total}"
 
 
 def _field_text(field: Field) -> str:

@@ -24,17 +24,23 @@ class Problems:
         self._unknown: set[str] = set()
 
     def add(
-        self, severity: Severity, code: str, message: str, span: Span, text: str = "", **more: Any
+        self,
+        severity: Severity,
+        code: str,
+        message: str,
+        span: Span,
+        text: str = "",
+        **members: Any,
     ) -> None:
-        """Adds a diagnostic at `span`; `more` are further members of `Diagnostic`."""
+        """Adds a diagnostic at `span`; `members` are further fields of `Diagnostic`."""
         place = Label(span, text)
-        self._found.append(Diagnostic(code, message, severity, self.source, place, **more))
+        self._found.append(Diagnostic(code, message, severity, self.source, place, **members))
 
     error = partialmethod(add, Severity.ERROR)
     warning = partialmethod(add, Severity.WARNING)
     note = partialmethod(add, Severity.NOTE)
 
-    def unknown(self, what: str, name: str, span: Span, known: Iterable[str]) -> None:
+    def unknown(self, kind: str, name: str, span: Span, known: Iterable[str]) -> None:
         """Adds the error for a name that is not known, with the nearest of `known`.
 
         A name is reported where it first stands; to look for a near one costs time that grows with
@@ -46,13 +52,13 @@ class Problems:
         if len(self._unknown) > _MOST_SUGGESTIONS:
             known = ()
         candidates = sorted(set(known))
-        near = closest(name, candidates)
+        nearest = closest(name, candidates)
         shown = ", ".join(f"`{c}`" for c in candidates[:12])
-        others = f"names that can be used here: {shown}" if shown else ""
-        help_text = did_you_mean(near) if near else others
+        alternatives = f"names that can be used here: {shown}" if shown else ""
+        help_text = did_you_mean(nearest) if nearest else alternatives
         helps = (help_text,) if help_text else ()
-        fixes = (Fix(f"write `{near}`", span, near, sure=False),) if near else ()
-        message = f"`{clipped(name)}` is not the name of {what}"
+        fixes = (Fix(f"write `{nearest}`", span, nearest, sure=False),) if nearest else ()
+        message = f"`{clipped(name)}` is not the name of {kind}"
         self.error("NS0214", message, span, "not known", helps=helps, fixes=fixes)
 
     def adopt(self, rejected: Rejected, span: Span) -> None:

@@ -41,25 +41,25 @@ class TooMuch(Exception):
 
 
 @dataclass(eq=False, repr=False)
-class Finding:
+class MissingValue:
     """One expression without a value: why, for which code and slot first, and for how many."""
 
     fault: Fault
-    where: str
+    place: str
     count: int
 
     @property
     def text(self) -> str:
         """Where it happens, in words."""
         if self.count == 1:
-            return self.where
-        return f"first {self.where}; {self.count} times in all"
+            return self.place
+        return f"first {self.place}; {self.count} times in all"
 
 
 class NoValue(Exception):
     """Expressions that have no value for some code: one finding for each."""
 
-    def __init__(self, findings: Sequence[Finding]) -> None:
+    def __init__(self, findings: Sequence[MissingValue]) -> None:
         super().__init__("; ".join(f.fault.message for f in findings))
         self.findings = tuple(findings)
 
@@ -90,21 +90,21 @@ def allowed(rules: Rules, codes: CodeArray) -> NDArray[np.bool_]:
     Raises NoValue where one has no value, TooMuch beyond the work limit.
     """
     _limit_work(rules.requires, rules, len(codes), 1)
-    left = np.ones(len(codes), dtype=bool)
+    satisfied = np.ones(len(codes), dtype=bool)
     for condition in rules.requires:
-        rows = np.flatnonzero(left)
+        rows = np.flatnonzero(satisfied)
         for block in _blocks(len(rows), 1):
-            part = rows[block]
-            bindings = _bindings(rules, codes[part])
-            found = evaluate(condition, bindings, rules.books)
-            if found.faults is not None:
-                places = _everywhere(found, (len(part), 1))
+            block_rows = rows[block]
+            bindings = _bindings(rules, codes[block_rows])
+            evaluated = evaluate(condition, bindings, rules.books)
+            if evaluated.faults is not None:
+                places = _everywhere(evaluated, (len(block_rows), 1))
                 code = int(places.argmax())
-                fault = fault_at(condition, bindings, rules.books, (len(part), 1), (code, 0))
-                where = f"for {code_text(rules, codes[part[code]])}"
-                raise NoValue([Finding(fault, where, int(places.sum()))])
-            left[part] = np.broadcast_to(found.data, (len(part), 1))[:, 0]
-    return left
+                fault = fault_at(condition, bindings, rules.books, (len(block_rows), 1), (code, 0))
+                place = f"for {code_text(rules, codes[block_rows[code]])}"
+                raise NoValue([MissingValue(fault, place, int(places.sum()))])
+            satisfied[block_rows] = np.broadcast_to(evaluated.data, (len(block_rows), 1))[:, 0]
+    return satisfied
 
 
 def legal_codes(rules: Rules) -> CodeArray:
@@ -118,23 +118,23 @@ def legal_codes(rules: Rules) -> CodeArray:
     if not rules.requires:
         _limit_codes(rules, total)
     elif total > COMBINATION_LIMIT:
-        tried = f"at most {COMBINATION_LIMIT} combinations are tested against `require`"
-        message = f"the fields have {printable(total)} combinations, and {tried}"
+        limit_text = f"at most {COMBINATION_LIMIT} combinations are tested against `require`"
+        message = f"the fields have {printable(total)} combinations, and {limit_text}"
         raise TooMuch(message, min(total, UNCOUNTED), COMBINATION_LIMIT)
     _limit_work(rules.requires, rules, total, 1)
-    kept: list[CodeArray] = []
+    kept_codes: list[CodeArray] = []
     count = 0
     for block in _blocks(total, 1):
-        rest = np.arange(block.start, block.stop, dtype=np.int64)
-        codes = np.empty((len(rest), len(sizes)), dtype=np.int64)
+        number = np.arange(block.start, block.stop, dtype=np.int64)
+        codes = np.empty((len(number), len(sizes)), dtype=np.int64)
         for k in range(len(sizes) - 1, -1, -1):
-            rest, codes[:, k] = np.divmod(rest, sizes[k])
+            number, codes[:, k] = np.divmod(number, sizes[k])
             codes[:, k] += rules.fields[k].low
-        part = codes[allowed(rules, codes)] if rules.requires else codes
-        count += len(part)
+        block_codes = codes[allowed(rules, codes)] if rules.requires else codes
+        count += len(block_codes)
         _limit_codes(rules, count)
-        kept.append(part)
-    return np.concatenate(kept)
+        kept_codes.append(block_codes)
+    return np.concatenate(kept_codes)
 
 
 def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
@@ -147,7 +147,7 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
     _limit_work(rules.rules, rules, len(codes), rules.slots)
     buckets, slots = len(rules.rules), rules.slots
     packed = np.empty((len(codes), -(-buckets * slots // 8)), dtype=np.uint8)
-    trouble: dict[int, Finding] = {}
+    trouble: dict[int, MissingValue] = {}
     for block in _blocks(len(codes), slots * buckets):
         opens = np.empty((block.stop - block.start, buckets, slots), dtype=bool)
         for k, rule in enumerate(rules.rules):
@@ -170,23 +170,23 @@ def decode(rules: Rules, codes: CodeArray) -> DecodeTable:
 
 def _decoded(
     rules: Rules, rule: Checked, codes: CodeArray
-) -> tuple[NDArray[np.bool_], Finding | None]:
+) -> tuple[NDArray[np.bool_], MissingValue | None]:
     """Open or closed (codes, slots), and what has no value."""
     shape = (len(codes), rules.slots)
     bindings = _bindings(rules, codes)
     bindings["n"] = array(np.arange(rules.slots, dtype=np.int64).reshape(1, -1))
-    found = evaluate(rule, bindings, rules.books)
-    opens = np.broadcast_to(np.asarray(found.data, dtype=bool), shape)
-    if found.faults is None:
+    evaluated = evaluate(rule, bindings, rules.books)
+    opens = np.broadcast_to(np.asarray(evaluated.data, dtype=bool), shape)
+    if evaluated.faults is None:
         return opens, None
-    places = _everywhere(found, shape)
+    places = _everywhere(evaluated, shape)
     code, slot = (int(k) for k in np.unravel_index(int(places.argmax()), shape))
     fault = fault_at(rule, bindings, rules.books, shape, (code, slot))
     count = int(places.sum())
     if not rules.fields:
-        return opens, Finding(fault, f"in slot {slot}", count)
-    where = f"for {code_text(rules, codes[code])}, in slot {slot}"
-    return opens, Finding(fault, where, count)
+        return opens, MissingValue(fault, f"in slot {slot}", count)
+    place = f"for {code_text(rules, codes[code])}, in slot {slot}"
+    return opens, MissingValue(fault, place, count)
 
 
 def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
@@ -201,16 +201,16 @@ def _bindings(rules: Rules, codes: CodeArray) -> dict[str, Value]:
     return bindings
 
 
-def _everywhere(found: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    if isinstance(found.faults, np.ndarray):
-        return np.broadcast_to(found.faults, shape)
+def _everywhere(evaluated: Value, shape: tuple[int, int]) -> NDArray[np.bool_]:
+    if isinstance(evaluated.faults, np.ndarray):
+        return np.broadcast_to(evaluated.faults, shape)
     return np.ones(shape, dtype=bool)
 
 
 def code_text(rules: Rules, code: CodeArray) -> str:
     """One code (fields,) for messages: `start = 3, stop = 7`."""
-    parts = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
-    return ", ".join(parts[:6]) + (", ..." if len(parts) > 6 else "")
+    assignments = [f"{f.name} = {v}" for f, v in zip(rules.fields, code.tolist(), strict=True)]
+    return ", ".join(assignments[:6]) + (", ..." if len(assignments) > 6 else "")
 
 
 def _blocks(count: int, width: int) -> Iterator[slice]:
@@ -237,11 +237,11 @@ def _limit_codes(rules: Rules, codes: int) -> None:
         size = f"{of_codes} x {in_buckets}{counted(rules.slots, 'slot')}"
         message = f"{size} are {values} to prove, and the limit is {PROOF_LIMIT}"
         raise TooMuch(message, min(needed, UNCOUNTED), PROOF_LIMIT)
-    kept = codes * len(rules.fields)
-    if kept > TABLE_LIMIT:
+    stored_values = codes * len(rules.fields)
+    if stored_values > TABLE_LIMIT:
         size = f"{counted(codes, 'code')} of {counted(len(rules.fields), 'field')}"
-        message = f"{size} are {kept} values to keep, and the limit is {TABLE_LIMIT}"
-        raise TooMuch(message, kept, TABLE_LIMIT)
+        message = f"{size} are {stored_values} values to keep, and the limit is {TABLE_LIMIT}"
+        raise TooMuch(message, stored_values, TABLE_LIMIT)
 
 
 def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) -> None:

@@ -16,7 +16,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from nscc.operations import Op
-from nscc.prove.looks import Looks
+from nscc.prove.looks_proof import Looks
 from nscc.prove.noise import Noise
 from nscc.prove.pixels import Wrong
 from nscc.prove.readout import readout_fault

@@ -24,15 +24,20 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
         fault = target_fault(word, container.target)
         if fault is not None:
             return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
-    found = _left(container, preparation)
-    for register, (before, after) in found.items():
-        if not abs(after - _wanted(container, before)) <= _TOLERANCE * container.target.full_well_e:
-            what = "the converted value does not match the meaning of its codes"
-            return buckets[register], what
+    contents = _contents_around_readout(container, preparation)
+    for register, (before, after) in contents.items():
+        if (
+            not abs(after - _converter_input_e(container, before))
+            <= _TOLERANCE * container.target.full_well_e
+        ):
+            message = "the converted value does not match the meaning of its codes"
+            return buckets[register], message
     return None
 
 
-def _left(container: Container, preparation: Preparation) -> dict[str, tuple[float, float]]:
+def _contents_around_readout(
+    container: Container, preparation: Preparation
+) -> dict[str, tuple[float, float]]:
     """What is in each register that is read out, before the words and after them, in electrons."""
     replay = Replay(replace(container, encoding=container.encoding[:1]), ())
     replay.start_frame()
@@ -44,7 +49,7 @@ def _left(container: Container, preparation: Preparation) -> dict[str, tuple[flo
     return {name: (before[name], float(replay.analog[name][0, 0])) for name in registers}
 
 
-def _wanted(container: Container, exposure_e: float) -> float:
+def _converter_input_e(container: Container, exposure_e: float) -> float:
     """What the converter, whose codes are symmetric around a register that holds nothing, has to
     be given so that the code says `exposure_e`."""
     target = converter_of(container)

@@ -48,9 +48,9 @@ class Replay(Pixels):
             if bucket not in measured:
                 raise Wrong("no register is read out", bucket)
             expected = _sums(table.shutters[:, index, :], light)
-            wrong = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
-            if wrong.any():
-                raise Wrong(WRONG_EXPOSURE, bucket, int(np.flatnonzero(wrong)[0]))
+            differs = ~(np.abs(measured[bucket][:, 0] - expected) <= TOLERANCE * light.sum())
+            if differs.any():
+                raise Wrong(WRONG_EXPOSURE, bucket, int(np.flatnonzero(differs)[0]))
         if any(self.read(name) != bits for name, bits in self.code.items()):
             raise Wrong(WRONG_CODE)
 
@@ -81,7 +81,7 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
     # A reset level of zero keeps the sums exact; that programs subtract it is the proof's business.
     replay = Replay(container, kernels, lights=lights, quiet=True)
     measured = replay.exposures(light)
-    found = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)
+    opened = np.zeros((replay.lanes, len(container.buckets), slots), dtype=np.bool_)
     for index, bucket in enumerate(container.buckets):
         value = measured[bucket]
         if not np.isfinite(value).all():
@@ -91,8 +91,8 @@ def shutters(container: Container, kernels: Sequence[Sequence[Op]]) -> NDArray[n
             if not np.isin(weight, (0, 1)).all():
                 return None
             columns_ = slice(digit, None, _SLOTS_A_LIGHT)
-            found[:, index, columns_] = weight[:, : len(range(*columns_.indices(slots)))] == 1
+            opened[:, index, columns_] = weight[:, : len(range(*columns_.indices(slots)))] == 1
             value = (value - weight) / 4
         if np.any(value != 0):
             return None
-    return found
+    return opened

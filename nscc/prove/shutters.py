@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.prove.replay import shutters
-from nscc.prove.stream import prove_stream
+from nscc.prove.stream_proof import prove_stream
 from nscc.words.container import Container, fields_at_pixels, packed_shutters
 from nscc.words.legality import decoded
 
@@ -38,8 +38,8 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     if container.target.streamed:
         return _sent(container, name)
     refuse_looking(container, name)
-    found = shutters(container, decoded(container))
-    if found is None:
+    opened = shutters(container, decoded(container))
+    if opened is None:
         raise rejected(
             "NS0442",
             f"the words of {name} do not implement shutters: the light of some slot has a "
@@ -47,7 +47,7 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
             helps=("`nscc prove` shows the error in the words",),
             status=1,
         )
-    return found
+    return opened
 
 
 def _sent(container: Container, name: str) -> NDArray[np.bool_]:

@@ -16,18 +16,18 @@ from nscc.words.container import Container, Readout
 Found = Sequence[Diagnostic]
 
 
-def plan_of(program: Program, asked: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
+def plan_of(program: Program, word_options: Sequence[str]) -> tuple[Sending | NoRoute, Found]:
     """The way of the light, or why there is none (NS0509).
 
-    `asked` are options that say how words are to be found: there are none here (NS0510).
+    `word_options` names options that concern words, which such a chip does not have (NS0510).
     """
-    if asked:
-        return NoRoute("", ""), [_no_words(program, asked)]
+    if word_options:
+        return NoRoute("", ""), [_no_words(program, word_options)]
     names = tuple(bucket.name for bucket in program.buckets)
-    found = route(program.table.shutters, names, program.target)
-    if isinstance(found, NoRoute):
-        return found, [no_route(found, program.target.name, program)]
-    return Sending(program, found), []
+    chosen_route = route(program.table.shutters, names, program.target)
+    if isinstance(chosen_route, NoRoute):
+        return chosen_route, [no_route(chosen_route, program.target.name, program)]
+    return Sending(program, chosen_route), []
 
 
 def timed(sending: Sending) -> tuple[Sending, Found]:
@@ -61,8 +61,8 @@ def container_of(sending: Sending) -> Container:
     return laid(container, sending.route)
 
 
-def _no_words(program: Program, asked: Sequence[str]) -> Diagnostic:
-    options = " and ".join(asked)
+def _no_words(program: Program, word_options: Sequence[str]) -> Diagnostic:
+    options = " and ".join(word_options)
     return Diagnostic(
         "NS0510",
         f"{options} does not apply: the pixels of {program.target.name} have no logic and "

@@ -32,26 +32,26 @@ def with_planes(container: Container) -> Container:
 
     Raises Rejected (NS0509) where the light of its shutters has no way.
     """
-    found = route(container.table.shutters, container.buckets, container.target)
-    if isinstance(found, NoRoute):
-        raise Rejected(no_route(found, container.target.name))
-    return laid(container, found)
+    chosen_route = route(container.table.shutters, container.buckets, container.target)
+    if isinstance(chosen_route, NoRoute):
+        raise Rejected(no_route(chosen_route, container.target.name))
+    return laid(container, chosen_route)
 
 
-def no_route(found: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
+def no_route(missing_route: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
     """NS0509: light cannot be sorted as the program wants. Certain."""
-    said = f"the pixels of {chip} cannot route light like this: {found.reason}"
-    help_text = (found.help,)
+    message = f"the pixels of {chip} cannot route light like this: {missing_route.reason}"
+    help_text = (missing_route.help,)
     if program is None:
-        return Diagnostic("NS0509", said, helps=help_text, data={"slot": found.slot})
+        return Diagnostic("NS0509", message, helps=help_text, data={"slot": missing_route.slot})
     taps = ", ".join(program.target.taps)
     return Diagnostic(
         "NS0509",
-        said,
+        message,
         source=program.source,
-        label=Label(program.buckets[found.bucket].span),
+        label=Label(program.buckets[missing_route.bucket].span),
         related=chip_label(program, f"taps: {taps}" + "; a drain" * program.target.drain),
         notes=("certain: in each slot all pixels choose between the same two destinations",),
         helps=help_text,
-        data={"slot": found.slot},
+        data={"slot": missing_route.slot},
     )

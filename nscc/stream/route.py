@@ -77,9 +77,9 @@ def _chosen(
         places = np.unique(open_in[:, slot]).tolist()
         if len(places) > 2:
             names = [f"`{buckets[p]}`" if p != _NOWHERE else "no bucket" for p in places]
-            said = f"{', '.join(names[:-1])} and {names[-1]}"
+            listed = f"{', '.join(names[:-1])} and {names[-1]}"
             return NoRoute(
-                f"in slot {slot} light has {len(places)} destinations ({said}), but a bit "
+                f"in slot {slot} light has {len(places)} destinations ({listed}), but a bit "
                 "chooses between two",
                 "use at most two destinations in every slot: two buckets, or one bucket and "
                     "the drain", slot,
@@ -95,6 +95,6 @@ def _chosen(
             )  # fmt: skip
         named = [place for place in places if place != _NOWHERE]
         ones[slot] = named[0] if named else 0
-        other = [place for place in range(len(buckets)) if place != ones[slot]]
-        zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other[0]
+        other_buckets = [place for place in range(len(buckets)) if place != ones[slot]]
+        zeros[slot] = named[1] if len(named) > 1 else away if away is not None else other_buckets[0]
     return Route(ones, zeros, open_in == ones)

@@ -56,12 +56,12 @@ def late_fault(sending: Sending) -> Diagnostic | None:
         return None
     worst = min(late, key=slots_us.__getitem__)
     takes = f"{target.rows} rows x {time_text(target.row_load_us)}"
-    more = "or longer" if target.pipelined else "and more"
+    longer_text = "or longer" if target.pipelined else "and more"
     rows = int(slots_us[worst] / target.row_load_us)
     fewer: tuple[str, ...] = ()
     if rows:
-        said = f"a target of at most {counted(rows, 'row')} fits slots of "
-        fewer = (f"{said}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
+        fits_text = f"a target of at most {counted(rows, 'row')} fits slots of "
+        fewer = (f"{fits_text}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
     return Diagnostic(
         "NS0508",
         f"slot {worst} is shorter than the loading of its bits: it lasts "
@@ -74,7 +74,7 @@ def late_fault(sending: Sending) -> Diagnostic | None:
             "certain: every slot needs its own plane, which is sent row by row",
         ),
         helps=(
-            f"slots of {at_least(needed_us)} {more} are long enough"
+            f"slots of {at_least(needed_us)} {longer_text} are long enough"
             + _fewer_slots(slots_us, needed_us),
             *fewer,
         ),

@@ -59,17 +59,17 @@ def parser() -> lark.Lark:
     store = Store(folder / "grammar")
     decides = (grammar, _OPTIONS, lark.__version__, sys.version_info[:3])
     key = sha256(repr(decides).encode()).hexdigest()
-    kept = store.read(key)
-    if kept is not None:
+    cached_tables = store.read(key)
+    if cached_tables is not None:
         try:
-            return lark.Lark.load(_PlainValues(BytesIO(kept)).load())
+            return lark.Lark.load(_PlainValues(BytesIO(cached_tables)).load())
         except Exception:  # whatever lark says to values that are not its tables
             pass
-    made = lark.Lark(grammar, **_OPTIONS)
+    new_parser = lark.Lark(grammar, **_OPTIONS)
     tables = BytesIO()
-    made.save(tables)
+    new_parser.save(tables)
     store.write(key, tables.getvalue())
-    return made
+    return new_parser
 
 
 @cache

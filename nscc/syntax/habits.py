@@ -43,8 +43,8 @@ def fixes(tokens: Tokens, last: int, stuck: Stuck) -> Iterator[Fix]:
         pair = _text(tokens, begin, last) + _text(tokens, begin + 1, last)
         if pair in _COMPARISONS and tokens.span(begin).end == tokens.span(begin + 1).start:
             right = _COMPARISONS[pair]
-            whole = tokens.span(begin).to(tokens.span(begin + 1))
-            yield Fix(f"it is written `{right}`", whole, right)
+            pair_span = tokens.span(begin).to(tokens.span(begin + 1))
+            yield Fix(f"it is written `{right}`", pair_span, right)
 
 
 def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
@@ -115,9 +115,9 @@ def _text(tokens: Tokens, at: int, last: int) -> str:
 def _range_hints(tokens: Tokens, first: int, at: int) -> Iterator[str]:
     """Of a field whose range does not come to its two dots."""
     kind = _text(tokens, first + 3, at)
-    near = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
-    if near is not None and kind != near:
-        yield did_you_mean(near)
+    nearest = closest(kind, ("bit", "row")) if _text(tokens, first + 4, at) in ("[", "of") else None
+    if nearest is not None and kind != nearest:
+        yield did_you_mean(nearest)
     else:
         yield "a range is two values with two dots between them, both included: `1..8`"
 
@@ -126,25 +126,25 @@ def _quotient(tokens: Tokens, at: int) -> Iterator[str]:
     """How to multiply with a decimal, or to divide by it, in whole numbers."""
     kinds, number = tokens.kinds, tokens.text(at)
     before, after = kinds[at - 1], kinds[at + 1 : at + 2]
-    part = Fraction(number)
-    if not part or part.denominator > _MOST_PARTS or part.numerator > _MOST_PARTS:
+    fraction = Fraction(number)
+    if not fraction or fraction.denominator > _MOST_PARTS or fraction.numerator > _MOST_PARTS:
         return
-    other = at - 2
+    factor_place = at - 2
     if before == "/":
-        part = 1 / part
+        fraction = 1 / fraction
     elif before != "*":
         if after != ["*"]:
             return
-        before, other = "*", at + 2
-    name = tokens.text(other) if kinds[other : other + 1] == ["NAME"] else "A"
-    times = f"* {part.numerator}" if part.numerator > 1 or part.denominator == 1 else ""
-    over = f"/ {part.denominator}" if part.denominator > 1 else ""
-    whole = " ".join(filter(None, (name, times, over)))
-    yield f"`{name} {before} {number}` is written `{whole}`; `/` rounds down"
+        before, factor_place = "*", at + 2
+    name = tokens.text(factor_place) if kinds[factor_place : factor_place + 1] == ["NAME"] else "A"
+    times = f"* {fraction.numerator}" if fraction.numerator > 1 or fraction.denominator == 1 else ""
+    over = f"/ {fraction.denominator}" if fraction.denominator > 1 else ""
+    expression = " ".join(filter(None, (name, times, over)))
+    yield f"`{name} {before} {number}` is written `{expression}`; `/` rounds down"
 
 
 def _time(number: str, unit: str) -> str | None:
     """A time as the language writes it, of a number and a unit as people do; None for others."""
-    found = _NUMBER_AND_UNIT.fullmatch(number + unit)
-    meant = _UNITS.get(found[2].lower()) if found else None
-    return f"{found[1]}{meant}" if found and meant else None
+    match = _NUMBER_AND_UNIT.fullmatch(number + unit)
+    meant = _UNITS.get(match[2].lower()) if match else None
+    return f"{match[1]}{meant}" if match and meant else None

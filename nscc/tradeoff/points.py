@@ -71,8 +71,8 @@ def dominated(points: Sequence[Point]) -> list[bool]:
     flags = []
     for point in points:
         mine, kind = (point.badness, point.time_ms), (point.case, point.error_unit)
-        others = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
-        flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in others))
+        rivals = ((p.badness, p.time_ms) for p in points if (p.case, p.error_unit) == kind)
+        flags.append(any(e <= mine[0] and t <= mine[1] and (e, t) != mine for e, t in rivals))
     return flags
 
 
@@ -90,9 +90,9 @@ def csv_text(points: Sequence[Point], device: str, refused: Sequence[Refused] = 
         times = _csv_ms(point.time_ms), _csv_ms(point.spread_ms)
         made_on, flag = point.device or device, "yes" if beaten else "no"
         writer.writerow((name, point.setting, error, point.error_unit, *times, made_on, flag))
-    for each in refused:
-        name = f"{each.case}, {each.method}"
-        writer.writerow((name, each.setting, "", each.code, "", "", device, ""))
+    for refusal in refused:
+        name = f"{refusal.case}, {refusal.method}"
+        writer.writerow((name, refusal.setting, "", refusal.code, "", "", device, ""))
     return text.getvalue()
 
 
@@ -108,11 +108,11 @@ def table_text(
     rows = [head]
     before = ("", "")
     for point, beaten in zip(points, dominated(points), strict=True):
-        here = (point.case, point.method)
+        label = (point.case, point.method)
         rows.append(
             (
                 point.case if point.case != before[0] else "",
-                point.method if here != before else "",
+                point.method if label != before else "",
                 point.setting,
                 f"{point.error:.6g}",
                 "" if point.bound is None else f"{point.bound:.6g}",
@@ -121,10 +121,10 @@ def table_text(
                 "dominated" if beaten else "",
             )
         )
-        before = here
+        before = label
     if not any(row[4] for row in rows[1:]):
         rows = [(*row[:4], *row[5:]) for row in rows]
-    return columns(rows, left=(0, 1, 2, len(rows[0]) - 1))
+    return columns(rows, left_aligned=(0, 1, 2, len(rows[0]) - 1))
 
 
 def _three_digits(time: float) -> str:

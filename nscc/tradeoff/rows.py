@@ -26,7 +26,7 @@ class Rows:
         """Return what `measure` gives, as JSON has it; it is called if the name is not known."""
         return measure() if self._store is None else self._store.once(self._of, name, measure)
 
-    def done(self) -> None:
+    def remove(self) -> None:
         """Remove the file: the products hold its values, and a new measurement takes new times."""
         if self._store is not None:
             self._store.remove()

@@ -49,19 +49,19 @@ class Stopwatch:
             else:
                 first()
                 self.ran(kind)
-        made, taken_ms = self._timed(run)
+        result, taken_ms = self._timed(run)
         if (kind, setting) not in self._seen:
             self.ran(kind, setting)
             if taken_ms < SHORT_MS:
-                made, taken_ms = self._timed(run)
-        return made, taken_ms
+                result, taken_ms = self._timed(run)
+        return result, taken_ms
 
     def made_and_ms(
         self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], T]
     ) -> tuple[T, list[float]]:
         """What the last of so many runs gives, and the milliseconds of each."""
-        found = [self.ms(kind, setting, run) for _ in range(repeats)]
-        return found[-1][0], [taken_ms for _, taken_ms in found]
+        timed_runs = [self.ms(kind, setting, run) for _ in range(repeats)]
+        return timed_runs[-1][0], [taken_ms for _, taken_ms in timed_runs]
 
     def times_ms(
         self, repeats: int, kind: Hashable, setting: Hashable, run: Callable[[], Any]
@@ -71,5 +71,5 @@ class Stopwatch:
 
     def _timed(self, run: Callable[[], T]) -> tuple[T, float]:
         begin = self._clock()
-        made = run()
-        return made, (self._clock() - begin) * 1e3
+        result = run()
+        return result, (self._clock() - begin) * 1e3

@@ -14,7 +14,7 @@ import numpy as np
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.emit.report import report
 from nscc.limits.families import bits_rule, book_rule, bump_rule, program_text, start_rule
-from nscc.lower.plan import Lowering
+from nscc.lower.exposure_plan import Lowering
 from nscc.pipeline import LEVELS, Compiled, Options, run_passes
 from nscc.program.program import Codes
 from nscc.source import Source
@@ -32,7 +32,7 @@ DOES_NOT_FIT = ("NS04", "NS05", "NS06")
 
 
 @dataclass(frozen=True)
-class Case:
+class SynthesisCase:
     """A program to compile in every way; `base` is the folder that its paths are relative to,
     `target` a chip instead of the program's own."""
 
@@ -44,10 +44,10 @@ class Case:
 
 
 @dataclass(frozen=True)
-class Way:
+class CompileVariant:
     """One way to compile a case."""
 
-    case: Case
+    case: SynthesisCase
     lowering: Lowering
     level: int
 
@@ -55,19 +55,19 @@ class Way:
         return f"{self.case.name}, {self.lowering}, -O{self.level}"
 
 
-Progress = Callable[[Sequence[Way]], Iterable[Way]]
+Progress = Callable[[Sequence[CompileVariant]], Iterable[CompileVariant]]
 """Hands the ways on one by one, and may show how far that is."""
 
 
 @dataclass(frozen=True)
-class Measured:
+class SynthesisMeasurements:
     """Points, by case, lowering and level, and the ways that are none, with the reason."""
 
     points: tuple[Point, ...]
-    refused: tuple[tuple[Way, str], ...]
+    refused: tuple[tuple[CompileVariant, str], ...]
 
 
-def builtin_cases() -> tuple[Case, ...]:
+def builtin_cases() -> tuple[SynthesisCase, ...]:
     """Classes b to e and a random codebook, at sizes that a chip of 13 registers takes."""
     rows = np.random.default_rng(1).integers(0, 2, (64, 16))
     rules = {
@@ -78,28 +78,30 @@ def builtin_cases() -> tuple[Case, ...]:
         "codebook 64 x 16": (16, book_rule(["".join(map(str, row)) for row in rows])),
     }
     return tuple(
-        Case(name, Source(f"{name}.nsl", program_text(slots, "1ms", rule)), Path(), "open")
+        SynthesisCase(name, Source(f"{name}.nsl", program_text(slots, "1ms", rule)), Path(), "open")
         for name, (slots, rule) in rules.items()
     )
 
 
-def cases_of(files: Sequence[Path]) -> tuple[Case, ...]:
+def cases_of(files: Sequence[Path]) -> tuple[SynthesisCase, ...]:
     """The programs in these files, by the shortest names that tell them apart."""
     paths = list(dict.fromkeys(files))
     short = len({path.stem for path in paths}) == len(paths)
     return tuple(
-        Case(path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed")
+        SynthesisCase(
+            path.stem if short else path.as_posix(), read_source(path), path.parent, "fixed"
+        )
         for path in paths
     )
 
 
 def measure(
-    ways: Sequence[Way],
+    ways: Sequence[CompileVariant],
     repeats: int,
     count: Count,
     progress: Progress = iter,
     rows: Rows | None = None,
-) -> Measured:
+) -> SynthesisMeasurements:
     """Compiles each way `repeats` times, from text to proof, without the cache.
 
     The repeats go round all ways, so that what else the machine does is spread over them. What
@@ -108,18 +110,18 @@ def measure(
     """
     rows = rows or Rows()
     watch = Stopwatch()
-    times_ms: dict[Way, list[float]] = {way: [] for way in ways}
-    words: dict[Way, tuple[float, float | None]] = {}
-    refused: dict[Way, str] = {}
+    times_ms: dict[CompileVariant, list[float]] = {way: [] for way in ways}
+    words: dict[CompileVariant, tuple[float, float | None]] = {}
+    refused: dict[CompileVariant, str] = {}
     for way in progress([way for _ in range(repeats) for way in ways]):
         if way in refused:
             continue
-        found = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
-        if "refused" in found:
-            refused[way] = found["refused"]
+        row = rows.once(f"{way}, {len(times_ms[way])}", partial(_timed, watch, way, count))
+        if "refused" in row:
+            refused[way] = row["refused"]
         else:
-            words[way] = found["words"], found["bound"]
-            times_ms[way].append(found["ms"])
+            words[way] = row["words"], row["bound"]
+            times_ms[way].append(row["ms"])
     points = [
         Point(
             way.case.name, way.lowering, f"-O{way.level}", number, UNITS[count],
@@ -127,20 +129,20 @@ def measure(
         )
         for way, (number, bound) in words.items()
     ]  # fmt: skip
-    return Measured(tuple(points), tuple(refused.items()))
+    return SynthesisMeasurements(tuple(points), tuple(refused.items()))
 
 
-def _timed(watch: Stopwatch, way: Way, count: Count) -> dict[str, Any]:
+def _timed(watch: Stopwatch, way: CompileVariant, count: Count) -> dict[str, Any]:
     kind = way.case.name, way.lowering
     least = partial(compiled_or_not, replace(way, level=min(LEVELS)))
-    found, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
-    if isinstance(found, Diagnostic):
-        return {"refused": f"{found.message} ({found.code})"}
-    words, bound = _words(found, count)
+    compiled, taken_ms = watch.ms(kind, way.level, partial(compiled_or_not, way), least)
+    if isinstance(compiled, Diagnostic):
+        return {"refused": f"{compiled.message} ({compiled.code})"}
+    words, bound = _words(compiled, count)
     return {"ms": taken_ms, "words": words, "bound": bound}
 
 
-def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
+def refusals_text(refused: Sequence[tuple[CompileVariant, str]]) -> list[str]:
     """Why a case has no point in some lowering, a line for all levels with the same reason."""
     levels: dict[tuple[str, str, str], list[str]] = {}
     for way, reason in refused:
@@ -153,13 +155,13 @@ def refusals_text(refused: Sequence[tuple[Way, str]]) -> list[str]:
 
 
 def every_way(
-    cases: Sequence[Case], lowerings: Sequence[Lowering], levels: Sequence[int]
-) -> Iterator[Way]:
+    cases: Sequence[SynthesisCase], lowerings: Sequence[Lowering], levels: Sequence[int]
+) -> Iterator[CompileVariant]:
     """Each case in each lowering at each level."""
-    return (Way(*way) for way in product(cases, lowerings, levels))
+    return (CompileVariant(*way) for way in product(cases, lowerings, levels))
 
 
-def compiled_or_not(way: Way) -> Compiled | Diagnostic:
+def compiled_or_not(way: CompileVariant) -> Compiled | Diagnostic:
     """The compiled program, or why it does not fit; raises Rejected for any other fault."""
     case = way.case
     options = Options(

@@ -15,7 +15,7 @@ _CLOCK_CLASS = 7 << 19
 
 
 @dataclass(frozen=True, slots=True)
-class Cost:
+class WordsCost:
     """Words and the time that they take, launch overhead included."""
 
     words: int
@@ -39,7 +39,7 @@ class FrameCost:
     frame_us: float
 
 
-def words_cost(words: Iterable[Word], target: Target) -> Cost:
+def words_cost(words: Iterable[Word], target: Target) -> WordsCost:
     """The cost of words by themselves, without a launch."""
     analog = digital = 0
     own_us = []
@@ -52,7 +52,7 @@ def words_cost(words: Iterable[Word], target: Target) -> Cost:
         else:
             analog += 1
     us = words_us(analog, digital, target) + fsum(own_us)
-    return Cost(analog + digital + len(own_us), us)
+    return WordsCost(analog + digital + len(own_us), us)
 
 
 def word_us(word: Op, target: Target) -> float:
@@ -83,10 +83,10 @@ def refresh_count(words: Sequence[Op]) -> int:
     return count
 
 
-def kernel_cost(kernel: Kernel, target: Target) -> Cost:
+def kernel_cost(kernel: Kernel, target: Target) -> WordsCost:
     """The cost of one launch of a kernel."""
     cost = words_cost(kernel.words, target)
-    return Cost(cost.words, cost.us + target.launch_us)
+    return WordsCost(cost.words, cost.us + target.launch_us)
 
 
 def frame_cost(container: Container) -> FrameCost:

@@ -9,8 +9,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
+from nscc.words.assembly_text import read_number, read_ranges, read_time_us
 from nscc.words.draft import (
-    Block,
     Draft,
     Faults,
     Instruction,
@@ -18,13 +18,13 @@ from nscc.words.draft import (
     PlaneDraft,
     ReadoutDraft,
     SlotDraft,
+    TextBlock,
     Token,
     shown,
 )
 from nscc.words.soundness import MOST_SLOTS
-from nscc.words.text import read_number, read_ranges, read_time_us
 
-Read = Callable[[Token, list[Token], Draft, Faults], Block | None]
+Read = Callable[[Token, list[Token], Draft, Faults], TextBlock | None]
 
 
 @dataclass(frozen=True)
@@ -38,15 +38,17 @@ class Directive:
     usage: str
 
 
-def _block(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block:
+def _block(
+    attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults
+) -> TextBlock:
     if getattr(draft, attribute) is not None:
         faults.add("NS0719", f"{head.text} appears twice", head.span)
-    block = Block(head, tuple(tokens))
+    block = TextBlock(head, tuple(tokens))
     setattr(draft, attribute, block)
     return block
 
 
-def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
+def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> TextBlock | None:
     block = _block("target", head, tokens, draft, faults)
     return None if tokens else block
 
@@ -104,12 +106,12 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 
 
 def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
-    register, *others = tokens
-    gain = read_number(others[1].text) if len(others) > 1 else 1.0
+    register, *operands = tokens
+    gain = read_number(operands[1].text) if len(operands) > 1 else 1.0
     if gain is None:
-        faults.add("NS0714", f"{shown(others[1].text)} is not a valid gain", others[1].span)
+        faults.add("NS0714", f"{shown(operands[1].text)} is not a valid gain", operands[1].span)
     else:
-        draft.readouts.append(ReadoutDraft(register, others[0] if others else None, gain))
+        draft.readouts.append(ReadoutDraft(register, operands[0] if operands else None, gain))
 
 
 def _plane(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:

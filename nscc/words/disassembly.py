@@ -18,12 +18,12 @@ from nscc.chips.load import builtin_names, builtin_target, target_toml
 from nscc.chips.target import Target
 from nscc.operations import Op, Phase
 from nscc.words import machine_file
+from nscc.words.assembly_text import block_text, name_text, number_text, ranges_text, slots_text
 from nscc.words.container import Container, Kernel, Word
 from nscc.words.cost import frame_cost, kernel_cost
 from nscc.words.encoding import matching, word_text
 from nscc.words.legality import pair_kind, refuse_planes, target_fault
 from nscc.words.machine import LIGHT
-from nscc.words.text import block_text, name_text, number_text, ranges_text, slots_text
 
 _COMMENT_COLUMN = 40
 _BASE64_WIDTH = 96
@@ -89,13 +89,13 @@ def _pair(first: Op, second: Op | None) -> str | None:
     (destination,) = second.destinations
     if destination not in first.sources:
         return None
-    others = [register for register in first.sources if register != destination]
-    if kind == "REFRESH" or (kind == "NOR" and not others):
+    other_sources = [register for register in first.sources if register != destination]
+    if kind == "REFRESH" or (kind == "NOR" and not other_sources):
         return f"{'NOT' if kind == 'NOR' else kind} {destination}"
-    if len(others) != 1:
+    if len(other_sources) != 1:
         # `OR d, d, x, y`: with two or more other sources the destination is named as one, too.
-        others.insert(0, destination)
-    return f"{kind} {', '.join((destination, *others))}"
+        other_sources.insert(0, destination)
+    return f"{kind} {', '.join((destination, *other_sources))}"
 
 
 def _commented(text: str, comment: str) -> str:
@@ -146,9 +146,9 @@ def _times(slot_us: Sequence[float]) -> Iterator[str]:
 def _kernel(container: Container, number: int) -> Iterator[str]:
     kernel: Kernel = container.kernels[number]
     instants = [launch.instant for launch in container.launches if launch.kernel == number]
-    where = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
+    instants_text = _shortened(ranges_text(sorted(set(instants)))) if instants else "nowhere"
     cost = kernel_cost(kernel, container.target)
-    comment = f"{_counted(cost.words, 'word')}, {cost.us:.4g} us; launched at {where}"
+    comment = f"{_counted(cost.words, 'word')}, {cost.us:.4g} us; launched at {instants_text}"
     yield _commented(f".kernel {name_text(kernel.name)}", comment)
     for _, text, remark in instruction_lines(kernel.words, container.target):
         yield _commented(f"    {text}", remark)
@@ -200,10 +200,14 @@ def _machine(container: Container) -> Iterator[str]:
     machine, step_e = container.machine, container.target.electrons_per_step
     if machine is None:
         return
-    for each in machine.comparisons:
-        signal = "light" if each.signal == LIGHT else f"exposure {container.buckets[each.signal]}"
-        level = f"{each.level} steps of IN, {each.level * step_e:.6g} e"
-        yield f"; at boundary {each.boundary}: {signal} above {level}"
+    for comparison in machine.comparisons:
+        signal = (
+            "light"
+            if comparison.signal == LIGHT
+            else f"exposure {container.buckets[comparison.signal]}"
+        )
+        level = f"{comparison.level} steps of IN, {comparison.level * step_e:.6g} e"
+        yield f"; at boundary {comparison.boundary}: {signal} above {level}"
     yield ".machine"
     yield from block_text([*machine_file.to_text(container)])
 

@@ -66,7 +66,7 @@ class PlaneDraft:
 
 
 @dataclass
-class Block:
+class TextBlock:
     """A directive with lines of free text below it, each behind a bar."""
 
     directive: Token
@@ -107,10 +107,10 @@ def shown(text: str) -> str:
 class Draft:
     """Everything that a text says, in its order."""
 
-    target: Block | None = None
-    source: Block | None = None
-    pixels: Block | None = None
-    machine: Block | None = None
+    target: TextBlock | None = None
+    source: TextBlock | None = None
+    pixels: TextBlock | None = None
+    machine: TextBlock | None = None
     notes: dict[str, str] = field(default_factory=dict)
     slot_us: list[float] = field(default_factory=list)
     buckets: list[Token] = field(default_factory=list)

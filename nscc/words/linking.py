@@ -16,13 +16,13 @@ from nscc.diagnostics.diagnostic import Label, Rejected
 from nscc.diagnostics.suggest import meant
 from nscc.source import Span
 from nscc.words import machine_file
+from nscc.words.assembly_text import read_integer, read_slots
 from nscc.words.container import Container, DecodeTable, Kernel, Launch, Readout
 from nscc.words.draft import Draft, Faults, Token, shown
 from nscc.words.legality import target_fault
 from nscc.words.machine import Machine, StatePlanes
-from nscc.words.planes import codes_of_planes, read_planes
+from nscc.words.plane_files import codes_of_planes, read_planes
 from nscc.words.soundness import faults as container_faults
-from nscc.words.text import read_integer, read_slots
 
 MOST_TABLE_CELLS = 1 << 28
 """Shutters times buckets times slots that one text may ask for (a byte each)."""
@@ -98,8 +98,8 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         machine=machine,
         state_planes=state_planes,
     )
-    for wrong in container_faults(container):
-        faults.add("NS0707", f"this text is inconsistent: {wrong}", _START)
+    for fault_text in container_faults(container):
+        faults.add("NS0707", f"this text is inconsistent: {fault_text}", _START)
     faults.stop()
     return container
 
@@ -118,8 +118,10 @@ def find_target(draft: Draft, base: Path, faults: Faults) -> Target | None:
     except Rejected as rejected:
         if not block.arguments:
             place = Label(block.directive.span, "the target below")
-            found = [replace(d, source=faults.source, label=place) for d in rejected.diagnostics]
-            faults.found.extend(found)
+            diagnostics = [
+                replace(d, source=faults.source, label=place) for d in rejected.diagnostics
+            ]
+            faults.found.extend(diagnostics)
             return None
         if rejected.status != 1 and not faults.found:
             raise
@@ -156,21 +158,21 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
         faults.add("NS0715", "`.readout` is missing", _START, helps=helps)
 
 
-def _find(token: Token, names: dict[str, int], what: str, faults: Faults) -> int:
+def _find(token: Token, names: dict[str, int], kind: str, faults: Faults) -> int:
     """The index of a name; notes a fault and gives 0 where it is not known."""
     index = names.get(token.text)
     if index is not None:
         return index
     helps = meant(token.text, names, f"defined are: {', '.join(list(names)[:12]) or 'none'}")
-    faults.add("NS0719", f"undefined {what} {shown(token.text)}", token.span, helps=helps)
+    faults.add("NS0719", f"undefined {kind} {shown(token.text)}", token.span, helps=helps)
     return 0
 
 
-def _indexed(tokens: list[Token], what: str, faults: Faults) -> dict[str, int]:
+def _indexed(tokens: list[Token], kind: str, faults: Faults) -> dict[str, int]:
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
-            faults.add("NS0719", f"the {what} {shown(token.text)} is defined twice", token.span)
+            faults.add("NS0719", f"the {kind} {shown(token.text)} is defined twice", token.span)
         names.setdefault(token.text, len(names))
     return names
 
@@ -190,15 +192,15 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
     slots = len(draft.slot_us)
     for line in draft.slots:
         sequence = [_find(name, kernels, "kernel", faults) for name in line.kernels]
-        if slots and any(part[-1] > slots for part in line.instants):
+        if slots and any(instant_range[-1] > slots for instant_range in line.instants):
             message = (
                 f"{shown(line.place.text)} extends beyond instant {slots}, the end of the frame"
             )
             helps = (f".wait gives {slots} slots, so kernels run at instants 0 to {slots}",)
             faults.add("NS0714", message, line.place.span, helps=helps)
             continue
-        for part in line.instants:
-            for instant in part:
+        for instant_range in line.instants:
+            for instant in instant_range:
                 at_instant.setdefault(instant, []).extend(sequence)
     return tuple(
         Launch(instant, kernel) for instant in sorted(at_instant) for kernel in at_instant[instant]
@@ -240,15 +242,15 @@ def _load(draft: Draft, target: Target, faults: Faults) -> tuple[str, ...]:
 def _loading_order(
     draft: Draft,
     planes: tuple[str, ...],
-    wanted: tuple[str, ...],
+    stated: tuple[str, ...],
     target: Target,
     faults: Faults,
 ) -> tuple[str, ...]:
     """The order of `.load`; without it the masked register first, for its mask must still be 1."""
-    if wanted and set(wanted) != set(planes):
+    if stated and set(stated) != set(planes):
         message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
-    return wanted or tuple(sorted(planes, key=lambda name: name != target.masked_register))
+    return stated or tuple(sorted(planes, key=lambda name: name != target.masked_register))
 
 
 def _empty_table(codes: int, buckets: int, slots: int, planes: bool) -> DecodeTable:
@@ -281,24 +283,26 @@ def _table(
     opened = np.zeros((shutters, len(buckets), slots), dtype=np.bool_)
     registers = len(target.digital_registers)
     encoding = np.zeros((shutters, registers), dtype=np.bool_)
-    for row, (bits, *parts) in enumerate(draft.shutters):
+    for row, (bits, *slot_tokens) in enumerate(draft.shutters):
         digits = bits.text if registers else bits.text.replace("-", "", 1)
         if len(digits) != registers or digits.strip("01"):
             faults.add("NS0714", f"{shown(bits.text)} is not {registers} digits 0 or 1", bits.span)
         else:
             encoding[row] = [digit == "1" for digit in digits]
-        if len(parts) != len(buckets):
-            message = f"a shutter has slots for each of {len(buckets)} buckets, not {len(parts)}"
+        if len(slot_tokens) != len(buckets):
+            message = (
+                f"a shutter has slots for each of {len(buckets)} buckets, not {len(slot_tokens)}"
+            )
             faults.add("NS0714", message, bits.span)
             continue
-        for bucket, token in enumerate(parts):
-            found = read_slots(token.text, slots)
-            if found is None:
+        for bucket, token in enumerate(slot_tokens):
+            open_slots = read_slots(token.text, slots)
+            if open_slots is None:
                 message = f"{shown(token.text)} is not a valid set of slots in 0..{slots - 1}"
                 helps = ("write `0..15,20`, `1..63/2`, `never`, or `x` and hexadecimal",)
                 faults.add("NS0714", message, token.span, helps=helps)
             else:
-                opened[row, bucket] = found
+                opened[row, bucket] = open_slots
     codes = np.zeros((len(draft.codes), len(fields)), dtype=np.int64)
     shutter_of_code = np.zeros(len(draft.codes), dtype=np.int32)
     for row, tokens in enumerate(draft.codes):
@@ -342,9 +346,9 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
 
 
 def _tile(lines: list[tuple[str, Span]]) -> NDArray[Any] | None:
-    values = [read_integer(part) for text, _ in lines for part in text.split()]
-    whole = [value for value in values if value is not None]
-    return np.array(whole, dtype=np.int64) if len(whole) == len(values) else None
+    values = [read_integer(item) for text, _ in lines for item in text.split()]
+    integers = [value for value in values if value is not None]
+    return np.array(integers, dtype=np.int64) if len(integers) == len(values) else None
 
 
 def _plane(lines: list[tuple[str, Span]]) -> NDArray[Any] | None:

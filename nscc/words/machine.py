@@ -38,7 +38,8 @@ class Comparison:
 class State:
     """A state of the program: its values are `low`..`high`, and START is `start`.
 
-    `kept`: it survives the frame. `read`: it comes with the frame. `boolean`: declared as bit.
+    `is_kept`: it survives the frame. `read`: it is read out with the frame. `boolean`: declared as
+    bit.
     `sense`: not declared, but the latest answer of a sense that outlasts its look.
     """
 
@@ -46,7 +47,7 @@ class State:
     low: int
     high: int
     start: int
-    kept: bool = False
+    is_kept: bool = False
     read: bool = False
     boolean: bool = False
     sense: bool = False
@@ -87,7 +88,7 @@ class Machine:
     @property
     def keeps(self) -> bool:
         """Whether a frame hangs on the one before it."""
-        return any(state.kept for state in self.states)
+        return any(state.is_kept for state in self.states)
 
     @property
     def stages(self) -> int:
@@ -100,14 +101,16 @@ class Machine:
 
     def at(self, boundary: int) -> tuple[Comparison, ...]:
         """The comparisons of a boundary."""
-        return tuple(each for each in self.comparisons if each.boundary == boundary)
+        return tuple(
+            comparison for comparison in self.comparisons if comparison.boundary == boundary
+        )
 
     def order(self, boundary: int) -> list[int]:
         """The numbers of a boundary's comparisons in the order in which words make them. Where two
         signals are the same light, as PIX and a bucket that is not closed yet, it alone tells
         which of them a word compares."""
-        asked = self.at(boundary)
-        return sorted(range(len(asked)), key=lambda number: -asked[number].signal)
+        comparisons = self.at(boundary)
+        return sorted(range(len(comparisons)), key=lambda number: -comparisons[number].signal)
 
     def starts(self, stage: int) -> int:
         """The boundary at which a stage begins."""
@@ -137,10 +140,10 @@ class StatePlanes:
 
     def read(self, planes: Mapping[str, NDArray[np.bool_]], shape: tuple[int, ...]) -> Values:
         """The value at every pixel of `shape`; where the bits are those of none, the first one."""
-        found = np.full(shape, self.values[0], np.int64)
+        pixel_values = np.full(shape, self.values[0], np.int64)
         for value, row in zip(self.values, self.bits.tolist(), strict=True):
-            here = np.ones(shape, np.bool_)
+            matches = np.ones(shape, np.bool_)
             for register, bit in zip(self.registers, row, strict=True):
-                here &= planes[register] == bit
-            found[here] = value
-        return found
+                matches &= planes[register] == bit
+            pixel_values[matches] = value
+        return pixel_values

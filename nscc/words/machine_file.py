@@ -16,7 +16,7 @@ from nscc.words.machine import LIGHT, Comparison, Machine, State, StatePlanes
 if TYPE_CHECKING:
     from nscc.words.container import Container
 
-_STATE = ("name", "low", "high", "start", "kept", "read", "boolean", "sense")
+_STATE = ("name", "low", "high", "start", "is_kept", "read", "boolean", "sense")
 Read = tuple[Machine, dict[str, StatePlanes], list[int | None]]
 
 NO_LEVEL = -(2**31)
@@ -34,8 +34,13 @@ def header_of(machine: Machine, planes: Mapping[str, StatePlanes]) -> dict[str, 
         "looks": list(machine.looks),
         "outcomes": machine.steps.shape[1],
         "planes": [
-            [name, list(each.registers), list(each.values), each.bits.astype(int).tolist()]
-            for name, each in planes.items()
+            [
+                name,
+                list(state_planes.registers),
+                list(state_planes.values),
+                state_planes.bits.astype(int).tolist(),
+            ]
+            for name, state_planes in planes.items()
         ],
     }
 
@@ -58,16 +63,16 @@ def layout_of(
 
 def check_header(header: Any) -> None:
     """Check the shape of a machine's header; ValueError where it is none."""
-    whole = isinstance(header, dict) and header.keys() == {
+    complete = isinstance(header, dict) and header.keys() == {
         "states", "comparisons", "first", "looks", "outcomes", "planes",
     }  # fmt: skip
-    if not whole or not all(isinstance(header[k], list) for k in header if k != "outcomes"):
+    if not complete or not all(isinstance(header[k], list) for k in header if k != "outcomes"):
         raise ValueError("the header's machine is malformed")
     kinds = (str, int, int, int, bool, bool, bool, bool)
     sound = all(_typed(state, kinds) for state in header["states"])
-    sound &= all(_typed(each, (int, int, int)) for each in header["comparisons"])
+    sound &= all(_typed(entry, (int, int, int)) for entry in header["comparisons"])
     numbers = [*header["first"], *header["looks"], header["outcomes"]]
-    sound &= all(_is_count(each) for each in numbers) and bool(header["first"])
+    sound &= all(_is_count(entry) for entry in numbers) and bool(header["first"])
     for plane in header["planes"]:
         sound &= _typed(plane, (str, list, list, list))
         sound &= sound and all(isinstance(r, str) for r in plane[1])
@@ -108,7 +113,7 @@ def machine_from(
     """The machine and the planes of its states, of a checked header and its arrays."""
     machine = Machine(
         states=tuple(State(*state) for state in header["states"]),
-        comparisons=tuple(Comparison(*each) for each in header["comparisons"]),
+        comparisons=tuple(Comparison(*entry) for entry in header["comparisons"]),
         looks=tuple(header["looks"]),
         first=np.array(header["first"], np.int32),
         **{name: arrays[name] for name, _, _ in layout_of(header, 0, 0)},
@@ -131,12 +136,12 @@ def to_text(container: Container) -> Iterator[str]:
     header = {**header_of(machine, container.state_planes), "levels": _levels(container)}
     data = json.dumps(header, sort_keys=True, separators=(",", ":")).encode("ascii")
     buckets, slots = len(container.buckets), container.slots
-    parts = [len(data).to_bytes(4, "little"), data]
+    blocks = [len(data).to_bytes(4, "little"), data]
     for name, dtype, _ in layout_of(header, buckets, slots):
         array = getattr(machine, name)
         packed = np.packbits(array, axis=None, bitorder="little") if dtype == "?" else array
-        parts.append(packed.astype(packed.dtype.newbyteorder("<")).tobytes())
-    text = b64encode(b"".join(parts)).decode("ascii")
+        blocks.append(packed.astype(packed.dtype.newbyteorder("<")).tobytes())
+    text = b64encode(b"".join(blocks)).decode("ascii")
     for start in range(0, len(text), _WIDTH):
         yield text[start : start + _WIDTH]
 
@@ -249,11 +254,11 @@ def _state_faults(container: Container, machine: Machine) -> Iterator[str]:
         ):
             yield f"the state {state.name[:40]!a} leaves its range"
         planes = container.state_planes.get(state.name)
-        if (state.read or state.kept) != (planes is not None):
+        if (state.read or state.is_kept) != (planes is not None):
             yield f"the state {state.name[:40]!a} has planes, or lacks them"
         elif planes is not None and not {*values.tolist()} <= {*planes.values}:
             yield f"the planes of {state.name[:40]!a} have no bits for some of its values"
-        elif planes and state.kept and not {*planes.registers} <= {*container.code_registers}:
+        elif planes and state.is_kept and not {*planes.registers} <= {*container.code_registers}:
             yield f"the planes of {state.name[:40]!a} are kept and not loaded"
     registers = container.target.digital_registers
     for name, planes in container.state_planes.items():

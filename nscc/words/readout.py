@@ -36,8 +36,8 @@ def preparation_of(container: Container) -> Preparation:
     everywhere = op("all")
     if target.spread_level is None or copy is None:
         return Preparation((everywhere,), None)
-    own = [readout.register for readout in container.readouts]
-    words = (word for register in own for word in spreading(target, register, copy))
+    registers = [readout.register for readout in container.readouts]
+    words = (word for register in registers for word in spreading(target, register, copy))
     return Preparation((everywhere, *words), target.spread_level)
 
 
@@ -62,12 +62,12 @@ def converter_of(container: Container) -> Target:
 
 def _free(container: Container) -> str | None:
     """A register that is not read out."""
-    return free_register(container.target, (each.register for each in container.readouts))
+    return free_register(container.target, (readout.register for readout in container.readouts))
 
 
 def free_register(target: Target, read: Iterable[str]) -> str | None:
     """The last register that keeps a value and is not among those that are `read` out; None where
     all are."""
-    taken = {*read}
-    free = [name for name in target.analog_available if name not in taken]
+    unavailable = {*read}
+    free = [name for name in target.analog_available if name not in unavailable]
     return free[-1] if free else None

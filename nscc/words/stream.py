@@ -45,19 +45,21 @@ class Stream:
 
     def place(self, slot: int, cols: int) -> NDArray[np.int8]:
         """Where the light of each pixel goes in a slot (rows, cols): a tap's number, or DRAIN."""
-        found: NDArray[np.int8] = np.where(self.bits(slot, cols), self.ones[slot], self.zeros[slot])
-        return found
+        destinations: NDArray[np.int8] = np.where(
+            self.bits(slot, cols), self.ones[slot], self.zeros[slot]
+        )
+        return destinations
 
     def shutters(self, buckets: int, cols: int) -> Bits:
         """When each pixel is open, uint8 (buckets, rows, cols, ceil(N / 8)), as in a frame file:
         packed along the slots, the first one in the lowest bit."""
         shape = self.planes.shape[1], cols
-        found = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
+        packed = np.zeros((buckets, *shape, -(-self.slots // 8)), np.uint8)
         for slot in range(self.slots):
             place = self.place(slot, cols)
             for bucket in range(buckets):
-                found[bucket, :, :, slot // 8] |= (place == bucket).view(np.uint8) << slot % 8
-        return found
+                packed[bucket, :, :, slot // 8] |= (place == bucket).view(np.uint8) << slot % 8
+        return packed
 
 
 @dataclass(frozen=True)
@@ -83,14 +85,14 @@ def schedule(target: Target, slot_us: tuple[float, ...]) -> Iterator[Loading]:
 def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator[str]:
     """What is wrong with planes of a container, each as part of a sentence."""
     shape = slots, target.rows, -(-target.cols // 8)
-    for name, array, wanted, dtype in (
+    for name, array, needed, dtype in (
         ("planes", stream.planes, shape, np.uint8),
         ("ones", stream.ones, (slots,), np.int8),
         ("zeros", stream.zeros, (slots,), np.int8),
     ):
-        if array.shape != wanted or array.dtype != dtype:
+        if array.shape != needed or array.dtype != dtype:
             yield (
-                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {wanted} as the "
+                f"{name} is {array.dtype} {array.shape}, not {np.dtype(dtype)} {needed} as the "
                 "rest of it needs"
             )
             return

@@ -1,4 +1,4 @@
-"""Which of several solutions are worth how many steps of improvement, at each level of effort."""
+"""How many improvement steps each of several solutions gets, at each level of effort."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ Price = tuple[bool, float, int, int, int]
 
 
 class Priced(Protocol):
-    """A solution with what it costs."""
+    """A solution with its price."""
 
     @property
     def solution(self) -> Solution:
@@ -46,7 +46,7 @@ class Priced(Protocol):
 
     @property
     def words_per_boundary(self) -> Sequence[int]:
-        """Words, gates and all others, at each boundary 0..N."""
+        """All words at each boundary 0..N."""
 
 
 P = TypeVar("P", bound=Priced)
@@ -61,9 +61,9 @@ def refine(
     priced: Callable[[Solution], P],
     store_words: int,
 ) -> P:
-    """The best candidate, or the best that improvement makes of one; levels 2 and 3.
+    """The best candidate after improvement, at levels 2 and 3.
 
-    `store_words` is how many words all kernels may have.
+    `store_words` is the number of words that all kernels may take.
     """
     # With more demands than words in the store, kernels must come again and again: few of them
     # are worth more than the words that many would save.
@@ -82,33 +82,36 @@ class _Refinery(Generic[P]):
     room: int
 
     def best(self, candidates: Sequence[P]) -> P:
-        """Improves all a little and the best of them more."""
+        """Improve all candidates a little, and the best of them more."""
         steps = FIRST_STEPS[self.level]
         first = [self._first(c, steps, i < MOST_KEPT) for i, c in enumerate(candidates)]
         first.sort(key=lambda pair: pair[0].price)
-        more = [self._more(found, kept) for found, kept in first[: BEST[self.level]]]
-        best = min([*more, *(found for found, _ in first), *candidates], key=_PRICE)
+        refined = [
+            self._improve_further(improved, keep_kernels)
+            for improved, keep_kernels in first[: BEST[self.level]]
+        ]
+        best = min([*refined, *(improved for improved, _ in first), *candidates], key=_PRICE)
         return best if self.scarce else min(best, self._balanced(best), key=_PRICE)
 
     def _first(self, candidate: P, steps: int, patient: bool) -> tuple[P, bool]:
-        """(improved, whether equal segments had to be kept equal).
+        """(improved candidate, whether equal segments had to stay equal).
 
-        Unless `patient`, they are not: what does not fit then is given up.
+        Unless `patient`, segments may differ, and a result that does not fit is given up.
         """
         if self.scarce:
-            return self._kept(candidate.solution, steps), True
-        found = self._form(self._improved(candidate.solution, steps))
-        if found.price[0] and patient:
+            return self._improve_keeping_kernels(candidate.solution, steps), True
+        improved = self._form(self._improved(candidate.solution, steps))
+        if improved.price[0] and patient:
             # Rewritten freely, segments share no kernels any more.
-            other = self._kept(candidate.solution, KERNEL_SHARE * steps)
-            if other.price < found.price:
-                return other, True
-        return found, False
+            with_kernels = self._improve_keeping_kernels(candidate.solution, KERNEL_SHARE * steps)
+            if with_kernels.price < improved.price:
+                return with_kernels, True
+        return improved, False
 
-    def _more(self, candidate: P, kept: bool) -> P:
+    def _improve_further(self, candidate: P, keep_kernels: bool) -> P:
         steps = MORE_STEPS[self.level]
-        if kept:
-            return self._kept(candidate.solution, steps)
+        if keep_kernels:
+            return self._improve_keeping_kernels(candidate.solution, steps)
         solution = self._improved(candidate.solution, steps // 2)
         budget = Budget(ENRICH_STEPS[self.level])
         richer = enrich(solution, self.problem, self.machine, budget)
@@ -117,37 +120,40 @@ class _Refinery(Generic[P]):
     def _improved(self, solution: Solution, steps: int) -> Solution:
         return improve(solution, self.problem, self.machine, Budget(steps))
 
-    def _kept(self, solution: Solution, steps: int) -> P:
-        """The solution improved with equal segments kept equal: with room for more of them than
-        there are now, and without."""
-        found = []
+    def _improve_keeping_kernels(self, solution: Solution, steps: int) -> P:
+        """Improve a solution so that equal segments stay equal, with and without room for more
+        segments."""
+        priced_solutions = []
         for room in sorted({self.room, 0}, reverse=True):
             budget = Budget(steps)
             shorter = improve(
                 solution, self.problem, self.machine, budget, keep_kernels=True, room=room
             )
-            found.append(self._form(shorter))
-            if not found[-1].price[0]:
+            priced_solutions.append(self._form(shorter))
+            if not priced_solutions[-1].price[0]:
                 break
-        return min(found, key=_PRICE)
+        return min(priced_solutions, key=_PRICE)
 
     def _form(self, solution: Solution) -> P:
-        """The solution priced; if its words do not fit, with gates and analog words apart."""
-        found = self.priced(solution)
-        return min(found, self.priced(apart(solution)), key=_PRICE) if found.price[0] else found
+        """Price a solution; if it does not fit, also with gates and analog words in separate
+        segments."""
+        priced = self.priced(solution)
+        return min(priced, self.priced(apart(solution)), key=_PRICE) if priced.price[0] else priced
 
     def _balanced(self, candidate: P) -> P:
-        """The candidate with its largest boundary made smaller."""
+        """Reduce the words of the candidate's largest boundary."""
         solution = candidate.solution
-        others = list(candidate.words_per_boundary)
-        gates = words_at(solution, self.problem, self.machine, len(others) - 1)
-        others = [all_ - own for all_, own in zip(others, gates, strict=True)]
+        other_words = list(candidate.words_per_boundary)
+        gates = words_at(solution, self.problem, self.machine, len(other_words) - 1)
+        other_words = [
+            all_ - gate_words for all_, gate_words in zip(other_words, gates, strict=True)
+        ]
         budget = Budget(FIRST_STEPS[self.level])
-        return self._form(balance(solution, self.problem, self.machine, budget, others))
+        return self._form(balance(solution, self.problem, self.machine, budget, other_words))
 
 
 def apart(solution: Solution) -> Solution:
-    """The solution with no gates in the segments that precede analog words: these are the same in
-    every slot, and stored once."""
+    """Separate gates from the segments before analog words, so that these are equal in all slots
+    and stored once."""
     answers = tuple((*answer, ()) if answer else answer for answer in solution.answers)
     return replace(solution, answers=answers)

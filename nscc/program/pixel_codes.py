@@ -13,7 +13,7 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc.program.arrays_file import ArraysFile
-from nscc.program.planes import (
+from nscc.program.field_planes import (
     Plane,
     Stored,
     first_place,
@@ -54,9 +54,9 @@ def _ranked(plane: Plane) -> tuple[NDArray[np.int64], Plane]:
         values, ranks = np.unique(plane, return_inverse=True)
         return values, ranks.reshape(plane.shape).astype(np.int64)
     offsets = plane - low
-    seen = np.zeros(span, dtype=bool)
-    seen[offsets] = True
-    return np.flatnonzero(seen) + low, (np.cumsum(seen) - 1)[offsets]
+    present = np.zeros(span, dtype=bool)
+    present[offsets] = True
+    return np.flatnonzero(present) + low, (np.cumsum(present) - 1)[offsets]
 
 
 Ranges = Mapping[str, tuple[int, int]]
@@ -73,19 +73,22 @@ def codes_from_file(
     mode: str = "fixed",
     ranges: Callable[[], Ranges] = dict,
 ) -> NDArray[np.int32]:
-    """Codes for a program that is compiled already: the row of `table.codes` at each pixel.
+    """For a compiled program, read pixel codes from a file and return the row of `table.codes` at
+    each pixel.
 
-    The file holds for each field of `table`, by name, an array as `nscc.program.planes.planes_of`
-    takes it: integers (rows, cols), or single bits. For messages,
-    `shown` is the path, `mode` says whether `table` holds every legal code ("open"), and `ranges`
-    is asked for what the fields may be. Raises Rejected: NS0313 and NS0314 for the file; with the
-    first such pixel and their number, NS0311 for a value out of its field's range, NS0312 for a
-    code that the program forbids, NS0319 for one that it was not compiled for.
+    The file holds one array for each field of `table`, under the field's name: integers (rows,
+    cols), or single bits (see `nscc.program.field_planes.planes_of`). In messages `shown` is the
+    path. `mode` "open" says that `table` holds every legal code. `ranges` returns the ranges of the
+    fields.
+
+    Raises Rejected: NS0313 and NS0314 for the file, NS0311 for a value outside its field's range,
+    NS0312 for a code that the program forbids, NS0319 for a code that was not compiled. Errors
+    about pixels name the first such pixel and their number.
     """
     file = ArraysFile(path, str(path) if shown is None else shown)
     planes: list[Stored] = []
-    for name, parts in grouped(table.fields).items():
-        planes += stored_planes(file, name, (rows, cols), len(parts))
+    for name, chunk_names in grouped(table.fields).items():
+        planes += stored_planes(file, name, (rows, cols), len(chunk_names))
     return _rows_of_table(planes, table, (rows, cols), f'"{file.shown}"', mode, ranges)
 
 
@@ -112,28 +115,26 @@ def codes_from_arrays(
             helps=meant(name, fields),
         )
     planes: list[Stored] = []
-    for name, parts in fields.items():
+    for name, chunk_names in fields.items():
         if name not in arrays:
             raise rejected("NS0314", f"the array for the code field '{name}' is missing")
-        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(parts))
+        planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(chunk_names))
     return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
 
 
 def _rows_of_table(
-    found: Sequence[tuple[Plane, NDArray[np.bool_]]],
+    checked_planes: Sequence[tuple[Plane, NDArray[np.bool_]]],
     table: DecodeTable,
     shape: tuple[int, int],
-    where: str,
+    origin: str,
     mode: str,
     ranges: Callable[[], Ranges],
 ) -> NDArray[np.int32]:
-    """The row of `table.codes` at each pixel, of planes as `as_plane` gives them.
-
-    `where` is what messages call their origin.
-    """
-    planes = [plane for plane, _ in found]
+    """The row of `table.codes` at each pixel, for planes from `as_plane`; messages name the source
+    as `origin`."""
+    planes = [plane for plane, _ in checked_planes]
     missing = np.zeros(shape, dtype=bool)
-    for _, beyond in found:
+    for _, beyond in checked_planes:
         missing |= beyond
     rows, unknown = rows_of(table.codes, planes) if planes else (missing.astype(np.int32), missing)
     missing |= unknown
@@ -141,13 +142,13 @@ def _rows_of_table(
         known = ranges()
         for name, plane in zip(table.fields, planes, strict=True):
             if name in known:
-                refuse_outside(where, name, plane, known[name])
-        raise _unknown(where, table, planes, missing, mode)
+                refuse_outside(origin, name, plane, known[name])
+        raise _unknown(origin, table, planes, missing, mode)
     return rows
 
 
-def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
-    """NS0311 where a pixel has a value that its field cannot have; `where` it comes from."""
+def refuse_outside(origin: str, name: str, plane: Plane, values: tuple[int, int]) -> None:
+    """Raise NS0311 if a pixel's value is outside `values`; messages name the source as `origin`."""
     low, high = values
     outside = (plane < low) | (plane > high)
     if outside.any():
@@ -155,7 +156,7 @@ def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int])
         count = int(outside.sum())
         raise rejected(
             "NS0311",
-            f"in {where} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
+            f"in {origin} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
             notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
             helps=(
                 f"use values from {low} to {high}, or extend the range `code {name}` in the "
@@ -166,7 +167,7 @@ def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int])
 
 
 def _unknown(
-    where: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
+    origin: str, table: DecodeTable, planes: list[Plane], missing: NDArray[np.bool_], mode: str
 ) -> Rejected:
     y, x = first_place(missing)
     count = int(missing.sum())
@@ -174,14 +175,14 @@ def _unknown(
     if mode == "open":
         return rejected(
             "NS0312",
-            f"in {where} the {pixel_text(x, y)} has {code}, which the program forbids",
+            f"in {origin} the {pixel_text(x, y)} has {code}, which the program forbids",
             notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
             helps=("use codes within the ranges of the fields that fulfil every `require`",),
             data={"x": x, "y": y, "pixels": count},
         )
     return rejected(
         "NS0319",
-        f"the program was not compiled for a code in {where}: {pixel_text(x, y)} has {code}",
+        f"the program was not compiled for a code in {origin}: {pixel_text(x, y)} has {code}",
         notes=(
             f"{counted(count, 'pixel has', 'pixels have')} such codes; the program was "
             f"compiled for {counted(len(table.codes), 'code')}",
@@ -208,8 +209,8 @@ def rows_of(
         of_pixel = np.minimum(np.searchsorted(values, plane), len(values) - 1)
         unknown |= values[of_pixel] != plane
         beginnings, known = _ranked(known * len(values) + of_code)
-        wanted = at_pixel * len(values) + of_pixel
-        at_pixel = np.minimum(np.searchsorted(beginnings, wanted), len(beginnings) - 1)
-        unknown |= beginnings[at_pixel] != wanted
+        beginning = at_pixel * len(values) + of_pixel
+        at_pixel = np.minimum(np.searchsorted(beginnings, beginning), len(beginnings) - 1)
+        unknown |= beginnings[at_pixel] != beginning
     # The codes are sorted and distinct, so their numbers are their rows.
     return at_pixel.astype(np.int32), unknown

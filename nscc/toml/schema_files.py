@@ -11,8 +11,8 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
 from nscc.source import Source
-from nscc.toml.schema import Found, Row, Schema
-from nscc.toml.text import LARGEST_FILE, NotToml, parsed, written
+from nscc.toml.schema import KeyValues, Row, Schema
+from nscc.toml.toml_text import LARGEST_FILE, NotToml, parsed, written
 
 WIDTH = 100
 _REMARK_COLUMN = 42
@@ -31,7 +31,7 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
         reason = getattr(error, "strerror", None) or str(error)
         raise rejected(
             schema.codes.unreadable,
-            f"the {schema.what} file {(name or str(path))[:200]!a} cannot be read: {reason}",
+            f"the {schema.file_kind} file {(name or str(path))[:200]!a} cannot be read: {reason}",
             helps=(schema.start,),
         ) from None
 
@@ -39,7 +39,7 @@ def file_bytes(schema: Schema[Row], path: Path, name: str = "") -> bytes:
 def file_values(
     schema: Schema[Row], data: bytes, name: str, *, status: int = 2,
     choose: Callable[[Mapping[str, Any]], Schema[Row]] | None = None,
-) -> tuple[Found, list[Diagnostic], Source]:  # fmt: skip
+) -> tuple[KeyValues, list[Diagnostic], Source]:  # fmt: skip
     """The values of a file's bytes that are right, what is wrong with the others, and its text.
 
     `name` is the file's for messages. Where there are several kinds of such files, `choose` finds
@@ -59,7 +59,7 @@ def file_table(
     except NotToml as reason:
         raise rejected(
             schema.codes.not_toml,
-            f"the {schema.what} file {name[:200]!a} is not a TOML table: {reason}",
+            f"the {schema.file_kind} file {name[:200]!a} is not a TOML table: {reason}",
             helps=(schema.start,),
             status=status,
         ) from None
@@ -80,12 +80,12 @@ def file_text(
     `beside` it where there is room.
     """
     lines = [f"# {line}" for line in head]
-    for heading, said in schema.headings.items():
+    for heading, heading_text in schema.headings.items():
         rows = [key for key in schema.keys if key.heading == heading]
         if heading and rows:
             lines += [""] if lines else []
-            title = f"[{heading}]" if rows[0].section else f"## {heading}: {said}"
-            lines.append(_beside(title, said if rows[0].section and beside else ""))
+            title = f"[{heading}]" if rows[0].section else f"## {heading}: {heading_text}"
+            lines.append(_beside(title, heading_text if rows[0].section and beside else ""))
         for key in rows:
             line = f"{key.name} = {written(key.kind.plain(values[key.path]))}"
             text = remark(key)
@@ -93,7 +93,7 @@ def file_text(
                 lines.append(_beside(line, text))
             else:
                 width = 1000 if beside else WIDTH - 2
-                lines += [*(f"# {part}" for part in textwrap.wrap(text, width)), line]
+                lines += [*(f"# {comment}" for comment in textwrap.wrap(text, width)), line]
     return "\n".join(lines) + "\n"
 
 

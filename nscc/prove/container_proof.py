@@ -6,7 +6,7 @@ from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
 from nscc.prove.proof import Failure, Proof, prove
-from nscc.prove.stream import prove_stream
+from nscc.prove.stream_proof import prove_stream
 from nscc.words.container import Container
 from nscc.words.file import read_container
 from nscc.words.legality import decoded
@@ -21,7 +21,7 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
     container = read_container(path)
     kernels = decoded(container)
     if container.target.streamed:
-        return container, _held(path, prove_stream(container), "planes")
+        return container, _accepted_proof(path, prove_stream(container), "planes")
     if not container.has_table:
         raise rejected(
             "NS0443",
@@ -33,16 +33,16 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
             ),
             status=1,
         )
-    return container, _held(path, prove(container, kernels), "words")
+    return container, _accepted_proof(path, prove(container, kernels), "words")
 
 
-def _held(path: Path, proof: Proof, what: str) -> Proof:
+def _accepted_proof(path: Path, proof: Proof, subject: str) -> Proof:
     """A proof that holds; NS0440 where it does not."""
     if proof.failure is not None:
         raise rejected(
             "NS0440",
-            f"the {what} of '{path.as_posix()}' do not match its decode table: "
-            f"{proof.failure.what} ({_where(proof.failure)})",
+            f"the {subject} of '{path.as_posix()}' do not match its decode table: "
+            f"{proof.failure.what} ({_failure_place(proof.failure)})",
             notes=proof.failure.doubts,
             helps=("build the program again; `nscc diff` shows which words changed",),
             data={
@@ -55,6 +55,6 @@ def _held(path: Path, proof: Proof, what: str) -> Proof:
     return proof
 
 
-def _where(failure: Failure) -> str:
+def _failure_place(failure: Failure) -> str:
     places = {"frame": failure.frame, "bucket": failure.bucket, "shutter": failure.shutter}
-    return ", ".join(f"{kind} {which}" for kind, which in places.items() if which is not None)
+    return ", ".join(f"{kind} {number}" for kind, number in places.items() if number is not None)

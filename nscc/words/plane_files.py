@@ -41,9 +41,9 @@ def read_planes(
         elif register in planes:
             faults.add("NS0719", f"{register} has two planes", draft.register.span)
         try:
-            wanted = draft.sha256.text if draft.sha256 else None
+            stated_sha256 = draft.sha256.text if draft.sha256 else None
             shape = (target.rows, target.cols)
-            planes[register] = _plane(base / draft.file.text, register, shape, wanted)
+            planes[register] = _plane(base / draft.file.text, register, shape, stated_sha256)
         except _BadPlaneError as error:
             message = f"the plane file {shown(draft.file.text)} cannot be used: {error}"
             faults.add("NS0716", message, draft.file.span)
@@ -70,7 +70,7 @@ def codes_of_planes(
 
 
 def _plane(
-    path: Path, register: str, shape: tuple[int, int], wanted: str | None
+    path: Path, register: str, shape: tuple[int, int], stated_sha256: str | None
 ) -> NDArray[np.bool_]:
     try:
         if not path.is_file():
@@ -83,9 +83,9 @@ def _plane(
         raise _BadPlaneError(reason) from None
     if len(data) > _LARGEST_FILE:
         raise _BadPlaneError(f"it has more than {_LARGEST_FILE} bytes")
-    found = sha256(data).hexdigest()
-    if wanted is not None and wanted.lower() != found:
-        raise _BadPlaneError(f"its SHA-256 is {found}, not {wanted[:64]!a}")
+    actual_sha256 = sha256(data).hexdigest()
+    if stated_sha256 is not None and stated_sha256.lower() != actual_sha256:
+        raise _BadPlaneError(f"its SHA-256 is {actual_sha256}, not {stated_sha256[:64]!a}")
     values = _values(data, register, shape)
     if not np.isin(values, (0, 1)).all():
         raise _BadPlaneError("it contains values other than 0 and 1")
@@ -116,11 +116,11 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
 def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
     """The array of an .npy stream; its size is checked before it is read."""
     try:
-        _, found, fortran, dtype = npy_header(file)
+        _, stored_shape, fortran, dtype = npy_header(file)
     except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
         raise _BadPlaneError("its .npy header is damaged") from None
-    if tuple(found) != shape:
-        raise _BadPlaneError(f"its shape is {found}, but the array has {shape}")
+    if tuple(stored_shape) != shape:
+        raise _BadPlaneError(f"its shape is {stored_shape}, but the array has {shape}")
     if dtype.kind not in "biuf":
         raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
     values = npy_values(file, shape, fortran, dtype)

@@ -57,7 +57,7 @@ def read_time_us(text: str) -> float | None:
 
 def ranges_text(values: Sequence[int]) -> str:
     """Rising integers as ranges: `0..15`, `1..63/2` (every second), `4`, joined by commas."""
-    parts: list[str] = []
+    texts: list[str] = []
     at = 0
     while at < len(values):
         step = values[at + 1] - values[at] if at + 1 < len(values) else 1
@@ -67,18 +67,18 @@ def ranges_text(values: Sequence[int]) -> str:
         if end - at < 2 and step > 1:
             end = at
         if end == at:
-            parts.append(str(values[at]))
+            texts.append(str(values[at]))
         else:
-            parts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
+            texts.append(f"{values[at]}..{values[end]}" + (f"/{step}" if step > 1 else ""))
         at = end + 1
-    return ",".join(parts)
+    return ",".join(texts)
 
 
 def read_ranges(text: str, most: int) -> list[range] | None:
     """The ranges of `ranges_text`; None where one is malformed, empty or reaches beyond `most`."""
-    found: list[range] = []
-    for part in text.split(","):
-        match = _RANGE.fullmatch(part)
+    ranges: list[range] = []
+    for range_text in text.split(","):
+        match = _RANGE.fullmatch(range_text)
         if match is None:
             return None
         first = int(match[1])
@@ -86,8 +86,8 @@ def read_ranges(text: str, most: int) -> list[range] | None:
         step = int(match[3]) if match[3] else 1
         if not first <= last <= most or step < 1:
             return None
-        found.append(range(first, last + 1, step))
-    return found
+        ranges.append(range(first, last + 1, step))
+    return ranges
 
 
 def slots_text(slots: NDArray[np.bool_]) -> str:
@@ -112,9 +112,9 @@ def slots_text(slots: NDArray[np.bool_]) -> str:
 
 def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
     """The inverse of `slots_text`: bool (slots,)."""
-    found = np.zeros(slots, dtype=np.bool_)
+    opened = np.zeros(slots, dtype=np.bool_)
     if text == "never":
-        return found
+        return opened
     if text.startswith("x"):
         if len(text) != 1 + 2 * ((slots + 7) // 8) or not re.fullmatch("[0-9a-fA-F]+", text[1:]):
             return None
@@ -124,9 +124,9 @@ def read_slots(text: str, slots: int) -> NDArray[np.bool_] | None:
     ranges = read_ranges(text, slots - 1)
     if ranges is None:
         return None
-    for part in ranges:
-        found[part.start : part.stop : part.step] = True
-    return found
+    for span in ranges:
+        opened[span.start : span.stop : span.step] = True
+    return opened
 
 
 def block_text(lines: Sequence[str]) -> list[str]:

@@ -25,14 +25,14 @@ def prove_stream(container: Container) -> Proof:
         for slot in range(container.slots):
             place = sent.place(slot, target.cols)
             for bucket, name in enumerate(container.buckets):
-                wrong = (place == bucket) != table.shutters[:, bucket, slot][at_pixel]
-                if wrong.any():
-                    y, x = np.argwhere(wrong)[0].tolist()
-                    what = (
+                misrouted = (place == bucket) != table.shutters[:, bucket, slot][at_pixel]
+                if misrouted.any():
+                    y, x = np.argwhere(misrouted)[0].tolist()
+                    message = (
                         f"the light of pixel x = {x}, y = {y} goes to another destination in "
                         f"slot {slot}"
                     )
-                    failure = failure or Failure(what, 1, name, int(at_pixel[y, x]))
+                    failure = failure or Failure(message, 1, name, int(at_pixel[y, x]))
     return Proof(len(table.codes), container.slots, 1, failure, pixels=count)
 
 
@@ -41,9 +41,13 @@ def _times(container: Container) -> Failure | None:
     free_us, load_us = -np.inf, container.target.plane_load_us
     end_us = np.cumsum(container.slot_us)
     slack = 1e-6 * load_us
-    for slot, each in enumerate(schedule(container.target, container.slot_us)):
-        whole = each.load_us + load_us <= each.acts_us + slack
-        if not whole or each.load_us < free_us - slack or each.acts_us >= end_us[slot]:
+    for slot, loading in enumerate(schedule(container.target, container.slot_us)):
+        loads_in_time = loading.load_us + load_us <= loading.acts_us + slack
+        if (
+            not loads_in_time
+            or loading.load_us < free_us - slack
+            or loading.acts_us >= end_us[slot]
+        ):
             return Failure(f"slot {slot} is too short to load its plane", 1)
-        free_us = each.load_us + load_us
+        free_us = loading.load_us + load_us
     return None

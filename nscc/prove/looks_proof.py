@@ -57,7 +57,7 @@ class Looks(Pixels):
         super().__init__(container, kernels, encoding, terms=len(container.buckets))
         self.pending: list[int] = []
         self._start(nodes)
-        self.bits |= self._state_bits(kept=True)
+        self.bits |= self._state_bits(kept_only=True)
 
     def _start(self, nodes: NDArray[np.int64]) -> None:
         """Lanes at boundary 0."""
@@ -72,21 +72,22 @@ class Looks(Pixels):
         self.node, self.outcome = self.node[lanes], self.outcome[lanes]
         self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
 
-    def _state_bits(self, *, kept: bool) -> dict[str, Bits]:
-        """What the registers of states, kept ones only where `kept`, hold in each lane."""
-        found: dict[str, Bits] = {}
+    def _state_bits(self, *, kept_only: bool) -> dict[str, Bits]:
+        """The content of the states' registers in each lane; with `kept_only`, of kept states
+        only."""
+        known_registers: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
-            if planes is None or (kept and not state.kept):
+            if planes is None or (kept_only and not state.is_kept):
                 continue
             bits = dict(zip(planes.values, planes.bits, strict=True))
             values = self.machine.values[self.node, k].tolist()
             if not bits.keys() >= set(values):
                 raise Wrong(f"no bits represent some value of the state `{state.name}`")
-            held = np.array([bits[value] for value in values], np.bool_)
-            registers = held.reshape(len(values), -1)
-            found |= zip(planes.registers, self.known(registers), strict=True)
-        return found
+            value_rows = np.array([bits[value] for value in values], np.bool_)
+            registers = value_rows.reshape(len(values), -1)
+            known_registers |= zip(planes.registers, self.known(registers), strict=True)
+        return known_registers
 
     def prove_frame(self, light: Values) -> None:
         """Runs one frame in `light` (N,); raises Wrong with the first thing that is."""
@@ -135,7 +136,7 @@ class Looks(Pixels):
             if not right.all():
                 worst = int(self.machine.behaviour[self.node[int(np.argmin(right))]])
                 raise Wrong(WRONG_EXPOSURE, name, worst)
-        states = self._state_bits(kept=False)
+        states = self._state_bits(kept_only=False)
         for register, bits in states.items():
             if self.read(register) != bits:
                 raise Wrong(f"{register} does not hold its state at the end of the frame")
@@ -147,8 +148,8 @@ class Looks(Pixels):
     def _next_frame(self) -> None:
         """The nodes in which the next frame starts, by what this one keeps."""
         machine = self.machine
-        kept = [k for k, state in enumerate(machine.states) if state.kept]
-        keys = np.column_stack((machine.behaviour, machine.values[:, kept])).tolist()
+        kept_states = [k for k, state in enumerate(machine.states) if state.is_kept]
+        keys = np.column_stack((machine.behaviour, machine.values[:, kept_states])).tolist()
         starts = {tuple(key): node for node, key in enumerate(keys[: int(machine.first[1])])}
         self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
@@ -184,8 +185,10 @@ class Looks(Pixels):
         owes = value[:, 1:].copy()
         if bucket is not None:
             owes[:, bucket] -= 1.0
-        told = (np.abs(owes) <= TOLERANCE).all(axis=1)
-        return (np.abs(value[:, 0] - expected_e) <= TOLERANCE * self.full_e) & (told | self.exact)
+        owed_once = (np.abs(owes) <= TOLERANCE).all(axis=1)
+        return (np.abs(value[:, 0] - expected_e) <= TOLERANCE * self.full_e) & (
+            owed_once | self.exact
+        )
 
     def _follow_both(self, number: int, above: bool) -> Bits:
         """Doubles the lanes; returns FLAG, which is 1 where comparison `number` says `above`."""

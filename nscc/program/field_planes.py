@@ -23,7 +23,7 @@ from nscc.program.names import Declarations
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.program import Field
 from nscc.program.scopes import constants_scope, pixels_scope
-from nscc.program.wide import PART_BITS, parts_of, parts_of_bits
+from nscc.program.wide import CHUNK_BITS, chunks_of, chunks_of_bits
 from nscc.source import Span
 from nscc.syntax.tree import Expr, Int, PixelsExpr, PixelsFromFile, PixelsTile
 
@@ -89,24 +89,24 @@ class _Maker:
         name = statement.field.text
         if name in self.declared.refused:
             return
-        what = dict(self.declared.declared()).get(name)
-        if what is None:
+        declared_as = dict(self.declared.declared()).get(name)
+        if declared_as is None:
             self.problems.unknown("a field", name, statement.field.span, list(self.fields))
         else:
-            message = f"`{name}` is {what}, not a field: `pixels` needs a field"
+            message = f"`{name}` is {declared_as}, not a field: `pixels` needs a field"
             helps = (f"declare it with `code {name} : LO..HI`",)
-            self.problems.error("NS0209", message, statement.field.span, what, helps=helps)
+            self.problems.error("NS0209", message, statement.field.span, declared_as, helps=helps)
 
     def _not_given(self, missing: list[str]) -> None:
         shown = ", ".join(f"`{name}`" for name in missing)
         first = self.declared.codes[missing[0]]
-        given = next(iter(self.declared.pixels.values()))
+        given_statement = next(iter(self.declared.pixels.values()))
         self.problems.error(
             "NS0210",
             f"the pixel values of {shown} are missing, but other fields have values",
             first.name.span,
             "has no `pixels` statement",
-            related=(Label(given.field.span, "given here"),),
+            related=(Label(given_statement.field.span, "given here"),),
             helps=(
                 f"add `pixels {missing[0]} = ...`",
                 "a program without any `pixels` statement is also valid",
@@ -130,18 +130,18 @@ class _Maker:
             "y": array(np.arange(rows, dtype=np.int64).reshape(rows, 1)),
             "x": array(np.arange(cols, dtype=np.int64).reshape(1, cols)),
         }
-        found = evaluate(checked, bindings, {})
-        if found.faults is not None:
-            self._fault(checked, bindings, found, (rows, cols))
+        evaluated = evaluate(checked, bindings, {})
+        if evaluated.faults is not None:
+            self._fault(checked, bindings, evaluated, (rows, cols))
             return None
-        return np.broadcast_to(np.asarray(found.data, dtype=np.int64), (rows, cols))
+        return np.broadcast_to(np.asarray(evaluated.data, dtype=np.int64), (rows, cols))
 
     def _fault(
-        self, checked: Checked, bindings: dict[str, Value], found: Value, shape: tuple[int, int]
+        self, checked: Checked, bindings: dict[str, Value], evaluated: Value, shape: tuple[int, int]
     ) -> None:
         places = np.ones(shape, dtype=bool)
-        if isinstance(found.faults, np.ndarray):
-            places = np.broadcast_to(found.faults, shape)
+        if isinstance(evaluated.faults, np.ndarray):
+            places = np.broadcast_to(evaluated.faults, shape)
         y, x = first_place(places)
         fault = fault_at(checked, bindings, {}, shape, (y, x))
         count = int(places.sum())
@@ -208,16 +208,16 @@ class _Maker:
             if field is None or self.target is None:
                 continue
             shape = self.target.rows, self.target.cols
-            names = [part.name for part in parts_of(field)]
+            names = [chunk.name for chunk in chunks_of(field)]
             try:
-                found = stored_planes(file, name, shape, len(names), field.bits)
+                stored = stored_planes(file, name, shape, len(names), field.bits)
             except Rejected as wrong:
                 self.problems.adopt(wrong, statement.path.span)
                 continue
-            (plane, beyond), *more = found
+            (plane, beyond), *higher_chunks = stored
             # Only bits that the file gives one by one reach into the other parts.
-            if any(part.any() for part, _ in more):
-                planes.update(zip(names, (each for each, _ in found), strict=True))
+            if any(chunk.any() for chunk, _ in higher_chunks):
+                planes.update(zip(names, (chunk_plane for chunk_plane, _ in stored), strict=True))
             else:
                 self._keep(planes, field, plane, statement, beyond)
 
@@ -234,9 +234,9 @@ class _Maker:
         if beyond is not None:
             outside |= beyond
         if not outside.any():
-            first, *others = (part.name for part in parts_of(field))
+            first, *higher_names = (chunk.name for chunk in chunks_of(field))
             planes[first] = plane
-            planes.update((name, np.zeros_like(plane)) for name in others)
+            planes.update((name, np.zeros_like(plane)) for name in higher_names)
             return
         y, x = first_place(outside)
         count = int(outside.sum())
@@ -283,57 +283,62 @@ Stored = tuple[Plane, NDArray[np.bool_]]
 
 
 def stored_planes(
-    file: ArraysFile, name: str, shape: tuple[int, int], parts: int = 1, bits: int | None = None
+    file: ArraysFile,
+    name: str,
+    shape: tuple[int, int],
+    chunk_count: int = 1,
+    bits: int | None = None,
 ) -> list[Stored]:
     """The planes of the field `name` in a file, as `planes_of` makes them; NS0313, NS0314."""
-    most = shape[0] * shape[1] * (bits or parts * PART_BITS)
+    most = shape[0] * shape[1] * (bits or chunk_count * CHUNK_BITS)
     stored = file.integers(name, most=max(most, 2**20), bools=True)
-    return planes_of(stored, name, shape, parts, bits, f' of "{file.shown}"')
+    return planes_of(stored, name, shape, chunk_count, bits, f' of "{file.shown}"')
 
 
 def planes_of(
     stored: NDArray[Any],
     name: str,
     shape: tuple[int, int],
-    parts: int,
+    chunk_count: int,
     bits: int | None = None,
-    where: str = "",
+    origin: str = "",
 ) -> list[Stored]:
-    """The planes of a field that is kept as so many parts, of the array that gives it.
+    """The planes of a field that is stored in `chunk_count` chunks, from the array that defines it.
 
-    It holds integers (rows, cols), or the single bits (rows, cols, K) of a bit field, bit 0 first:
-    as many as the field has where `bits` says, else as many as its parts can hold. NS0314 for
-    anything else.
+    The array holds integers (rows, cols), or single bits (rows, cols, K) of a bit field, bit 0
+    first. K is `bits` if given, else at most the bits of all chunks. Raises NS0314 for other
+    arrays.
     """
-    if stored.ndim == 3 and (parts > 1 or bits is not None):
-        return [(plane, np.zeros(shape, np.bool_)) for plane in
-                parts_of_bits(_single_bits(stored, name, shape, parts, bits, where))]  # fmt: skip
+    if stored.ndim == 3 and (chunk_count > 1 or bits is not None):
+        chunks = chunks_of_bits(_single_bits(stored, name, shape, chunk_count, bits, origin))
+        return [(plane, np.zeros(shape, np.bool_)) for plane in chunks]
     if stored.dtype.kind not in "iu" or stored.shape != shape:
-        found = f"the array `{clipped(name)}`{where} is {stored.shape} of {stored.dtype}"
-        message = f"{found}, but must contain integers {shape}: [row, column]"
+        array_text = f"the array `{clipped(name)}`{origin} is {stored.shape} of {stored.dtype}"
+        message = f"{array_text}, but must contain integers {shape}: [row, column]"
         helps = (f"the array of pixels is {shape[0]} rows x {shape[1]} columns",)
         raise rejected("NS0314", message, helps=helps)
     plane = as_plane(stored)
     nothing = np.zeros(shape, np.int64), np.zeros(shape, np.bool_)
-    return [plane, *[nothing] * (parts - 1)]
+    return [plane, *[nothing] * (chunk_count - 1)]
 
 
 def _single_bits(
-    stored: NDArray[Any], name: str, shape: tuple[int, int], parts: int, bits: int | None,
-    where: str,
+    stored: NDArray[Any], name: str, shape: tuple[int, int], chunk_count: int, bits: int | None,
+    origin: str,
 ) -> NDArray[Any]:  # fmt: skip
     count = stored.shape[2]
-    least = bits or (parts - 1) * PART_BITS + 1
-    most = bits or parts * PART_BITS
+    least = bits or (chunk_count - 1) * CHUNK_BITS + 1
+    most = bits or chunk_count * CHUNK_BITS
     if stored.shape[:2] != shape or not least <= count <= most:
-        wanted = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
+        shape_text = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
         message = (
-            f"the array `{clipped(name)}`{where} has shape {stored.shape}, but bits need {wanted}"
+            f"the array `{clipped(name)}`{origin} has shape {stored.shape}, but bits need "
+            f"{shape_text}"
         )
         helps = ("the last axis is the bit, bit 0 first",)
         raise rejected("NS0314", message, helps=helps)
     if not np.isin(stored, (0, 1)).all():
-        message = f"the array `{clipped(name)}`{where} has values other than 0 and 1"
+        message = f"the array `{clipped(name)}`{origin} has values other than 0 and 1"
         raise rejected(
             "NS0314", message, helps=("with three axes, an array must contain single bits",)
         )

@@ -73,10 +73,10 @@ def shown(value: Any) -> str:
 def spelled_value(text: str) -> Any:
     """The value that a text spells in TOML; the text itself where it spells none."""
     try:
-        found = tomllib.loads(f"value = {text}")
+        document = tomllib.loads(f"value = {text}")
     except (ValueError, RecursionError):
         return text
-    return found["value"] if found.keys() == {"value"} else text
+    return document["value"] if document.keys() == {"value"} else text
 
 
 def written(value: Any) -> str:
