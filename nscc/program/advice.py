@@ -26,6 +26,7 @@ def judge_rules(
 
     Never is judged by the codes compiled for (`table`, `basis` in words): the frame would stay
     dark. Always is judged by `survey`, all codes if they are few: pixels may well be open for long.
+    A bucket that is always open beside coded ones is the ordinary exposure of the same moment.
     """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
@@ -33,7 +34,7 @@ def judge_rules(
         if not shutters.any():
             when = f"false in every slot, {basis}" if has_fields else "false in every slot"
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, when)
-        elif has_fields and survey.shutters[:, k, :].all():
+        elif has_fields and survey.shutters.all():
             message = f"{who} is always open, whatever the code"
             camera = ("`open when true` without fields is the ordinary camera",)
             helps = () if isinstance(rule, tree.Bucket) else camera

@@ -58,14 +58,19 @@ def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
     say is taken for that.
     """
     unit = white(measured)
-    measured = measured.over(unit)
+    clip = coded_clip(measured.over(unit), count)
+    return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
+
+
+@torch.no_grad()
+def coded_clip(measured: Measured, count: int) -> Tensor:
+    """Return the clip after `count` stages, in a unit of light whose white is 1."""
     clip, target = gap_tv_of(measured)
     with bf16_where_multiplied():
         for number, sigma in enumerate(schedule(count)):
             denoiser = mirrored(shipped("clip"), number)
             clip, target = stage(measured, denoiser, clip, target, sigma)
-        clip = led(measured, clip)
-    return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
+        return led(measured, clip)
 
 
 @torch.no_grad()
