@@ -10,6 +10,8 @@ import torch
 from torch import Tensor
 
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
+from nscc_training.any_code.readouts import STAGES as READOUT_STAGES
+from nscc_training.any_code.readouts import always_open, joined
 from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.baselines.tensor_tv import gap_tv_of
@@ -54,16 +56,23 @@ def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
     """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages;
     at last it is led to the frames once more.
 
+    Where one of several frames was always open, `joined` takes what stands still from all of them,
+    and the clip has fewer stages.
+
     The whites of the light need not be 1 here, as a denoiser wants them: what the brightest pixels
     say is taken for that.
     """
     unit = white(measured)
-    clip = coded_clip(measured.over(unit), count)
+    measured = measured.over(unit)
+    number = always_open(measured)
+    if number is None:
+        clip = _coded_clip(measured, count)
+    else:
+        clip = joined(measured, _coded_clip(measured, min(count, READOUT_STAGES)), number)
     return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
 
 
-@torch.no_grad()
-def coded_clip(measured: Measured, count: int) -> Tensor:
+def _coded_clip(measured: Measured, count: int) -> Tensor:
     """Return the clip after `count` stages, in a unit of light whose white is 1."""
     clip, target = gap_tv_of(measured)
     with bf16_where_multiplied():

@@ -32,15 +32,12 @@ _LENGTHS = (4, 6, 8, 8, 8, 8, 12, 16)
 _FILM_LENGTHS = (8, 16, 16)
 _FULL_WELL_E = (2_000.0, 60_000.0)
 _READ_LSB = (0.2, 2.0)
-_WORDS_LSB = (0.5, 4.0)
-"""Of several readouts, whose words add noise to each: 2 on scamp5."""
 _TOP = 255.0
 
 
 class Lesson(NamedTuple):
     """What is drawn for a step: clips (batch, T, rows, cols) on 0..1 as a display shows them, or
-    the light of stills in full wells (batch, 1, rows, cols), behind masks of that shape, or those
-    of several readouts (batch, B, T, rows, cols).
+    the light of stills in full wells (batch, 1, rows, cols), behind masks of that shape.
 
     `exact`: they are measured without noise, as benchmarks are. `filmed`: as a camera takes them,
     linear light whose white is guessed.
@@ -100,8 +97,8 @@ def measured_lesson(
     light, mask = lesson.light, lesson.mask
     if lesson.filmed:
         light = srgb_inverse(light)
-    masks = mask if mask.ndim == 5 else mask.unsqueeze(1)
-    value = (masks * light.unsqueeze(1)).sum(dim=2)
+    value = (mask * light).sum(dim=1, keepdim=True)
+    masks = mask.unsqueeze(1)
     if lesson.exact:
         return light, Measured.exact(value[:, 0], mask), None
     full: Tensor | None = None
@@ -111,8 +108,7 @@ def measured_lesson(
         brightest = quantiles(light.sum(dim=1).flatten(1), 0.99).to(light)
         stops = 2 * uniform(brightest, generator) - 1
         full = (brightest * torch.exp2(stops)).clamp(min=1e-3)
-    read_lsb = _READ_LSB if masks.shape[1] == 1 else _WORDS_LSB
-    measured = Measured(*_read_out(value, masks, generator, full, read_lsb))
+    measured = Measured(*_read_out(value, masks, generator, full))
     if not lesson.filmed:
         return light, measured, None
     unit = white(measured)
@@ -201,12 +197,11 @@ def _film_mask(generator: Generator, frames: int, size: int) -> Mask:
 
 
 def _read_out(
-    value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None,
-    read_lsb: tuple[float, float],
-) -> tuple[Tensor, Tensor, Tensor, Tensor]:  # fmt: skip
-    """Return frames (batch, B, rows, cols) as some sensor reads each: the fields of `Measured`.
+    value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None
+) -> tuple[Tensor, Tensor, Tensor, Tensor]:
+    """Return frames (batch, 1, rows, cols) as some sensor reads each: the fields of `Measured`.
 
-    `read_lsb` are the least and the largest readout noise. `full` (batch,) is the value that fills the well, else one that some pixels reach, or none.
+    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none.
     """
     wide = (-1, 1, 1, 1)
 
@@ -217,7 +212,7 @@ def _read_out(
             wide
         )
 
-    well_e, noise_lsb = drawn(_FULL_WELL_E), drawn(read_lsb)
+    well_e, read_lsb = drawn(_FULL_WELL_E), drawn(_READ_LSB)
     if full is None:
         # The part of pixels that saturate: none, for most.
         shares = 0.15 * uniform(value, generator, (len(value),))
@@ -228,7 +223,7 @@ def _read_out(
     electrons = (value / level).clamp(max=2.0) * well_e
     noise = torch.randn((2, *value.shape), generator=generator, device=generator.device).to(value)
     charge = electrons + electrons.sqrt() * noise[0]
-    codes = torch.round(charge / well_e * _TOP + noise_lsb * noise[1]).clamp(0, _TOP)
+    codes = torch.round(charge / well_e * _TOP + read_lsb * noise[1]).clamp(0, _TOP)
     read = codes / _TOP * level
-    variance = (level / _TOP) ** 2 * (noise_lsb**2 + 1 / 12) + level / well_e * read.clamp(min=0)
+    variance = (level / _TOP) ** 2 * (read_lsb**2 + 1 / 12) + level / well_e * read.clamp(min=0)
     return read, masks, variance, codes >= _TOP

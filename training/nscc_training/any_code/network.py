@@ -26,14 +26,12 @@ class ClipDenoiser(nn.Module):
     plane convolutions see motion, and weights have no number of frames in them.
     """
 
-    def __init__(
-        self, widths: tuple[int, ...] = WIDTHS, *, seen: int = SEEN, found: int = 1
-    ) -> None:
+    def __init__(self, widths: tuple[int, ...] = WIDTHS) -> None:
         super().__init__()
         self.widths = widths
         fine, middle, coarse = widths
         planes = _FOLD**2
-        self.first = nn.Conv2d(planes * (1 + seen) + 1, fine, 3, padding=1)
+        self.first = nn.Conv2d(planes * (1 + SEEN) + 1, fine, 3, padding=1)
         self.down = nn.ModuleList([_pair(fine), _pair(middle)])
         self.shrink = nn.ModuleList(
             [nn.Conv2d(fine, middle, 2, stride=2), nn.Conv2d(middle, coarse, 2, stride=2)]
@@ -44,7 +42,7 @@ class ClipDenoiser(nn.Module):
              nn.ConvTranspose2d(coarse, middle, 2, stride=2)]
         )  # fmt: skip
         self.up = nn.ModuleList([_pair(fine), _pair(middle)])
-        self.last = nn.Conv2d(fine, found * planes, 3, padding=1)
+        self.last = nn.Conv2d(fine, planes, 3, padding=1)
         nn.init.zeros_(self.last.weight)
         nn.init.zeros_(self.last.bias)  # type: ignore[arg-type]
         with torch.no_grad():
@@ -52,16 +50,11 @@ class ClipDenoiser(nn.Module):
             self.first.weight[:, planes:-1] = 0
 
     def forward(self, clip: Tensor, seen: Tensor, sigma: Tensor) -> Tensor:
-        # In units of sigma, so that every level of noise teaches alike.
-        return clip + self.found(clip, seen, sigma)[0] * sigma.reshape(-1, 1, 1, 1)
-
-    def found(self, clip: Tensor, seen: Tensor, sigma: Tensor) -> tuple[Tensor, ...]:
-        """Return the last layer's clips, each as `clip`: the correction in units of sigma first."""
         batch, frames, rows, cols = clip.shape
         x = torch.cat([clip.unsqueeze(1), seen], dim=1)
         multiple = _FOLD * 2 ** len(self.down)
         margins = (0, -cols % multiple, 0, -rows % multiple)
-        x = x.transpose(1, 2).reshape(batch * frames, -1, rows, cols)
+        x = x.transpose(1, 2).reshape(batch * frames, 1 + SEEN, rows, cols)
         if any(margins):
             x = functional.pad(x, margins, mode="replicate")
         x = functional.pixel_unshuffle(x, _FOLD)
@@ -69,8 +62,9 @@ class ClipDenoiser(nn.Module):
         x = torch.cat([x, level.reshape(batch * frames, 1, *x.shape[2:])], dim=1)
         x = x.contiguous(memory_format=torch.channels_last)
         x = self._through(self.first(x), frames)
-        made = functional.pixel_shuffle(x.float(), _FOLD)[..., :rows, :cols]
-        return made.reshape(batch, frames, -1, rows, cols).unbind(dim=2)
+        found = functional.pixel_shuffle(x.float(), _FOLD)[..., :rows, :cols]
+        # In units of sigma, so that every level of noise teaches alike.
+        return clip + found.reshape(clip.shape) * sigma.reshape(-1, 1, 1, 1)
 
     def _through(self, x: Tensor, frames: int) -> Tensor:
         kept = []

@@ -1,93 +1,76 @@
 """Several readouts of one exposure, one of them always open: what stands still, and what moves.
 
-The always open readout has all the light and little noise, and is right wherever nothing moves.
-The coded readouts say where that is. A network of the denoiser's form sees both and chooses for
-every pixel and slot.
+Where nothing moves all readouts tell of the same light, and together more surely than an ordinary
+camera. Where they contradict each other by more than their noise, the clip of the coded ones is
+taken. Nothing is learned for this: the noise of every readout is known.
 """
 
 from __future__ import annotations
 
 import torch
 from torch import Tensor
+from torch.nn import functional
 
-from nscc_training.any_code.network import ClipDenoiser
 from nscc_training.measured import Measured
 
 STAGES = 4
-"""Stages of the clip that the network is given: more gain motion less than they cost stills."""
-SEEN = 5
-"""Planes beside the clip, see `planes`."""
-_SIGMA = 12 / 255
-"""How wrong the clip of the last stage is taken to be."""
-_TRUSTED = -1.0
-"""The gate before training, as a logarithm of odds: a quarter of the always open readout."""
-
-
-class ReadoutFusion(ClipDenoiser):
-    """A denoiser that sees the always open readout, and a gate beside its correction."""
-
-    def __init__(self, widths: tuple[int, ...] | None = None) -> None:
-        super().__init__(*(() if widths is None else (widths,)), seen=SEEN, found=2)
-
-    def begin_with(self, denoiser: ClipDenoiser) -> None:
-        """Take over the weights of a denoiser, which sees the clip alone of these planes."""
-        own, state = self.state_dict(), denoiser.state_dict()
-        one, planes_seen = state["last.weight"].shape[0], slice(0, state["last.weight"].shape[0])
-        state |= {name: torch.zeros_like(own[name]) for name in ("first.weight", "last.weight",
-                  "last.bias")}  # fmt: skip
-        there = denoiser.state_dict()
-        state["first.weight"][:, planes_seen] = there["first.weight"][:, planes_seen]
-        state["first.weight"][:, -1] = there["first.weight"][:, -1]
-        state["last.weight"][:one], state["last.bias"][:one] = (
-            there["last.weight"], there["last.bias"])  # fmt: skip
-        self.load_state_dict(state)
-
-    def fused(self, measured: Measured, clip: Tensor) -> Tensor:
-        """Return the clip (batch, N, rows, cols) that a coded one and the readouts make together,
-        in their unit, whose white is 1."""
-        seen = planes(measured)
-        correction, gate = self.found(clip, seen, clip.new_full((len(clip),), _SIGMA))
-        share = torch.sigmoid(gate + _TRUSTED)
-        return clip + share * (seen[:, 0] - clip) + _SIGMA * correction
+"""Stages of the clip: with several readouts more cost stills more than they gain motion."""
+_WIDE, _NARROW, _AROUND = 9, 5, 15
+"""Windows of pixels a side: of two measures of motion, and of how wrong the clip's mean is."""
+_STILL, _MOVING = 0.25, 0.6
+"""Below the first measure of motion nothing moves, above the second everything does."""
 
 
 def always_open(measured: Measured) -> int | None:
     """Return the number of the readout whose shutters never close, if there is one beside others
     that do."""
-    opened = (measured.mask > 0).flatten(3).all(dim=3).all(dim=2).all(dim=0)
-    if len(opened) < 2 or not bool(opened.any()) or bool(opened.all()):
+    opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
+    if bool(opened.all()) or not bool(opened.any()):
         return None
     return int(opened.int().argmax())
 
 
-def planes(measured: Measured) -> Tensor:
-    """Return what the network sees (batch, SEEN, N, rows, cols).
+def joined(measured: Measured, clip: Tensor, number: int) -> Tensor:
+    """Return the clip (batch, N, rows, cols) that is still where the readouts agree, and elsewhere
+    as `clip` is; readout `number` is always open.
 
-    These are the light of a slot that the always open readout has, and its standard deviation; the
-    mean of what the coded readouts that are open in a slot have more, and its standard deviation;
-    and how many of them are open. Where no coded readout is open, or one is saturated, the third
-    is 0 and the fourth 1.
+    The still light is the mean of all readouts by precision. It shrinks towards the clip's mean as
+    far as the difference of both is no larger than the noise of the first: so it is never much less
+    sure than the readouts, and nearly as smooth as the clip where the clip is right.
     """
-    number = always_open(measured)
-    assert number is not None
-    coded = [k for k in range(measured.mask.shape[1]) if k != number]
-    count = measured.mask.shape[2]
-    opened = measured.mask.sum(dim=2)  # (batch or 1, B, rows, cols)
-    light = measured.value / opened.clamp(min=1e-6)
-    spread = measured.variance / opened.clamp(min=1e-6).square()
-    still, still_variance = light[:, number], spread[:, number]
-    known = torch.where(opened[:, coded] > 0, ~measured.saturated[:, coded], False)
-    weight = (measured.mask[:, coded] > 0) & known.unsqueeze(2)  # (batch, B - 1, N, rows, cols)
-    more = light[:, coded] - still.unsqueeze(1)
-    variance = spread[:, coded] + still_variance.unsqueeze(1)
-    total = weight.sum(dim=1).clamp(min=1)
-    open_there = weight.any(dim=1)
-    mean = (weight * more.unsqueeze(2)).sum(dim=1) / total
-    sd = (weight * variance.unsqueeze(2)).sum(dim=1).sqrt() / total
-    full = measured.saturated[:, number]
-    flat = [still, torch.where(full, 1.0, still_variance.sqrt().clamp(max=1))]
-    wide = [part.unsqueeze(1).expand(-1, count, -1, -1) for part in flat]
-    return torch.stack(
-        [*wide, mean, torch.where(open_there, sd.clamp(max=1), 1.0), weight.sum(dim=1).to(mean)],
-        dim=1,
-    )
+    opened = measured.mask.sum(dim=2)
+    light = measured.value / opened.clamp(min=1e-9)
+    variance = measured.variance / opened.clamp(min=1e-9).square()
+    known = (opened > 0) & ~measured.saturated
+    precision = torch.where(known, 1 / variance.clamp(min=1e-12), 0.0)
+    total = precision.sum(dim=1)
+    mean = (precision * light).sum(dim=1) / total.clamp(min=1e-12)
+    # A saturated pixel had at least the light of its fullest readout.
+    still = torch.where(total > 0, mean, light.amax(dim=1))
+    noise = 1 / total.clamp(min=1e-12)
+    smooth = clip.mean(dim=1)
+    apart = _around((still - smooth).square(), _AROUND)
+    share = (1 - _around(noise.clamp(max=1), _AROUND) / apart.clamp(min=1e-12)).clamp(0, 1)
+    steady = smooth + share * (still - smooth)
+    gate = ((_MOVING - motion(light, variance, known, number)) / (_MOVING - _STILL)).clamp(0, 1)
+    return clip + gate.unsqueeze(1) * (steady.unsqueeze(1) - clip)
+
+
+def motion(light: Tensor, variance: Tensor, known: Tensor, number: int) -> Tensor:
+    """Return how far coded readouts are from the always open one (batch, rows, cols), in square
+    standard deviations: beyond 1 in the mean of a wide window, and their mean's in a narrow one.
+
+    All are (batch or 1, B, rows, cols); what is not `known` agrees.
+    """
+    coded = [k for k in range(light.shape[1]) if k != number]
+    always = [number]
+    spread = (variance[:, coded] + variance[:, always]).clamp(min=1e-12).sqrt()
+    apart = (light[:, coded] - light[:, always]) / spread
+    apart = torch.where(known[:, coded] & known[:, always], apart, 0.0)
+    wide = _around(apart.square(), _WIDE) - 1
+    return (wide + _around(apart, _NARROW).square()).mean(dim=1)
+
+
+def _around(values: Tensor, side: int) -> Tensor:
+    """Return the mean of a window around each pixel of (batch, [B,] rows, cols)."""
+    return functional.avg_pool2d(values, side, 1, side // 2, count_include_pad=False)

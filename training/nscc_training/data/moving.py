@@ -7,7 +7,7 @@ in them: detail, and motion of its parts by itself, with edges that cover and un
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -33,23 +33,17 @@ _BLURRED = 3
 
 
 def moving(
-    pictures: Sequence[Picture], generator: Generator, frames: int, size: int, still: float = 0.0
+    pictures: Sequence[Picture], generator: Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
     """A clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than `size`.
 
     A background and up to three things before it, each from a picture of its own; half of the
     clips have motion within a frame, too. Values are as stored or, raised to a power, like light.
-    In a part `still` of the clips nothing moves, and in as many only the things before the
-    background.
     """
     layers = [_Layer.drawn(pictures, generator, size, whole=True)]
     for _ in range(int(generator.integers(0, 4))):
         layers.append(_Layer.drawn(pictures, generator, size, whole=False))
     moments = _BLURRED if generator.random() < 0.5 else 1
-    if still:
-        drawn = generator.random()
-        resting = len(layers) if drawn < still else int(drawn < 2 * still)
-        layers[:resting] = [layer.resting() for layer in layers[:resting]]
     found = np.zeros((frames, size, size), np.float32)
     for frame in range(frames):
         for part in range(moments):
@@ -113,10 +107,6 @@ class _Layer:
             middle=generator.uniform(0.1, 0.9, 2) * size,
             outline=outline,
         )
-
-    def resting(self) -> _Layer:
-        """Return the layer without motion."""
-        return replace(self, velocity=np.zeros(2), zoom=1.0, spin=0.0, waves=np.zeros(6))
 
     def picture_at(self, moment: float, size: int) -> NDArray[np.float32]:
         import cv2
