@@ -13,8 +13,9 @@ from torch.nn import functional
 
 from nscc_training.measured import Measured
 
-STAGES = 4
-"""Stages of the clip: with several readouts more cost stills more than they gain motion."""
+FIRST_STAGE = 4
+"""The clip is the mean of those of this stage and all after it. Their errors differ, as stages see
+the clip mirrored in different ways: worth 0.2 dB where things move, and 4 dB where nothing does."""
 _WIDE, _NARROW, _AROUND = 9, 5, 15
 """Windows of pixels a side: of two measures of motion, and of how wrong the clip's mean is."""
 _STILL, _MOVING = 0.25, 0.6
