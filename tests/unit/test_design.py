@@ -27,8 +27,8 @@ from nscc_training.baselines.hdr import merged
 from nscc_training.design import Frame, design_looks, design_pattern, design_tile
 from nscc_training.design.chip import Chip, Curve
 from nscc_training.design.looking import Model, Schedule
-from nscc_training.design.patterns import cheapest, patterns
 from nscc_training.design.scene import best_stop, histogram, stops_tried
+from nscc_training.design.stop_patterns import cheapest, patterns
 from nscc_training.design.text import level_text
 from nscc_training.design.tile import best_tile
 from nscc_training.metrics import mu_psnr, psnr
@@ -206,7 +206,7 @@ def test_a_searched_pattern_does_what_the_search_says() -> None:
     [laid] = Scene("builtin:hdr", exposure="30000@70").laid([125.0] * 64, TARGET)
     light_e = laid.light.total_e()
     made = design_pattern([light_e], Frame(slots=64, level=0))
-    best, found = made.pattern, made.found
+    best, found = made.pattern, made.ranked
     assert best.mean_db >= found[0].mean_db - 0.5
     assert best.mean_db > max(p.mean_db for p in found if p.name == "uniform")
     container = made.compiled.container

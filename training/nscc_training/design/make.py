@@ -19,8 +19,8 @@ from nscc.words.container import Container
 from nscc_runtime.sensor import Sensor, default_sensor
 from nscc_training.design.chip import CURVES, Chip, Curve
 from nscc_training.design.looking import Expected, Model, Schedule
-from nscc_training.design.patterns import Pattern, Progress, cheapest, judged
 from nscc_training.design.scene import histogram
+from nscc_training.design.stop_patterns import Pattern, Progress, cheapest, judged
 from nscc_training.design.text import level_text, looking_text, tile_text
 from nscc_training.design.tile import Tile, best_tile
 from nscc_training.metrics import psnr_of_mse
@@ -83,10 +83,10 @@ class LookingDesign(Design):
 
 @dataclass(frozen=True, eq=False)
 class PatternDesign(Design):
-    """One of the pattern that a search found; `found` are all that it tried, the best first."""
+    """A program of the `pattern` that a search chose; `ranked` are all patterns, the best first."""
 
     pattern: Pattern
-    found: tuple[Pattern, ...]
+    ranked: tuple[Pattern, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,9 +151,9 @@ def design_tile(scenes: Scenes, frame: Frame | None = None, curve: Curve = "mu")
 def design_pattern(
     scenes: Scenes, frame: Frame | None = None, progress: Progress = iter
 ) -> PatternDesign:
-    """The program of the pattern of stops that is best by merging under every effect, of all that
-    `nscc_training.design.patterns` tries, its words weighed. `scenes` and what is raised as for
-    `design_looks`."""
+    """The program of the pattern of stops that is best by merging under every effect, its words
+    weighed, of all that `nscc_training.design.stop_patterns` tries. `scenes` and what is raised as
+    for `design_looks`."""
     frame = frame or Frame()
 
     def text_of(stops: Sequence[Sequence[int]], remark: str = "") -> str:
@@ -172,23 +172,23 @@ def design_pattern(
         assert container is not None
         return container.words_per_frame
 
-    found = judged(
+    ranked = judged(
         frame.chip(), [np.asarray(scene, np.float64) for scene in scenes], frame.slots,
         frame.slot_us, container_of, progress,
     )  # fmt: skip
-    best = cheapest(found, words_of)
-    uniform = next(pattern for pattern in found if pattern.name == "uniform")
-    tile = next(pattern for pattern in found if pattern.name == "2 x 2")
-    remark = f"The pattern of stops that merging is best behind, of {len(found)}: {best.name}."
+    best = cheapest(ranked, words_of)
+    uniform = next(pattern for pattern in ranked if pattern.name == "uniform")
+    tile = next(pattern for pattern in ranked if pattern.name == "2 x 2")
+    remark = f"The pattern of stops that merging is best behind, of {len(ranked)}: {best.name}."
     text = text_of(best.stops.tolist(), remark)
     lines = (
         ("pattern", _pattern_text(best, frame.slots)),
-        ("tried", f"{len(found)} patterns, by merging under every effect"),
+        ("tried", f"{len(ranked)} patterns, by merging under every effect"),
         ("reached", _reached_text(best)),
         ("uniform", f"{_pattern_text(uniform, frame.slots)}: {_reached_text(uniform)}"),
         ("2 x 2", f"{_pattern_text(tile, frame.slots)}: {_reached_text(tile)}"),
     )
-    return PatternDesign(text, frame.compiled("pattern.nsl", text), lines, best, tuple(found))
+    return PatternDesign(text, frame.compiled("pattern.nsl", text), lines, best, tuple(ranked))
 
 
 def _pattern_text(pattern: Pattern, slots: int) -> str:

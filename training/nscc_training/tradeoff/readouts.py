@@ -50,11 +50,11 @@ def measure_readouts(
     refused: list[Refused] = []
     rows = rows or Rows()
     for method, count in progress([(m, k) for k in counts for m in ("burst", "coded")]):
-        found = rows.once(f"readouts, {method}, {count}", partial(_row, method, count, bench))
-        if "code" in found:
-            refused.append(Refused(**found))
+        row = rows.once(f"readouts, {method}, {count}", partial(_row, method, count, bench))
+        if "code" in row:
+            refused.append(Refused(**row))
         else:
-            points.append(Point(**{**found, "times_ms": tuple(found["times_ms"])}))
+            points.append(Point(**{**row, "times_ms": tuple(row["times_ms"])}))
     return tuple(points), tuple(refused)
 
 
@@ -66,9 +66,9 @@ def _row(method: str, count: int, bench: Bench) -> dict[str, Any]:
             container = camera(SLOTS, SLOT_US, settings.target, count)
         else:
             options = Options(level=settings.level, target=settings.target)
-            made = compile_file(examples()[CLIPS[count]], options).container
-            assert made is not None  # what does not fit is rejected
-            container = made
+            coded = compile_file(examples()[CLIPS[count]], options).container
+            assert coded is not None  # what does not fit is rejected
+            container = coded
     except Rejected as error:
         first = error.diagnostics[0]
         return asdict(Refused("readouts", method, str(count), first.code, first.message))
@@ -92,10 +92,10 @@ def _clip(
     request = Request.of(
         effects=bench.settings.effects, seed=1000 * seed + number_of_scene, device_seed=seed
     )
-    made = simulate(container, light, bench.sensor, request)
-    about = meta(container, light, made.frame, made.origin)
+    simulated = simulate(container, light, bench.sensor, request)
+    about = meta(container, light, simulated.frame, simulated.origin)
     table = decode_arrays(container, bench.sensor, about["plan"])
-    arrays = {"frame": made.frame.frame, "saturated": made.frame.saturated}
+    arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
     coded = coded_frame(arrays | table, about)
     if method == "coded":
         return np.asarray(decoded_clip(coded.clip())[0].numpy(), np.float64)

@@ -53,7 +53,7 @@ class Pattern:
 
 def shapes() -> dict[str, Levels]:
     """Return the level of every place of a tile, 0 the longest, by the pattern's name."""
-    found = {
+    levels_of_shape = {
         "uniform": np.array([[0]]),
         "checkerboard": np.array([[0, 1], [1, 0]]),
         "L-shaped": np.array([[0, 1], [1, 2]]),
@@ -62,21 +62,21 @@ def shapes() -> dict[str, Levels]:
     }
     for levels in (2, 3, 4, 8):
         places = np.random.default_rng(levels).permutation(64) * levels // 64
-        found[f"stochastic, {levels} levels"] = places.reshape(8, 8)
-    return found
+        levels_of_shape[f"stochastic, {levels} levels"] = places.reshape(8, 8)
+    return levels_of_shape
 
 
 def patterns(slots: int) -> list[Pattern]:
     """Return all that are tried: each shape with each ratio of its levels and longest stop."""
     stops = np.array(stops_tried(slots))
-    found = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
+    tried = [Pattern("uniform", stops[k : k + 1, None]) for k in range(len(stops))]
     for name, levels in shapes().items():
         deepest = int(levels.max())
         for step in _HALF_STOPS:
             for longest in range(len(stops) - 1, -1, -1):
                 if deepest and longest >= step * deepest:
-                    found.append(Pattern(name, stops[longest - step * levels]))
-    return found
+                    tried.append(Pattern(name, stops[longest - step * levels]))
+    return tried
 
 
 def judged(
@@ -99,13 +99,13 @@ def judged(
             light = np.clip(_merged(chip, frames, pattern, slots) / peak, 0, 1)
             sums[k] += psnr(truth, light, 1.0), mu_psnr(truth, light, 1.0)
     means = sums / len(scenes)
-    found = [Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(tried, means, strict=True)]
-    return sorted(found, key=lambda pattern: -pattern.mean_db)
+    results = [Pattern(p.name, p.stops, *map(float, m)) for p, m in zip(tried, means, strict=True)]
+    return sorted(results, key=lambda pattern: -pattern.mean_db)
 
 
-def cheapest(found: Sequence[Pattern], words: Callable[[Pattern], int]) -> Pattern:
+def cheapest(ranked: Sequence[Pattern], words: Callable[[Pattern], int]) -> Pattern:
     """Return the pattern of the largest objective among the best ones: decibels less its words."""
-    return max(found[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
+    return max(ranked[:_FINALISTS], key=lambda p: p.mean_db - _DB_PER_WORD * words(p))
 
 
 def _frames(
@@ -117,16 +117,16 @@ def _frames(
     target, sensor = chip.target, chip.sensor
     rows, cols = light_e.shape
     margins = ((0, target.rows - rows), (0, target.cols - cols))
-    whole = np.pad(light_e / seconds.sum(), margins, mode="edge").astype(np.float32)
-    light = Light.of_still(whole, seconds)
-    found = {}
+    padded = np.pad(light_e / seconds.sum(), margins, mode="edge").astype(np.float32)
+    light = Light.of_still(padded, seconds)
+    frame_by_stop = {}
     for stop in stops_tried(slots):
         container = compiled(stop)
         request = Request.of(effects="all", seed=1000 * number + stop)
         frame = simulate(container, light, sensor, request).frame
         electrons = response_of(container, sensor, everything()).electrons(frame.frame)[0]
-        found[stop] = (electrons[:rows, :cols], frame.saturated[0, :rows, :cols])
-    return found
+        frame_by_stop[stop] = (electrons[:rows, :cols], frame.saturated[0, :rows, :cols])
+    return frame_by_stop
 
 
 def _merged(
@@ -134,12 +134,14 @@ def _merged(
 ) -> Values:
     """Return the light over the frame that merging makes of a pattern."""
     rows, cols = next(iter(frames.values()))[0].shape
-    repeats = [-(-side // own) for side, own in zip((rows, cols), pattern.stops.shape, strict=True)]
+    repeats = [
+        -(-side // period) for side, period in zip((rows, cols), pattern.stops.shape, strict=True)
+    ]
     stops = np.tile(pattern.stops, repeats)[:rows, :cols]
-    exposed, full = np.zeros((rows, cols)), np.zeros((rows, cols), bool)
+    exposed, saturated = np.zeros((rows, cols)), np.zeros((rows, cols), bool)
     for stop in np.unique(pattern.stops):
-        there = stops == stop
-        exposed[there], full[there] = (part[there] for part in frames[int(stop)])
+        has_stop = stops == stop
+        exposed[has_stop], saturated[has_stop] = (values[has_stop] for values in frames[int(stop)])
     noise_e = float(chip.exposed_sd_e(np.zeros(1))[0])
     lsb_e = chip.code_e
-    return merged(np.maximum(exposed, 0) / lsb_e, stops / slots, lsb_e, full, noise_e)
+    return merged(np.maximum(exposed, 0) / lsb_e, stops / slots, lsb_e, saturated, noise_e)
