@@ -103,6 +103,16 @@ def test_saturated_readouts_say_nothing_and_other_readouts_speak_for_them() -> N
     np.testing.assert_allclose(found, 1.5, atol=0.01)
 
 
+def test_motion_shows_where_the_always_open_readout_is_full() -> None:
+    masks = masks_of("three_readouts", 32)
+    clip = np.full((16, 32, 32), 2.0, np.float32)
+    clip[8:] = 0.5
+    measured = measured_of(clip, masks, sd=0.05)
+    measured.saturated[:, 0], measured.value[:, 0] = True, 16.0
+    found = joined(measured, torch.full((1, 16, 32, 32), 0.25), 0).numpy()
+    assert (found == 0.25).all()
+
+
 @pytest.mark.parametrize(("buckets", "name"), [(1, "class_c"), (2, "coded_two_buckets")])
 def test_nothing_is_joined_without_an_always_open_readout(buckets: int, name: str) -> None:
     masks = masks_of(name)

@@ -44,32 +44,29 @@ def joined(measured: Measured, clip: Tensor, number: int) -> Tensor:
     variance = measured.variance / opened.clamp(min=1e-9).square()
     known = (opened > 0) & ~measured.saturated
     precision = torch.where(known, 1 / variance.clamp(min=1e-12), 0.0)
-    total = precision.sum(dim=1)
-    mean = (precision * light).sum(dim=1) / total.clamp(min=1e-12)
-    # A saturated pixel had at least the light of its fullest readout.
-    still = torch.where(total > 0, mean, light.amax(dim=1))
+    total = precision.sum(dim=1, keepdim=True)
     noise = 1 / total.clamp(min=1e-12)
-    smooth = clip.mean(dim=1)
+    mean = (precision * light).sum(dim=1, keepdim=True) * noise
+    # A saturated pixel had at least the light of its fullest readout.
+    still = torch.where(total > 0, mean, light.amax(dim=1, keepdim=True))
+    smooth = clip.mean(dim=1, keepdim=True)
     apart = _around((still - smooth).square(), _AROUND)
     share = (1 - _around(noise.clamp(max=1), _AROUND) / apart.clamp(min=1e-12)).clamp(0, 1)
     steady = smooth + share * (still - smooth)
-    gate = ((_MOVING - motion(light, variance, known, number)) / (_MOVING - _STILL)).clamp(0, 1)
-    return clip + gate.unsqueeze(1) * (steady.unsqueeze(1) - clip)
-
-
-def motion(light: Tensor, variance: Tensor, known: Tensor, number: int) -> Tensor:
-    """Return how far coded readouts are from the always open one (batch, rows, cols), in square
-    standard deviations: beyond 1 in the mean of a wide window, and their mean's in a narrow one.
-
-    All are (batch or 1, B, rows, cols); what is not `known` agrees.
-    """
+    # The mean has a part of each readout's own noise; it is no other light than one that is alone.
+    spread = (variance - noise).clamp(min=1e-3 * variance.clamp(min=1e-9)).sqrt()
+    deviation = torch.where(known, (light - mean) / spread, 0.0)
     coded = [k for k in range(light.shape[1]) if k != number]
-    always = [number]
-    spread = (variance[:, coded] + variance[:, always]).clamp(min=1e-12).sqrt()
-    apart = (light[:, coded] - light[:, always]) / spread
-    apart = torch.where(known[:, coded] & known[:, always], apart, 0.0)
-    wide = _around(apart.square(), _WIDE) - 1
-    return (wide + _around(apart, _NARROW).square()).mean(dim=1)
+    gate = ((_MOVING - motion(deviation[:, coded])) / (_MOVING - _STILL)).clamp(0, 1)
+    return clip + gate.unsqueeze(1) * (steady - clip)
+
+
+def motion(deviation: Tensor) -> Tensor:
+    """Return how far coded readouts contradict what stands still (batch, rows, cols), from their
+    deviations (batch, B, rows, cols): the mean square in a wide window beyond 1, and the square of
+    the mean in a narrow one."""
+    wide = _around(deviation.square(), _WIDE) - 1
+    return (wide + _around(deviation, _NARROW).square()).mean(dim=1)
 
 
 def _around(values: Tensor, side: int) -> Tensor:
