@@ -28,6 +28,7 @@ def judge_rules(
     Never is judged by the compiled codes (`table`; `basis` describes them), since the frame would
     stay dark. Always is judged by `survey`: all codes if there are few, since the pixels in use may
     need long exposures.
+    A bucket that is always open beside coded ones is the ordinary exposure of the same moment.
     """
     for k, rule in enumerate(rules):
         shutters = table.shutters[:, k, :]
@@ -35,7 +36,7 @@ def judge_rules(
         if not shutters.any():
             text = f"false in every slot, {basis}" if has_fields else "false in every slot"
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, text)
-        elif has_fields and survey.shutters[:, k, :].all():
+        elif has_fields and survey.shutters.all():
             message = f"{who} is always open, whatever the code"
             camera = ("for an ordinary camera write `open when true` without fields",)
             helps = () if isinstance(rule, tree.Bucket) else camera
