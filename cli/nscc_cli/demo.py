@@ -56,5 +56,11 @@ def command(
         made = demo(Scene(name, fps=fps), folder, settings, listener)
         say_done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
         beside = "" if made.looked_db is None else f", by pixels that look {made.looked_db:.1f} dB"
+        ordinary = "an ordinary camera with automatic exposure"
+        if made.looked_db is None:
+            beside = f" from {readouts_text(made.readouts)}"
+            ordinary = "a burst of as many ordinary frames"
+        if made.fair_db is not None:
+            beside += f", {ordinary} {made.fair_db:.1f} dB"
         say_done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{beside}")
         say_done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))

@@ -91,8 +91,8 @@ def command(
     if tile + (looks is not None) + (motion is not None) + search != 1:
         raise click.UsageError(
             "name the design: --looks K for pixels that look, --criterion sve-risk for a "
-            "fixed 2 x 2 tile, --search for the best pattern of stops, or --motion slow, fast or scene "
-            "for clips"
+            "fixed 2 x 2 tile, --search for the best pattern of stops, or --motion slow, fast or "
+            "scene for clips"
         )
     if motion and criterion:
         raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")

@@ -45,19 +45,19 @@ def _divisors(context: click.Context, option: click.Parameter, value: str) -> tu
     return counts
 
 
-def _numbers(what: str, least: int, most: int) -> Callable[..., tuple[int, ...]]:
-    """The callback of an option that takes numbers, separated by commas, or `none`."""
+def _numbers(quantity: str, least: int, most: int) -> Callable[..., tuple[int, ...]]:
+    """Return the callback of an option that takes numbers, separated by commas, or `none`."""
 
     def numbers(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
         if value.strip() == "none":
             return ()
-    items = [item.strip() for item in value.split(",")]
+        items = [item.strip() for item in value.split(",")]
         for item in items:
             if not (item.isdecimal() and least <= int(item) <= most):
                 message = (
-                f"invalid number of exposures {item[:40]!r}: {least} to {most} are allowed"
-            )
-            raise click.BadParameter(message, context, option)
+                    f"invalid number of {quantity} {item[:40]!r}: {least} to {most} are allowed"
+                )
+                raise click.BadParameter(message, context, option)
         return tuple(sorted({int(item) for item in items}))
 
     return numbers
@@ -118,7 +118,7 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
         if measured.points:
             names = ("shutters", "slots", "PSNR, dB")
             click.echo(table_text(measured.points, names, ("slot, us", 1e3)))
-        if readouts and any(point.case == "clips" for point in found.points):
+        if readouts and any(point.case == "clips" for point in measured.points):
             from nscc_training.tradeoff.readouts import measure_readouts
 
             points, refused = measure_readouts(
@@ -127,7 +127,7 @@ def command(readouts: tuple[int, ...], **options: Any) -> int:
             click.echo()
             names = ("readouts", "count", "PSNR, dB")
             click.echo(table_text(points, names, ("readout, ms", 1.0)))
-            found = replace(found, refused=(*found.refused, *refused))
+            measured = replace(measured, refused=(*measured.refused, *refused))
         for line in refusals_text(measured.refused):
             click.echo(line)
         if not measured.points:

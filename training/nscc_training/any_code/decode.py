@@ -70,7 +70,7 @@ def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
     return clip.clamp(min=0) * unit.reshape(-1, 1, 1, 1)
 
 
-def _coded_clip(measured: Measured, count: int, first: int) -> Tensor:
+def _coded_clip(measured: Measured[Tensor], count: int, first: int) -> Tensor:
     """Return the mean of the clips after stage `first` to `count`, led to the frames; the unit of
     light has a white of 1."""
     clip, target = gap_tv_of(measured)

@@ -22,7 +22,7 @@ _STILL, _MOVING = 0.25, 0.6
 """Below the first measure of motion nothing moves, above the second everything does."""
 
 
-def always_open(measured: Measured) -> int | None:
+def always_open(measured: Measured[Tensor]) -> int | None:
     """Return the number of the readout whose shutters never close, if there is one beside others
     that do."""
     opened = (measured.mask > 0).all(dim=2).flatten(2).all(dim=2).all(dim=0)
@@ -31,7 +31,7 @@ def always_open(measured: Measured) -> int | None:
     return int(opened.int().argmax())
 
 
-def joined(measured: Measured, clip: Tensor, number: int) -> Tensor:
+def joined(measured: Measured[Tensor], clip: Tensor, number: int) -> Tensor:
     """Return the clip (batch, N, rows, cols) that is still where the readouts agree, and elsewhere
     as `clip` is; readout `number` is always open.
 

@@ -212,9 +212,11 @@ def _laid(
     raise AssertionError("there is an exposure to ask for")
 
 
-def _metered(laid: Sequence[Laid], container: Container, sensor: Sensor, curve: Curve) -> int:
-    """The slots that a camera with automatic exposure opens for, by the histogram of the light."""
-    light_e = np.mean([one.where.cut(one.light.total_e()) for one in laid], axis=0)
+def _metered(
+    laid: Sequence[PlacedLight], container: Container, sensor: Sensor, curve: Curve
+) -> int:
+    """Return the slots for which a camera with automatic exposure opens."""
+    light_e = np.mean([placed.placement.cut(placed.light.total_e()) for placed in laid], axis=0)
     return best_stop(Chip.of(container.target, sensor), light_e, container.slots, curve)
 
 

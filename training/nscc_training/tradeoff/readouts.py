@@ -98,7 +98,7 @@ def _clip(
     arrays = {"frame": simulated.frame.frame, "saturated": simulated.frame.saturated}
     coded = coded_frame(arrays | table, about)
     if method == "coded":
-        return np.asarray(decoded_clip(coded.clip())[0].numpy(), np.float64)
+        return np.asarray(decoded_clip(coded.clip().tensors())[0].numpy(), np.float64)
     return _shown(coded)
 
 
