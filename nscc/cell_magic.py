@@ -1,4 +1,4 @@
-"""Programs in the cells of a notebook: `%load_ext nscc`, then
+"""Notebook cells with programs: after `%load_ext nscc`, the cell
 
     %%nsl stops --target scamp7
     nsl 1
@@ -6,7 +6,7 @@
     code stop : 1..256
     open when n < stop
 
-shows when shutters are open and what the words cost, and leaves the program as `stops`.
+shows the open times of shutters and the cost in words, and assigns the program to `stops`.
 """
 
 from __future__ import annotations

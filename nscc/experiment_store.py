@@ -48,9 +48,9 @@ class Timing:
 class ExperimentStore:
     """Measurements of experiments, as JSON values, by name.
 
-    A measurement is on the disk when `keep` returns. Several processes may use a store at once:
-    who has the claim of a name measures it, and the others wait for the result. The claims of a
-    process end with it. The first value that is written of a name stays.
+    A measurement is on the disk when `keep` returns. Several processes may use a store:
+    the process that has the claim of a name measures it, and the others wait for the result. The
+    claims of a process end with it. The first value that is written for a name is never replaced.
 
     Raises Rejected: NS0784 if the file cannot be written, NS0834 if it is not a store.
     """

@@ -29,7 +29,7 @@ _inputs: ContextVar[dict[_Identity, Path] | None] = ContextVar("inputs", default
 
 @contextmanager
 def inputs_kept() -> Iterator[None]:
-    """A context in which files noted by `reads` are protected from being written: one command."""
+    """A context for one command, in which writing to a file noted by `reads` is refused."""
     token = _inputs.set({})
     try:
         yield

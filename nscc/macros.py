@@ -95,7 +95,7 @@ def _count(mnemonic: Mnemonic) -> str:
 
 
 def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -> Op:
-    """A whole word, after a check of its operands in the user's terms."""
+    """A word of the operation `row`; raises OperandError for invalid operands."""
     analog = row.analog
     writable = ANALOG_WRITE if analog else DIGITAL_WRITE
     readable = ANALOG_SOURCES if analog else DIGITAL_SOURCES

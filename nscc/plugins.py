@@ -1,12 +1,11 @@
-"""What other distributions add to nscc: entry points, read only when somebody asks for them.
+"""Plugins: entry points of other distributions, loaded on first use.
 
-A distribution adds by its metadata alone, for example
+A distribution declares a plugin in its metadata, for example
 
     [project.entry-points."nscc.effects"]
     columns = "my_package.columns:COLUMNS"
 
-and the table that holds nscc's own things of that kind takes what it finds as it takes its own:
-whole, or refused by name.
+and nscc's table for that kind checks it and uses it like a built-in one, or refuses it by name.
 """
 
 from __future__ import annotations

@@ -15,7 +15,7 @@ class Span:
     end: int
 
     def to(self, last: Span) -> Span:
-        """The span from the start of this one to the end of `other`."""
+        """The span from the start of this one to the end of `last`."""
         return Span(self.start, max(self.end, last.end))
 
 

@@ -1,18 +1,18 @@
-"""Words that a chip has beside those of `nscc.operations`: the `[[words]]` of its table.
+"""A chip's own words, in addition to `nscc.operations`: the `[[words]]` of its target file.
 
     [[words]]
-    name = "bus4"             # what the assembler calls it
+    name = "bus4"             # its mnemonic
     effect = "bus"            # or nothing, reset_pix, flag_all, flag_analog, flag_digital, digital
-    destinations = 4          # how many registers it writes; 0 for other effects than bus, digital
-    sources = [0, 2]          # fewest and most that it reads
-    divisor = 4               # of a bus word; left out: 1
-    inverted = true           # of a digital word; left out: false
-    lines = ["fbus"]          # control lines that it raises besides its operands'; left out: none
-    us = 0.2                  # how long it takes; left out: as long as the words of its clock
+    destinations = 4          # number of written registers; 0 unless bus or digital
+    sources = [0, 2]          # fewest and most registers that it reads
+    divisor = 4               # of a bus word; default 1
+    inverted = true           # of a digital word; default false
+    lines = ["fbus"]          # control lines besides those of its operands; default none
+    us = 0.2                  # its duration; default: that of the words of its clock
 
-Reset, flag and bus words run at the analog clock, flag_digital and digital ones at the digital.
-What a word does comes from its effect, which the proof and the emulator know; so a target can have
-a word of another shape or another time, not one that does something new.
+Reset, flag and bus words use the analog clock, flag_digital and digital words the digital clock.
+The effects are fixed, because the proof and the emulator implement them: a target can define words
+with other operands or times, but no new effects.
 """
 
 from __future__ import annotations

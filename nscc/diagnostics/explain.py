@@ -14,7 +14,7 @@ _CODE = re.compile(r"(?:(?:error|warning|note)\[)?(?:NS)?0*(\d{1,4})(?:\]:?.*)?"
 
 def page(code_or_name: str) -> str:
     """The page of a code (`NS0412`, any case; `412`) or of a name (`too-many-shutters`). Raises
-    Rejected (NS0790, status 2) where there is none."""
+    Rejected (NS0790, status 2) for an unknown one."""
     known = names()
     query = code_or_name.strip()
     match = _CODE.fullmatch(query)
@@ -37,7 +37,7 @@ def page(code_or_name: str) -> str:
 
 
 def index() -> str:
-    """A line for every code: code, name, title."""
+    """One line for each code: code, name, title."""
     lines = []
     for code, name in names().items():
         with open(PAGES / f"{code}-{name}.md", encoding="utf-8") as file:

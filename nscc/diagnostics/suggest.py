@@ -50,5 +50,5 @@ def meant(
 
 
 def did_you_mean(text: str) -> str:
-    """The question whether the user meant a text."""
+    """Format the help "did you mean ..?"."""
     return f"did you mean `{text}`?"

@@ -1,4 +1,4 @@
-"""The files that a program is made of."""
+"""The files that a program consists of."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from nscc.syntax.parse import parse, read_source
 
 
 def files_of(program: Path) -> set[Path]:
-    """A program's file, there or not, and the files of chips, codebooks and codes that it names."""
+    """The program's path, and the paths of the targets, codebooks and pixel codes that it names."""
     files = {program}
     try:
         statements = parse(read_source(program))[0].statements

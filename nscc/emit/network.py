@@ -1,33 +1,32 @@
-"""The gates of a frame as a network: values and what is computed from them.
+"""The gates of a frame as a network of values.
 
-A register is written again and again, so it is not registers that are nodes but what is written
-into them, once each (static single assignment), and every edge leads from a value to what reads it.
-The network holds what is needed to run it: bits of every plane, and the function of every gate.
+Each value that is written to a register is a node (static single assignment), and each edge leads
+from a value to a reader. The network is executable: it has the bits of every plane and the function
+of every gate.
 
 The graph's attributes are `encoding`, `lowering`, `shutters`, `slots`, `depth` (gates on the
-longest path) and `registers` (see `registers_needed`). Its nodes come in the order in which they
-run, and have a `kind`:
+longest path) and `registers` (see `registers_needed`). Its nodes are in execution
+order and have a `kind`:
 
-plane   what a register holds when the frame starts: `register`, `name` in the listing of the gates,
+plane   the initial content of a register: `register`, `name` in the listing of the gates,
         `holder` in words, `bits` as a hexadecimal number, bit i for shutter i of the decode table
 gate    `function` WHERE or OR, NOR, MOV (OR of one), NOT, SET (1), CLR (0) of its predecessors; the
         `register` that it writes (FLAG for WHERE), the value's `name`, `words`, `boundary`,
         and the `kernel` it is stored in
 demand  what FLAG must hold: `edge` "open", "rise", "fall" or "reset", `bucket` ("" where PIX is
         reset), `boundary`
-end     a plane as it must be again when the frame ends: `register`, `boundary`
+end     the required final content of a plane: `register`, `boundary`
 
 A masked gate writes its function where its mask is 1 and keeps the register's old content
-elsewhere. The edges to it have a `role`, of the words "source", "mask" and "kept": a value may be
-several of them. An edge without a role leads from a source.
+elsewhere. The edges to it have a `role`: one or more of the words "source", "mask" and "kept". An
+edge without a role leads from a source.
 
-Of a program whose pixels look at the light, planes are also the registers of its states, which the
-frame's first words clear or which the frame before left, for the behaviours of its machine. It has
-two kinds more:
+In a program with senses, planes include the registers of its states: cleared by the frame's first
+words or kept from the previous frame. Bits are for the behaviours of its machine. Two more kinds:
 
 look    an answer in FLAG, which comes from no gate: `function` where, `signal` "light" or a bucket,
-        `steps` of IN, `boundary`, `kernel`. It holds where the signal is at most the level
-state   a bit of a state as the frame leaves it: `state`, `bit`, `register`, `boundary`
+        `steps` of IN, `boundary`, `kernel`. It is 1 where the signal is at most the level
+state   the final bit of a state: `state`, `bit`, `register`, `boundary`
 """
 
 from __future__ import annotations

@@ -17,7 +17,7 @@ from nscc.words.cost import refresh_count
 
 
 def report(choice: Choice, proof: Proof) -> dict[str, Any]:
-    """The report as JSON values; keys as in the command line's contract."""
+    """The build report as JSON values, as `--emit report` writes them."""
     lowered = choice.best
     program, schedule = lowered.program, lowered.schedule
     slots = len(program.frame.slot_us)

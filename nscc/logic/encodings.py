@@ -81,7 +81,8 @@ def gray_times(problem: Problem, machine: Machine, budget: Budget) -> Encoding:
 
 
 def event_name(edge: str, bucket: int, rank: int, fields: Events) -> str:
-    """`fall time`, with rank and bucket if there are several."""
+    """The name of a field of events, such as `fall time`, with rank and bucket if there are
+    several."""
     rank_text = f" {rank + 1}" if (edge, bucket, 1) in fields else ""
     bucket_text = f" of bucket {bucket}" if len({b for _, b, _ in fields}) > 1 else ""
     return f"{edge} time{rank_text}{bucket_text}"

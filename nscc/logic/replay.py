@@ -152,8 +152,11 @@ class _Frame:
 
 
 def _masked(machine: Machine, solution: Solution) -> str | None:
-    """The plane that `nscc.lower.allocate` puts in the masked register if there are no masked
-    gates: with all registers in use, the one written least. Its writes destroy t0."""
+    """The plane in the masked register of a solution without masked gates; None if it has none.
+
+    If all registers are in use, `nscc.lower.allocate` puts the plane with the fewest writes there.
+    Each of these writes sets the mask, which overwrites t0.
+    """
     used = len(solution.planes) + solution.states + solution.scratch
     if not machine.masked or used < machine.registers or solution.masked_pair() is not None:
         return None

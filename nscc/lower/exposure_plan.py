@@ -1,15 +1,14 @@
 """Exposure plans: which analog words run at which boundary, and in which pixels.
 
-A plan is how equation (3), E = sum of L[n] S[n], comes out of a photodiode that only integrates:
+A plan computes equation (3), E = sum of L[n] S[n], with a photodiode that only integrates:
 
-accumulate  reset every slot, add the slot's light at its end where the shutter was open
+accumulate  reset in every slot; add the slot's light at its end where the shutter was open
 latch       never reset inside the frame; a pixel that is open from slot 0 copies PIX when it closes
 edges       never reset inside the frame; add PIX at every falling edge, subtract it at every
             rising one (where single pixels can be reset, reset them at the rising edge instead)
 
-Boundaries run over 0..N. Boundary n comes before slot n's light; slot n is read at boundary n + 1.
-A plan says *where* as a predicate, a truth vector over the program's shutters; how the gates
-compute it is not its business.
+Boundaries are 0..N. Boundary n is before slot n, and slot n is read at boundary n + 1. A predicate,
+a truth vector over the program's shutters, selects the pixels of each step; gates compute it later.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The time grid of the one frame."""
+"""The frame: the lengths of its slots."""
 
 from __future__ import annotations
 

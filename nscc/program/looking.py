@@ -329,13 +329,13 @@ class _Maker:
 
 
 def level_e(value: float, unit: str, target: Target) -> float:
-    """A level in electrons."""
+    """Convert a level to electrons."""
     size = {"%": target.full_well_e / 100, "e": 1.0, "lsb": target.electrons_per_lsb}[unit]
     return value * size
 
 
 def level_steps(value: float, unit: str, target: Target) -> int:
-    """A level in steps of IN, rounded."""
+    """Convert a level to steps of IN, rounded."""
     return round(level_e(value, unit, target) / target.electrons_per_step)
 
 

@@ -19,7 +19,7 @@ floats, and no time, charge or current in nscc is as small."""
 
 
 class Kind(Protocol):
-    """A set of values."""
+    """The values that a key may have."""
 
     @property
     def allowed(self) -> str:
@@ -50,7 +50,7 @@ class Number(Kind):
 
     @property
     def _word(self) -> str:
-        """The word for None, if any."""
+        """The word that a file has for None: "any", "auto" or ""."""
         return "any" if self.unlimited else "auto" if self.automatic else ""
 
     def __post_init__(self) -> None:
@@ -95,7 +95,7 @@ Integer = partial(Number, is_whole=True)
 
 @dataclass(frozen=True, slots=True)
 class Flag(Kind):
-    """True or false."""
+    """A boolean."""
 
     @property
     def allowed(self) -> str:

@@ -49,7 +49,7 @@ class State:
 
 @dataclass(frozen=True, eq=False)
 class Machine:
-    """The machines of all behaviours; a behaviour is what one or more codes do.
+    """The state machines of all behaviours; codes that behave equally share one.
 
     Stage k begins after look k (stage 0 at boundary 0) and has the nodes
     first[k] .. first[k + 1] - 1. By node: `behaviour` int32 (nodes,); `values` int64 (nodes,
