@@ -42,7 +42,7 @@ from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.tolerance import Given, Tolerance
+from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
 from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.load import FramesAre
@@ -218,8 +218,8 @@ def plan(
     *,
     sensor: SensorLike = None,
     effects: str | Selection = "auto",
-    tolerance: Given = Request.tolerance,
-    tolerance_max: Given | None = None,
+    tolerance: ToleranceInput = Request.tolerance,
+    tolerance_max: ToleranceInput | None = None,
     device_seed: int = Request.device_seed,
 ) -> Plan:
     """Choose the effects that a capture has to simulate for a tolerance. Nothing is exposed.
@@ -411,7 +411,7 @@ def _text(call: str, name: str, value: object, count: int) -> str | None:
     return ",".join(f"{number(call, name, each):.17g}" for each in given)
 
 
-def _tolerance(call: str, name: str, tolerance: object) -> Given | None:
+def _tolerance(call: str, name: str, tolerance: object) -> ToleranceInput | None:
     if tolerance is None or isinstance(tolerance, str | Tolerance):
         return tolerance
     return number(call, name, tolerance)

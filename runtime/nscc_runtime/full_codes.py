@@ -99,16 +99,16 @@ def _noise_e(program: Program) -> Values:
 def _steady(program: Program, lanes: NDArray[np.integer]) -> tuple[Values, NDArray[np.uint8]]:
     """The exposures (buckets, levels, lanes) of steady light in the mean, and their marks."""
     container, sensor, effects = program.container, program.sensor, everything()
-    seen_s = program.slot_s @ program.tables.seen()[:, lanes]
+    seen_s = program.slot_s @ program.tables.seen_slots()[:, lanes]
     never = seen_s <= 0
-    scale = effects.the(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
+    scale = effects.require_part(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
     rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)
     pixels = _Pixels(program, rate, np.tile(lanes, len(_LEVELS)))
     for word in program.tables.decayed:
         pixels.run(word)
     shape = len(container.buckets), len(_LEVELS), len(lanes)
     exposure, marked = np.empty((shape[0], rate.size)), np.empty((shape[0], rate.size), np.uint8)
-    tau_s = effects.the(Leak).tau_s(sensor)
+    tau_s = effects.require_part(Leak).tau_s(sensor)
     for order, readout in enumerate(container.readouts):
         bucket = container.buckets.index(readout.bucket)
         waited_s = order * container.target.readout_us * 1e-6
@@ -137,14 +137,14 @@ class _Pixels:
 
     def run(self, word: AnalogWord) -> None:
         """The light up to a word's end, and the word."""
-        slow = self.effects.part(SlowWords) is not None
+        slow = self.effects.find_part(SlowWords) is not None
         ends_s = float(self.start_s[word.boundary]) + slow * word.after_us * 1e-6
         passed_s = max(0.0, ends_s - self.now_s)
         self.now_s += passed_s
-        charge, full_e = self.charge + self.rate * passed_s, self.effects.the(Well).full_e
+        charge, full_e = self.charge + self.rate * passed_s, self.effects.require_part(Well).full_e
         self.charge = np.minimum(charge, full_e(self.sensor))
         self.marks.fill(self.charge < charge)
-        kept = np.exp(-passed_s / self.effects.the(Leak).tau_s(self.sensor))
+        kept = np.exp(-passed_s / self.effects.require_part(Leak).tau_s(self.sensor))
         self.register = {name: value * kept for name, value in self.register.items()}
         here = word.lanes[self.lanes]
         if word.resets:
@@ -152,7 +152,7 @@ class _Pixels:
             self.marks.empty(here)
             return
         total = sum(self.charge if n == "PIX" else self.register[n] for n in word.op.sources)
-        gain, soft = self.effects.the(WordGain), self.effects.the(Soft)
+        gain, soft = self.effects.require_part(WordGain), self.effects.require_part(Soft)
         exact = -gain.gain(self.sensor) * total / word.op.operation.divisor
         nowhere = np.zeros(len(self.lanes), np.bool_)
         full, lost_e = self.marks.gathered(word.op, nowhere, nowhere)

@@ -20,7 +20,7 @@ from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
-from nscc_runtime.looking.ways import Ways
+from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.pool import threads_of
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.capture import scene_of
@@ -28,7 +28,7 @@ from nscc_runtime.reference.looks import LookingReference
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
-ways_of = OfContainer(Ways)
+ways_of = OfContainer(LookingProgram)
 """The ways of a program on a sensor."""
 
 
@@ -67,7 +67,9 @@ def told_frame(
     return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
-def exposer(ways: Ways, effects: Selection, threads: int = 1, by_words: bool = False) -> Exposing:
+def exposer(
+    ways: LookingProgram, effects: Selection, threads: int = 1, by_words: bool = False
+) -> Exposing:
     """What exposes (scene, loaded, seeds, frame, rows) with these effects: the ways, or the
     reference where they lack an effect or `by_words` asks for it."""
     if by_words or ways.lacks(effects):

@@ -109,7 +109,7 @@ def light_of(
         deviation = np.where(frame.saturated, np.inf, np.nan)
         return {LIGHT: read_e / open_s, DEVIATION: np.where(np.isnan(open_s), np.nan, deviation)}
     ends, by_end = response
-    row, _ = row_of(ends.told, told)
+    row, _ = row_of(ends.outcomes, told)
     seen_s, bias_e, variance_e2 = (
         np.moveaxis(each[row], -1, 0) for each in (by_end.seen_s, by_end.bias_e, by_end.variance_e2)
     )
@@ -118,7 +118,7 @@ def light_of(
     np.divide(_unbent(read_e, sensor, effects) - bias_e, seen_s, out=light, where=seen)
     electrons = np.maximum(light, 0.0) * open_s
     variance_e2 = (variance_e2 + converter_e2(sensor, effects)) * (open_s / seen_s) ** 2
-    if effects.part(CountedLight) is not None:
+    if effects.find_part(CountedLight) is not None:
         variance_e2 += electrons
     variance_e2 += (gain_spread(sensor, effects) * electrons) ** 2
     deviation = np.where(frame.saturated, np.inf, np.sqrt(variance_e2) / open_s)
@@ -128,7 +128,7 @@ def light_of(
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
     """What two registers were to hold, one after the other, that saturate softly."""
-    soft = effects.part(Soft)
+    soft = effects.find_part(Soft)
     if soft is None:
         return read_e
     meant = np.linspace(0.0, 2.0 * soft.linear_e(sensor), 4097)

@@ -125,22 +125,26 @@ def audit(
     """
     rows = compared_rows(slots, light.total_e())
     count, pooled = compared_frames(frames, light.shape)
-    runs, mine, full, others = [*bands(rows)], [], [], []
+    runs, mine, full, other_states_by_frame = [*bands(rows)], [], [], []
     for frame in range(count):
-        each = compare(frame, runs)
-        same = np.ones(each.full_e.shape[1:], np.bool_) if each.same is None else each.same
-        mine.append(np.where(same, each.planned_e, np.nan))
-        full.append(np.where(same, each.full_e, np.nan))
-        if each.same is not None:
-            others.append(1.0 - float(same.mean()))
+        frame_pair = compare(frame, runs)
+        same = (
+            np.ones(frame_pair.full_e.shape[1:], np.bool_)
+            if frame_pair.same is None
+            else frame_pair.same
+        )
+        mine.append(np.where(same, frame_pair.planned_e, np.nan))
+        full.append(np.where(same, frame_pair.full_e, np.nan))
+        if frame_pair.same is not None:
+            other_states_by_frame.append(1.0 - float(same.mean()))
     weight = row_weights(rows, light.shape[0])
-    found = compared(np.stack(mine), np.stack(full), weight, pooled, plan)
-    if not others:
-        return found
-    other, pixels = float(np.mean(others)), found.samples / len(mine[0])
-    error = math.sqrt(other * (1.0 - other) / pixels)
-    found = replace(found, other_states=other, other_states_mc_error=error)
-    return replace(found, holds=found.breach(plan) is None)
+    report = compared(np.stack(mine), np.stack(full), weight, pooled, plan)
+    if not other_states_by_frame:
+        return report
+    other_states, pixels = float(np.mean(other_states_by_frame)), report.samples / len(mine[0])
+    error = math.sqrt(other_states * (1.0 - other_states) / pixels)
+    report = replace(report, other_states=other_states, other_states_mc_error=error)
+    return replace(report, holds=report.breach(plan) is None)
 
 
 def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
@@ -157,34 +161,36 @@ def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan
     `weight` (rows,): the part of the frame that each row stands for.
     """
     error, buckets = mine - full, mine.shape[1]
-    there = np.isfinite(error)
-    error = np.where(there, error, 0.0)
-    part = weight[:, None] * there
-    part = part / np.maximum(part.sum(axis=(2, 3), keepdims=True), 1e-300)
-    square = (error**2 * part).sum(axis=(2, 3)).reshape(-1, pooled, buckets).mean(axis=1)
+    is_compared = np.isfinite(error)
+    error = np.where(is_compared, error, 0.0)
+    pixel_weight = weight[:, None] * is_compared
+    pixel_weight = pixel_weight / np.maximum(pixel_weight.sum(axis=(2, 3), keepdims=True), 1e-300)
+    square = (error**2 * pixel_weight).sum(axis=(2, 3)).reshape(-1, pooled, buckets).mean(axis=1)
     worst = math.sqrt(float(square.max()))
     # Rows are the independent parts: pixels of a row share its light.
-    many = np.maximum(there.sum(axis=3), 1)
-    by_row, means = (error**2).sum(axis=3) / many, error.sum(axis=3) / many
+    row_pixels = np.maximum(is_compared.sum(axis=3), 1)
+    by_row, means = (error**2).sum(axis=3) / row_pixels, error.sum(axis=3) / row_pixels
     spread = float(by_row.std() / math.sqrt(by_row.size))
-    ratio, ratio_error = _std_ratio(mine, full, np.all(there, axis=0))
-    pools = (values.reshape(-1, pooled, *values.shape[1:]) for values in (np.abs(error), part))
+    ratio, ratio_error = _std_ratio(mine, full, np.all(is_compared, axis=0))
+    pools = (
+        values.reshape(-1, pooled, *values.shape[1:]) for values in (np.abs(error), pixel_weight)
+    )
     sizes, weights = (values.swapaxes(1, 2).reshape(square.size, -1) for values in pools)
-    largest_e = [largest(*each) for each in zip(sizes, weights, strict=True)]
-    found = Audit(
+    largest_e = [largest(*size_and_weight) for size_and_weight in zip(sizes, weights, strict=True)]
+    report = Audit(
         worst,
         spread / (2 * worst) if worst > 0 else 0.0,
-        float((error * part).sum(axis=(2, 3)).mean()),
+        float((error * pixel_weight).sum(axis=(2, 3)).mean()),
         float(means.std() / math.sqrt(means.size)),
         ratio,
         ratio_error,
         error.size,
         len(error),
         True,
-        measured_p999_e=max(each.p999_e for each in largest_e),
-        measured_max_e=max(each.max_e for each in largest_e),
+        measured_p999_e=max(size_and_weight.p999_e for size_and_weight in largest_e),
+        measured_max_e=max(size_and_weight.max_e for size_and_weight in largest_e),
     )
-    return replace(found, holds=found.breach(plan) is None)
+    return replace(report, holds=report.breach(plan) is None)
 
 
 def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDArray[np.intp]:
@@ -192,11 +198,11 @@ def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDAr
     that of the brightest pixel, of so many `cells` (slots x pixels; None: _MOST_CELLS). `total_e`
     (rows, cols): all the light of each pixel."""
     height, cols = total_e.shape
-    wanted = (cells or _MOST_CELLS) // (slots * cols) // _BAND
+    band_count = (cells or _MOST_CELLS) // (slots * cols) // _BAND
     bands = -(-height // _BAND)
-    if wanted >= bands:
+    if band_count >= bands:
         return np.arange(height)
-    chosen = {int(i * bands / max(1, wanted)) for i in range(max(1, wanted))}
+    chosen = {int(i * bands / max(1, band_count)) for i in range(max(1, band_count))}
     chosen.add(int(np.argmax(total_e) // cols) // _BAND)
     rows = [row for band in sorted(chosen) for row in range(band * _BAND, (band + 1) * _BAND)]
     return np.array([row for row in rows if row < height])

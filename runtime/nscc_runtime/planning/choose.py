@@ -85,16 +85,19 @@ class Together:
 
     def likely_e2(self, errors: float) -> float:
         """The same with so many standard errors."""
-        parts = [self.difference, *filter(None, [self.approximations])]
-        return sum(part.likely_e2(errors) for part in parts) + self.unseen_e2
+        differences = [self.difference, *filter(None, [self.approximations])]
+        return sum(difference.likely_e2(errors) for difference in differences) + self.unseen_e2
 
     @property
     def worst(self) -> Worst:
         """The largest errors."""
         if self.approximations is None:
             return self.difference.worst
-        mine, others = self.difference.worst, self.approximations.worst
-        return Worst(math.hypot(mine.p999_e, others.p999_e), math.hypot(mine.max_e, others.max_e))
+        measured, approximated = self.difference.worst, self.approximations.worst
+        return Worst(
+            math.hypot(measured.p999_e, approximated.p999_e),
+            math.hypot(measured.max_e, approximated.max_e),
+        )
 
 
 def choose_cheapest(
@@ -104,15 +107,19 @@ def choose_cheapest(
     of them where that was not measured near saturation."""
     fitting = [move for move in moves if _alone_e2(trial, measured, move) <= limits.square_e2]
     fitting = sorted(fitting, key=lambda move: -move.saved_ns)[:_MOST_MOVES]
-    squares, unsure, saved_ns, other = _sums_of_subsets(trial, measured, fitting)
-    made = measured.approximations
-    square_e2, sure_e2 = (0.0 if made is None else made.likely_e2(errors) for errors in (0.0, 2.0))
-    good = (squares.max(axis=0) <= limits.square_e2 - square_e2) & (other <= limits.other_states)
-    sure = good & ((squares + 2.0 * unsure).max(axis=0) <= limits.sure_e2 - sure_e2)
-    good[0] = sure[0] = False
-    order, most = np.argsort(-saved_ns, kind="stable"), _TRIED if measured.near else _FEW
+    squares, unsure, saved_ns, other_states = _sums_of_subsets(trial, measured, fitting)
+    approximations = measured.approximations
+    square_e2, sure_e2 = (
+        0.0 if approximations is None else approximations.likely_e2(errors) for errors in (0.0, 2.0)
+    )
+    fits = (squares.max(axis=0) <= limits.square_e2 - square_e2) & (
+        other_states <= limits.other_states
+    )
+    sure = fits & ((squares + 2.0 * unsure).max(axis=0) <= limits.sure_e2 - sure_e2)
+    fits[0] = sure[0] = False
+    order, most = np.argsort(-saved_ns, kind="stable"), _TRIED if measured.near_saturation else _FEW
     # Standard errors of single effects add up to more than they are of all at once.
-    first = order[good[order]][: most // 2].tolist()
+    first = order[fits[order]][: most // 2].tolist()
     best = [*dict.fromkeys(first + order[sure[order]].tolist())][:most]
     return [
         frozenset().union(*(move.names for bit, move in enumerate(fitting) if subset >> bit & 1))
@@ -135,26 +142,26 @@ def _sums_of_subsets(
     pixels in other states."""
     products = measured.products_e2
     squares, cross = products[:, :1, 0], products[:, :1, :]
-    unsure, saved_ns, other = np.zeros((len(products), 1)), np.zeros(1), np.zeros(1)
+    unsure, saved_ns, other_states = np.zeros((len(products), 1)), np.zeros(1), np.zeros(1)
     for move in moves:
         errors: Values | float = 0.0
-        more, row, changed = np.zeros((len(products), 1)), np.zeros((len(products), 1, 1)), 0.0
+        added_e2, row, changed = np.zeros((len(products), 1)), np.zeros((len(products), 1, 1)), 0.0
         if move.field is None:
-            more += trial.square_e2(move.names)
+            added_e2 += trial.square_e2(move.names)
         else:
             index = measured.index(move.field)
-            more = 2.0 * cross[:, :, index] + products[:, index, index, None]
+            added_e2 = 2.0 * cross[:, :, index] + products[:, index, index, None]
             row = products[:, index, None, :]
             alone = measured.alone[move.field]
             errors, changed = alone.unsure_e2[:, None], alone.other_states
-        if measured.near:
-            more = more + trial.unseen_e2(trial.settings(move.names)[0])
-        squares = np.concatenate([squares, squares + more], axis=1)
+        if measured.near_saturation:
+            added_e2 = added_e2 + trial.unseen_e2(trial.settings(move.names)[0])
+        squares = np.concatenate([squares, squares + added_e2], axis=1)
         cross = np.concatenate([cross, cross + row], axis=1)
         unsure = np.concatenate([unsure, unsure + errors], axis=1)
         saved_ns = np.concatenate([saved_ns, saved_ns + move.saved_ns])
-        other = np.concatenate([other, other + changed])
-    return squares, unsure, saved_ns, other
+        other_states = np.concatenate([other_states, other_states + changed])
+    return squares, unsure, saved_ns, other_states
 
 
 def measure_together(
@@ -163,17 +170,17 @@ def measure_together(
     """The first of the candidates that is within the limits when all of its effects are left out
     at once; nothing is left out where none is."""
     # A sample of pixels near saturation says little of the worst of them.
-    nothing = Setting(NONE, exact=not math.isinf(limits.max_e))
-    every_ns, _ = trial.frame_ns(nothing)
+    full_setting = Setting(NONE, exact=not math.isinf(limits.max_e))
+    every_ns, _ = trial.frame_ns(full_setting)
     for dropped in candidates:
         exact = [Setting(dropped, exact=True)]
-        for setting in exact if nothing.exact else trial.settings(dropped):
+        for setting in exact if full_setting.exact else trial.settings(dropped):
             if trial.frame_ns(setting)[0] >= every_ns:
                 continue
-            tried = tried_together(trial, setting, measured.approximations)
-            if limits.allow(tried):
-                return tried
-    return tried_together(trial, nothing, measured.approximations)
+            measured_setting = tried_together(trial, setting, measured.approximations)
+            if limits.allow(measured_setting):
+                return measured_setting
+    return tried_together(trial, full_setting, measured.approximations)
 
 
 def tried_together(trial: Trial, setting: Setting, approximations: Difference | None) -> Together:

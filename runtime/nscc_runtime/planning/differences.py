@@ -43,11 +43,11 @@ class WeightedPixels:
         drawn stands for itself alone; one that stands for less was exposed several times."""
         if not values.size:
             return np.zeros(values.shape[:-1])
-        others = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
-        by_chance = self.weight * np.where(self.weight < 1.0, 1.0, others)
-        away = (values - self.mean(values)[..., None]) * by_chance
-        together = np.add.reduceat(away, self.cluster_starts, axis=-1)
-        return np.asarray(np.sqrt((together**2).sum(axis=-1)) / max(self.weight.sum(), 1e-300))
+        not_sampled = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
+        by_chance = self.weight * np.where(self.weight < 1.0, 1.0, not_sampled)
+        deviation = (values - self.mean(values)[..., None]) * by_chance
+        cluster_sums = np.add.reduceat(deviation, self.cluster_starts, axis=-1)
+        return np.asarray(np.sqrt((cluster_sums**2).sum(axis=-1)) / max(self.weight.sum(), 1e-300))
 
     @cached_property
     def cluster_starts(self) -> NDArray[np.intp]:
@@ -129,7 +129,9 @@ class Difference:
     @cached_property
     def worst(self) -> Worst:
         """The largest errors of the pixels that are compared."""
-        where = self.errors.compared.all(axis=0)
-        weight = self.sample.weight[where]
-        part = weight / max(float(weight.sum()), 1e-300)
-        return worst_measured(self.errors.size_e[:, where], part, self.sample.scene_pixels)
+        is_compared = self.errors.compared.all(axis=0)
+        weight = self.sample.weight[is_compared]
+        fraction = weight / max(float(weight.sum()), 1e-300)
+        return worst_measured(
+            self.errors.size_e[:, is_compared], fraction, self.sample.scene_pixels
+        )

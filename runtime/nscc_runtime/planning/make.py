@@ -25,7 +25,7 @@ from nscc_runtime.planning.choose import (
     measure_together,
     tried_together,
 )
-from nscc_runtime.planning.decisions import TAKEN, Told, planned, unmeasured
+from nscc_runtime.planning.decisions import FROM_GIVEN_PLAN, Demands, planned, unmeasured
 from nscc_runtime.planning.measured_effects import measure_effects
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
@@ -33,8 +33,8 @@ from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import (
     DEFAULT,
     OPTION_MAX,
-    Given,
     Tolerance,
+    ToleranceInput,
     check_tolerance,
     noise_part,
     tolerance_of,
@@ -65,66 +65,68 @@ class PlanRequest:
     """
 
     effects: Selection
-    tolerance: Given = DEFAULT
-    tolerance_max: Given | None = None
+    tolerance: ToleranceInput = DEFAULT
+    tolerance_max: ToleranceInput | None = None
     frames: int = MANY
     figures: bool = False
 
 
-def make_plan(scene: PlannedScene, asked: PlanRequest) -> Plan:
+def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
     """The cheapest plan whose error, measured on a sample of the scene, is within the tolerance.
 
     Raises Rejected (NS0746) where a tolerance is invalid.
     """
-    effects = asked.effects
+    effects = request.effects
     forced = frozenset(e.name for e in registered() if not effects.auto or e.name in effects.forced)
     forced_off = frozenset(
         e.name for e in registered() if e.name in forced and e not in effects and e.kind != "after"
     )
     trial = scene.trial(forced_off)
-    reason = _not_worth(scene, trial, asked, forced)
+    reason = _not_worth(scene, trial, request, forced)
     if reason is not None:
-        allowed = _known(scene, asked.tolerance)
+        allowed = _known(scene, request.tolerance)
         path, why = scene.exact_path(allowed)
-        told = Told(effects, forced, allowed, _known_max(scene, asked), str(asked.tolerance))
-        return unmeasured(trial, told, path, why, reason)
-    allowed, most = allowed_on(scene, asked.tolerance, asked.tolerance_max)
-    told = Told(effects, forced, allowed, most)
+        demands = Demands(
+            effects, forced, allowed, _known_max(scene, request), str(request.tolerance)
+        )
+        return unmeasured(trial, demands, path, why, reason)
+    allowed, most = allowed_on(scene, request.tolerance, request.tolerance_max)
+    demands = Demands(effects, forced, allowed, most)
     free = frozenset(e.name for e in registered() if e.kind != "after") - forced
-    return _measured(scene, trial, told, free, asked.figures)
+    return _measured(scene, trial, demands, free, request.figures)
 
 
 def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
     """The decisions of a plan for another scene, measured on this one. A tolerance that is a part
     of the scene is one of this scene."""
     off = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
-    forced_off = frozenset(e.name for e in registered() if e not in plan.wanted) & off
+    forced_off = frozenset(e.name for e in registered() if e not in plan.requested_effects) & off
     trial = scene.trial(forced_off)
-    allowed, most = allowed_on(scene, *plan.asked)
+    allowed, most = allowed_on(scene, *plan.tolerance_inputs)
     if plan.slot_loop in ("all", "reference"):
         trial = scene.slower_trial(trial, allowed.electrons) or trial
-    forced = frozenset(each.name for each in plan.decisions if each.forced)
-    told = Told(plan.kept, forced, allowed, most, reason=TAKEN)
-    measured = measure_effects(trial, _names(trial), approximations=True, near=True)
+    forced = frozenset(decision.name for decision in plan.decisions if decision.forced)
+    demands = Demands(plan.kept, forced, allowed, most, reason=FROM_GIVEN_PLAN)
+    measured = measure_effects(trial, _names(trial), approximations=True, near_saturation=True)
     lacking = frozenset(plan.saturating_lack)
     setting = Setting(off - forced_off, lacking, plan.tolerance_max_e is not None)
     together = tried_together(trial, setting, measured.approximations)
-    return planned(trial, told, measured, together, figures=True)
+    return planned(trial, demands, measured, together, figures=True)
 
 
 def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
     """Whether a plan keeps its promise on another scene with light of the same kind, by what all
     that it leaves out changes there."""
-    found, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
+    measured_setting, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
     return (
-        found.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
-        and found.difference.other_states <= _SERVED_OTHER_STATES * MOST_OTHER_STATES
-        and (most is None or found.worst.max_e <= MARGIN * most)
+        measured_setting.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
+        and measured_setting.difference.other_states <= _SERVED_OTHER_STATES * MOST_OTHER_STATES
+        and (most is None or measured_setting.worst.max_e <= MARGIN * most)
     )
 
 
 def allowed_on(
-    scene: PlannedScene, tolerance: Given, tolerance_max: Given | None
+    scene: PlannedScene, tolerance: ToleranceInput, tolerance_max: ToleranceInput | None
 ) -> tuple[Tolerance, Tolerance | None]:
     """What tolerances mean on a scene."""
     allowed = tolerance_of(tolerance, scene.sensor, scene)
@@ -133,34 +135,43 @@ def allowed_on(
     return allowed, tolerance_of(tolerance_max, scene.sensor, scene, OPTION_MAX)
 
 
-def _measured(scene: PlannedScene, trial: Trial, told: Told, free: Names, figures: bool) -> Plan:
+def _measured(
+    scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
+) -> Plan:
     """Steps 1 to 5; the sample is drawn when it is first asked for."""
-    assert told.allowed is not None
-    too_large = trial.too_large(told.allowed.electrons)
+    assert demands.allowed is not None
+    too_large = trial.too_large(demands.allowed.electrons)
     moves = [move for move in trial.moves(free) if not move.names & too_large]
-    wanted = _names(trial) if figures else frozenset[str]().union(*(m.names for m in moves))
-    wanted |= trial.slow - trial.absent - trial.forced_off
-    negligible = scene.approximates(_NEGLIGIBLE * told.allowed.electrons, None)
-    slower = scene.slower_trial(trial, told.allowed.electrons)
+    effects_to_measure = (
+        _names(trial) if figures else frozenset[str]().union(*(m.names for m in moves))
+    )
+    effects_to_measure |= trial.slow - trial.absent - trial.forced_off
+    negligible = scene.approximates(_NEGLIGIBLE * demands.allowed.electrons, None)
+    slower = scene.slower_trial(trial, demands.allowed.electrons)
     # What pixels near saturation would lack is measured where it is asked for, or decides.
-    for near in (True,) if figures else (False, True):
+    for near_saturation in (True,) if figures else (False, True):
         measured = measure_effects(
-            trial, wanted, approximations=figures or not negligible, near=near
+            trial,
+            effects_to_measure,
+            approximations=figures or not negligible,
+            near_saturation=near_saturation,
         )
-        limits = Limits.of(told.allowed, told.most, _OTHER_STATES * MOST_OTHER_STATES, measured)
-        named = (trial.slow & told.forced & {*measured.alone}) - trial.forced_off
+        limits = Limits.of(
+            demands.allowed, demands.most, _OTHER_STATES * MOST_OTHER_STATES, measured
+        )
+        named = (trial.slow & demands.forced & {*measured.alone}) - trial.forced_off
         only_slow = (measured.alone[name] for name in named)
-        too_rough = measured.approximations_e > _APPROXIMATED * told.allowed.electrons
-        single = told.most is not None and told.most.electrons < _ONE_COUNT_E
-        if slower and (too_rough or single or any(each.changes for each in only_slow)):
-            return _measured(scene, slower, told, free, figures)
+        too_rough = measured.approximations_e > _APPROXIMATED * demands.allowed.electrons
+        single = demands.most is not None and demands.most.electrons < _ONE_COUNT_E
+        if slower and (too_rough or single or any(difference.changes for difference in only_slow)):
+            return _measured(scene, slower, demands, free, figures)
         candidates = choose_cheapest(trial, measured, moves, limits)
         together = measure_together(trial, measured, candidates, limits)
         if together.setting.dropped or not candidates:
             break
     if slower and not limits.allow(together):
-        return _measured(scene, slower, told, free, figures)
-    return planned(trial, told, measured, together, figures)
+        return _measured(scene, slower, demands, free, figures)
+    return planned(trial, demands, measured, together, figures)
 
 
 def _names(trial: Trial) -> Names:
@@ -168,18 +179,20 @@ def _names(trial: Trial) -> Names:
     return frozenset(e.name for e in registered() if e.kind != "after") - trial.absent
 
 
-def _not_worth(scene: PlannedScene, trial: Trial, asked: PlanRequest, forced: Names) -> str | None:
+def _not_worth(
+    scene: PlannedScene, trial: Trial, request: PlanRequest, forced: Names
+) -> str | None:
     """Why measuring is not worth its time; None where it is."""
-    if asked.figures or trial.slow - trial.absent - trial.forced_off:
+    if request.figures or trial.slow - trial.absent - trial.forced_off:
         return None
-    if not asked.effects.auto:
+    if not request.effects.auto:
         return "named in --effects"
     if trial.forced_off - trial.absent:
         return None  # they may break the promise, which is to be said
-    allowed = _known(scene, asked.tolerance)
+    allowed = _known(scene, request.tolerance)
     tolerance_e = None if allowed is None else allowed.electrons
-    part = None if allowed is not None else noise_part(str(asked.tolerance))
-    if asked.tolerance_max is not None or not scene.approximates(tolerance_e, part):
+    noise_fraction = None if allowed is not None else noise_part(str(request.tolerance))
+    if request.tolerance_max is not None or not scene.approximates(tolerance_e, noise_fraction):
         return None
     too_large = NONE if tolerance_e is None else trial.too_large(tolerance_e)
     moves = [m for m in trial.moves(_names(trial) - forced) if not m.names & too_large]
@@ -187,19 +200,19 @@ def _not_worth(scene: PlannedScene, trial: Trial, asked: PlanRequest, forced: Na
     every_ns, _ = trial.frame_ns(Setting(NONE))
     least_ns, _ = trial.frame_ns(trial.settings(free)[0])
     saved_ms = _HOPED * (every_ns - least_ns) * trial.pixels * 1e-6
-    if asked.frames * saved_ms > trial.planning_ms():
+    if request.frames * saved_ms > trial.planning_ms():
         return None
     return "choosing effects would take longer than it saves"
 
 
-def _known(scene: PlannedScene, given: Given) -> Tolerance | None:
+def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
     """A tolerance as far as it is known without measuring: not one that is a part of the noise."""
-    if isinstance(given, str) and noise_part(given) is not None:
-        check_tolerance(given, scene.sensor)
+    if isinstance(tolerance, str) and noise_part(tolerance) is not None:
+        check_tolerance(tolerance, scene.sensor)
         return None
-    return tolerance_of(given, scene.sensor, scene)
+    return tolerance_of(tolerance, scene.sensor, scene)
 
 
-def _known_max(scene: PlannedScene, asked: PlanRequest) -> Tolerance | None:
-    most = asked.tolerance_max
+def _known_max(scene: PlannedScene, request: PlanRequest) -> Tolerance | None:
+    most = request.tolerance_max
     return None if most is None else tolerance_of(most, scene.sensor, scene, OPTION_MAX)

@@ -36,13 +36,14 @@ _ROUNDS = 5
 
 @dataclass(frozen=True)
 class Price:
-    """One line of the list: `here` as measured, `shipped` what plans are chosen by."""
+    """One line of the list: `measured` on this machine, and `shipped`, which plans are chosen
+    by."""
 
     name: str
-    what: str
+    description: str
     unit: str
     shipped: float
-    here: float
+    measured: float
 
 
 def measure_prices() -> list[Price]:
@@ -83,14 +84,18 @@ def measure_prices() -> list[Price]:
 
 def _of_effects(program: Program, still: Light) -> list[Price]:
     """What leaving each effect out of sums saves: of a still, and of each frame of a film."""
-    every = everything()
-    every = every.without(*(e.name for e in every.effects if isinstance(e.sums, CannotHave)))
+    all_effects = everything()
+    all_effects = all_effects.without(
+        *(e.name for e in all_effects.effects if isinstance(e.sums, CannotHave))
+    )
     film = Light.of_clip(np.repeat(still.frames, still.slots, axis=0), float(program.slot_s[0]))
     prices: list[Price] = []
-    for effect in every.effects:
+    for effect in all_effects.effects:
         if not (effect.cost_ns and effect.sums):
             continue
-        of_still, of_film = (_saved_ns(program, light, every, effect) for light in (still, film))
+        of_still, of_film = (
+            _saved_ns(program, light, all_effects, effect) for light in (still, film)
+        )
         prices.append(
             Price(effect.name, "a pixel by sums over slots", "ns", effect.cost_ns, of_still)
         )
@@ -102,10 +107,11 @@ def _of_effects(program: Program, still: Light) -> list[Price]:
     return prices
 
 
-def _saved_ns(program: Program, light: Light, every: Selection, effect: Effect) -> float:
+def _saved_ns(program: Program, light: Light, all_effects: Selection, effect: Effect) -> float:
     """Nanoseconds a pixel of a frame with all effects less those of one without this one."""
     executions = [
-        Execution("sums", kept, kept, every) for kept in (every, every.without(effect.name))
+        Execution("sums", kept_effects, kept_effects, all_effects)
+        for kept_effects in (all_effects, all_effects.without(effect.name))
     ]
     seconds = [math.inf, math.inf]
     for _ in range(_ROUNDS):

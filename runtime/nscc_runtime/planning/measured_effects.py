@@ -33,7 +33,7 @@ class MeasuredEffects:
     approximations : Difference or None
         How far exposures with every effect are from the truth; None where that is nothing, or was
         not measured.
-    near : bool
+    near_saturation : bool
         Whether effects were measured near saturation, too.
     forced : Difference
         What the user forced off changes.
@@ -42,7 +42,7 @@ class MeasuredEffects:
     alone: dict[str, Difference]
     products_e2: Values
     approximations: Difference | None
-    near: bool
+    near_saturation: bool
     forced: Difference
 
     @property
@@ -61,21 +61,21 @@ class MeasuredEffects:
 
 
 def measure_effects(
-    trial: Trial, wanted: Names, *, approximations: bool = True, near: bool = False
+    trial: Trial, effects: Names, *, approximations: bool = True, near_saturation: bool = False
 ) -> MeasuredEffects:
-    """Measure some effects of a scene; those that are absent for sure are not. `near`: also what
-    pixels near saturation lose that lack an effect, where that saves time."""
+    """Measure some effects of a scene; those that are absent for sure are not. `near_saturation`:
+    also what pixels near saturation lose that lack an effect, where that saves time."""
     errors: dict[str, Errors] = {}
     for effect in registered():
-        if effect.name in wanted and effect.name not in trial.absent and effect.kind != "after":
-            errors[effect.name] = trial.alone(effect, near)
+        if effect.name in effects and effect.name not in trial.absent and effect.kind != "after":
+            errors[effect.name] = trial.alone(effect, near_saturation)
     forced = trial.forced()
-    fields = np.stack([forced.size_e, *(each.size_e for each in errors.values())])
+    fields = np.stack([forced.size_e, *(effect_errors.size_e for effect_errors in errors.values())])
     return MeasuredEffects(
-        {name: Difference(each, trial.sample) for name, each in errors.items()},
+        {name: Difference(effect_errors, trial.sample) for name, effect_errors in errors.items()},
         _products(fields, trial.sample.weight),
         trial.approximated() if approximations else None,
-        near,
+        near_saturation,
         Difference(forced, trial.sample),
     )
 

@@ -29,12 +29,16 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     """
     plan, made_for = _read(path)
     is_for = program_sha256, sensor_sha256(sensor)
-    for found, here, what in zip(made_for, is_for, ("program", "sensor"), strict=True):
-        if found != here:
+    for plan_sha256, actual_sha256, kind in zip(
+        made_for, is_for, ("program", "sensor"), strict=True
+    ):
+        if plan_sha256 != actual_sha256:
             raise rejected(
                 "NS0748",
-                f"the plan '{path}' was made for another {what}",
-                notes=(f"its {what}_sha256 is {found[:12]}.., here it is {here[:12]}..",),
+                f"the plan '{path}' was made for another {kind}",
+                notes=(
+                    f"its {kind}_sha256 is {plan_sha256[:12]}.., here it is {actual_sha256[:12]}..",
+                ),
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
     return plan

@@ -75,26 +75,28 @@ class Cost:
         pixels near saturation do without."""
         rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
         words = "their words one by one" + (f", without {', '.join(lack)}" if lack else "")
-        found = [("(saturating)", words, self.saturating_ms)] if self.saturating_ms > 0 else []
-        rest = "light, words and readout"
+        saturating_rows = (
+            [("(saturating)", words, self.saturating_ms)] if self.saturating_ms > 0 else []
+        )
+        description = "light, words and readout"
         if rest_ms < 0:
-            rest += ", less what each of several effects would save"
+            description += ", less what each of several effects would save"
         planning = "(planning)", "once for all frames of a scene", self.planning_ms
-        return [*found, planning, ("(the rest)", rest, rest_ms)]
+        return [*saturating_rows, planning, ("(the rest)", description, rest_ms)]
 
     @property
-    def said(self) -> str:
+    def summary(self) -> str:
         """What it saves of all, in words."""
-        said = _saved(self.total_ms, self.all_ms)
+        text = _saved(self.total_ms, self.all_ms)
         if self.all_planning_ms is not None:
             next_ms, all_ms = self.total_ms - self.planning_ms, self.all_ms - self.all_planning_ms
-            said += f"; next frames: {_saved(next_ms, all_ms)}"
-        return f"{said}, by shipped prices"
+            text += f"; next frames: {_saved(next_ms, all_ms)}"
+        return f"{text}, by shipped prices"
 
 
 def _saved(some_ms: float, all_ms: float) -> str:
-    part = 1.0 - some_ms / all_ms if all_ms > 0 else 0.0
-    said = f"saves {abs(part):.0%} of all"
-    if part < -_LITTLE:
-        said = f"takes {-part:.0%} more than all"
-    return f"{said}: {some_ms:.2f} ms of a core instead of {all_ms:.2f}"
+    saved_fraction = 1.0 - some_ms / all_ms if all_ms > 0 else 0.0
+    text = f"saves {abs(saved_fraction):.0%} of all"
+    if saved_fraction < -_LITTLE:
+        text = f"takes {-saved_fraction:.0%} more than all"
+    return f"{text}: {some_ms:.2f} ms of a core instead of {all_ms:.2f}"

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.execution.near import NearSaturation
+from nscc_runtime.execution.near_saturation import NearSaturation
 from nscc_runtime.planning.differences import WeightedPixels
 
 Values = NDArray[np.float64]
@@ -72,19 +72,19 @@ class Sample(WeightedPixels):
         return len(self.places) / self.frames / self.scene_pixels
 
     @property
-    def far(self) -> slice:
+    def far_pixels(self) -> slice:
         """The measured pixels far from saturation."""
         return slice(0, self.frames * len(self.inner))
 
     @property
-    def near(self) -> slice:
+    def near_pixels(self) -> slice:
         """The measured pixels near saturation."""
         return slice(self.frames * len(self.inner), len(self.places))
 
     @cached_property
     def near_part(self) -> float:
         """The part of the scene's pixels that is near saturation."""
-        return float(self.weight[self.near].sum()) / self.scene_pixels
+        return float(self.weight[self.near_pixels].sum()) / self.scene_pixels
 
     @cached_property
     def one_each(self) -> NDArray[np.intp]:
@@ -97,13 +97,13 @@ class Sample(WeightedPixels):
         return starts + (turn * counts).astype(np.intp)
 
 
-def near_sampled(near: int, scene_pixels: int) -> int:
+def near_sampled(near_count: int, scene_pixels: int) -> int:
     """At most how many of the pixels near saturation are measured."""
-    return min(near, _OWN + _SPILT + _MORE * near // scene_pixels)
+    return min(near_count, _OWN + _SPILT + _MORE * near_count // scene_pixels)
 
 
 def sample_of(
-    total_e: Values, near: NearSaturation, full_well_e: float, tiles: int = TILES
+    total_e: Values, near_pixels: NearSaturation, full_well_e: float, tiles: int = TILES
 ) -> Sample:
     """Sample a scene; the same on every call.
 
@@ -121,28 +121,28 @@ def sample_of(
     rows, cols = total_e.shape
     contrasts = contrasts_of(total_e, full_well_e)
     near_chance = chances(contrasts, np.empty(0, np.int64)).reshape(-1)
-    near_places, near_weight = _near_sample(near, near_chance, full_well_e)
+    near_places, near_weight = _near_sample(near_pixels, near_chance, full_well_e)
     is_near = np.zeros(rows * cols, np.bool_)
-    is_near[near.places] = True
+    is_near[near_pixels.places] = True
     if rows * cols <= _WHOLE or min(rows, cols) < _SIDE + 2:
         corners, side = np.empty((0, 2), np.int64), 0
         inner = far_places = np.flatnonzero(~is_near)
         far_weight, far_cluster = np.ones(len(inner)), np.arange(len(inner))
     else:
-        corners, tile_weight = tile_corners(chances(contrasts, near.places), tiles)
+        corners, tile_weight = tile_corners(chances(contrasts, near_pixels.places), tiles)
         side = _SIDE + 2
         inner, far_places, far_cluster = _inner_pixels(corners, side, cols, is_near)
-        far_weight = _standing_for(tile_weight[far_cluster], rows * cols - len(near.places))
+        far_weight = _standing_for(tile_weight[far_cluster], rows * cols - len(near_pixels.places))
     near_cluster = np.arange(len(near_places)) + (int(far_cluster.max(initial=-1)) + 1)
     frames = min(-(-_ENOUGH // max(rows * cols, 1)), _MOST_FRAMES)
     clusters = int(near_cluster.max(initial=far_cluster.max(initial=-1))) + 1
 
-    def again(far: NDArray[Any], near: NDArray[Any]) -> NDArray[Any]:
+    def again(far: NDArray[Any], near_pixels: NDArray[Any]) -> NDArray[Any]:
         """As often as pixels are exposed."""
-        return np.concatenate([np.tile(far, frames), np.tile(near, frames)])
+        return np.concatenate([np.tile(far, frames), np.tile(near_pixels, frames)])
 
     frame = np.concatenate(
-        [np.repeat(np.arange(frames), len(each)) for each in (far_places, near_places)]
+        [np.repeat(np.arange(frames), len(places)) for places in (far_places, near_places)]
     )
     return Sample(
         weight=again(far_weight, near_weight) / frames,
@@ -172,7 +172,7 @@ def _inner_pixels(
     return inner[far], places[far], tile[far]
 
 
-def tile_corners(chance: Values, wanted: int) -> tuple[Places, Values]:
+def tile_corners(chance: Values, tile_count: int) -> tuple[Places, Values]:
     """Draw tiles with a chance that is the sum of that of their pixels (rows, cols): their upper
     left corners (tiles, 2), and how much each pixel inside stands for, up to a factor."""
     rows, cols = chance.shape
@@ -180,68 +180,73 @@ def tile_corners(chance: Values, wanted: int) -> tuple[Places, Values]:
     if rows % _SIDE or cols % _SIDE:
         chance = np.pad(chance, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
     blocks = chance.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)
-    drawn, weight = drawn_with_weights(blocks, min(wanted, len(blocks)))
+    drawn, weight = drawn_with_weights(blocks, min(tile_count, len(blocks)))
     row = np.minimum(drawn // right * _SIDE, rows - _SIDE) - 1
     col = np.minimum(drawn % right * _SIDE, cols - _SIDE) - 1
     return np.stack([row, col], axis=1), weight
 
 
-def _near_sample(near: NearSaturation, chance: Values, full_well_e: float) -> tuple[Places, Values]:
+def _near_sample(
+    near_pixels: NearSaturation, chance: Values, full_well_e: float
+) -> tuple[Places, Values]:
     """Places near saturation, and how many pixels each stands for; `chance` (rows * cols): how
     likely each is to be drawn."""
-    seen_e = near.most_e[~near.spilt]
+    seen_e = near_pixels.most_e[~near_pixels.spilt]
     sure = np.zeros(len(seen_e), np.bool_)
-    own = _OWN + _MORE * len(near.places) // len(chance)
-    if len(seen_e) > own:
+    own_count = _OWN + _MORE * len(near_pixels.places) // len(chance)
+    if len(seen_e) > own_count:
         for size in (seen_e, -seen_e, -np.abs(seen_e - full_well_e)):
             sure[np.argpartition(size, -_EXTREMES)[-_EXTREMES:]] = True
     by_light, spilt = (
         places[np.argsort(most_e, kind="stable")]
         for places, most_e in (
-            (near.places[~near.spilt][~sure], seen_e[~sure]),
-            (near.places[near.spilt], near.most_e[near.spilt]),
+            (near_pixels.places[~near_pixels.spilt][~sure], seen_e[~sure]),
+            (near_pixels.places[near_pixels.spilt], near_pixels.most_e[near_pixels.spilt]),
         )
     )
-    places, weight = [near.places[~near.spilt][sure]], [np.ones(np.count_nonzero(sure))]
-    for ordered, wanted in ((by_light, own - len(places[0])), (spilt, _SPILT)):
-        some, stand_for = _some_of(ordered, chance, wanted)
-        places.append(some)
+    places, weight = (
+        [near_pixels.places[~near_pixels.spilt][sure]],
+        [np.ones(np.count_nonzero(sure))],
+    )
+    for ordered, count in ((by_light, own_count - len(places[0])), (spilt, _SPILT)):
+        drawn, stand_for = _some_of(ordered, chance, count)
+        places.append(drawn)
         weight.append(stand_for)
     return np.concatenate(places), np.concatenate(weight)
 
 
-def _some_of(ordered: Places, chance: Values, wanted: int) -> tuple[Places, Values]:
+def _some_of(ordered: Places, chance: Values, count: int) -> tuple[Places, Values]:
     """At most so many of these places, and how many each stands for."""
-    if len(ordered) <= wanted:
+    if len(ordered) <= count:
         return ordered, np.ones(len(ordered))
-    drawn, weight = drawn_with_weights(chance[ordered], wanted)
+    drawn, weight = drawn_with_weights(chance[ordered], count)
     return ordered[drawn], _standing_for(weight, len(ordered))
 
 
-def drawn_with_weights(chance: Values, wanted: int) -> tuple[NDArray[np.intp], Values]:
+def drawn_with_weights(chance: Values, count: int) -> tuple[NDArray[np.intp], Values]:
     """Different places as `drawn_by` draws them, and how much each stands for: 1 where it is drawn
     for sure, more or less than others up to a factor elsewhere."""
-    drawn, times = np.unique(drawn_by(chance, wanted), return_counts=True)
-    expected = chance[drawn] * (wanted / max(float(chance.sum()), 1e-300))
+    drawn, times = np.unique(drawn_by(chance, count), return_counts=True)
+    expected = chance[drawn] * (count / max(float(chance.sum()), 1e-300))
     return drawn, np.where(expected >= _SURE, 1.0, times / np.maximum(expected, 1e-300))
 
 
 def _standing_for(weight: Values, count: int) -> Values:
     """Weights that sum to `count`: those of 1 stay."""
     sure = weight == 1.0
-    others = max(float(weight[~sure].sum()), 1e-300)
-    return np.where(sure, 1.0, weight * ((count - np.count_nonzero(sure)) / others))
+    drawn_weight = max(float(weight[~sure].sum()), 1e-300)
+    return np.where(sure, 1.0, weight * ((count - np.count_nonzero(sure)) / drawn_weight))
 
 
-def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
+def drawn_by(chance: Values, count: int) -> NDArray[np.intp]:
     """So many places, in order, as likely as `chance` (flat) has it; the same on every call.
 
     The points that draw them lie one in each of so many equal strata, by an additive recurrence: in
     step with no tile of codes.
     """
-    points = np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
+    points = np.arange(count) + (np.arange(count) * _GOLDEN) % 1.0
     upto = np.cumsum(chance)
-    drawn = np.searchsorted(upto, points * (upto[-1] / wanted), side="right")
+    drawn = np.searchsorted(upto, points * (upto[-1] / count), side="right")
     return np.asarray(np.minimum(drawn, len(chance) - 1))
 
 
@@ -262,8 +267,8 @@ def chances(contrasts: tuple[Values, Values], never: Places) -> Values:
     drawn = np.ones(squares.shape)
     drawn.reshape(-1)[never] = 0.0
     chance = np.zeros(squares.shape)
-    for share, part in ((4.0, drawn), (2.0, within_well * drawn), (1.0, squares * drawn)):
-        chance += part * (share / max(float(part.sum()), 1e-300))
+    for share, weights in ((4.0, drawn), (2.0, within_well * drawn), (1.0, squares * drawn)):
+        chance += weights * (share / max(float(weights.sum()), 1e-300))
     return chance
 
 
@@ -272,7 +277,9 @@ def _contrast(light_e: Values) -> Values:
     score = light_e.copy()
     for axis in (0, 1):
         step = np.abs(np.diff(light_e, axis=axis))
-        before, after = ((slice(None),) * axis + (part,) for part in (slice(-1), slice(1, None)))
+        before, after = (
+            (slice(None),) * axis + (index_range,) for index_range in (slice(-1), slice(1, None))
+        )
         score[before] += step
         score[after] += step
     return score

@@ -23,8 +23,8 @@ from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import Planes, exposer, frames, next_planes, ways_of
-from nscc_runtime.looking.way_loop import run_ways
-from nscc_runtime.looking.ways import Ways
+from nscc_runtime.looking.looking_program import LookingProgram
+from nscc_runtime.looking.path_loop import run_paths
 from nscc_runtime.loop import Loop
 from nscc_runtime.planning.audit import Audit, Compared, audit
 from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
@@ -160,14 +160,14 @@ class LookingPixels(PlannedScene):
     @property
     def loop(self) -> Loop[Any]:
         """See `PlannedScene`."""
-        return run_ways
+        return run_paths
 
     def ready(self) -> None:
         """See `PlannedScene`."""
-        self._ways  # noqa: B018  # made when it is asked for
+        self._program  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def _ways(self) -> Ways:
+    def _program(self) -> LookingProgram:
         return ways_of(self.container, self.sensor)
 
     def signal_e(self) -> float:
@@ -178,11 +178,11 @@ class LookingPixels(PlannedScene):
     @remembered
     def trial(self, forced_off: Names) -> LookTrial:
         """The scene, to be measured."""
-        return LookTrial(forced_off, self._ways, self.light)
+        return LookTrial(forced_off, self._program, self.light)
 
     def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
         """See `PlannedScene`."""
-        lacking = self._ways.lacks(everything())
+        lacking = self._program.lacks(everything())
         return ("reference", lacking[0]) if lacking else ("words", LOOKS)
 
     def serves(self, plan: Plan) -> bool:
@@ -206,7 +206,7 @@ class LookingPixels(PlannedScene):
         container = self.container
         scene, seeds = scene_of(container, self.light), (seed, self.device_seed)
         reference = LookingReference(container, self.sensor, everything()).expose
-        planned = exposer(self._ways, plan.kept, threads_of(self.threads))
+        planned = exposer(self._program, plan.kept, threads_of(self.threads))
         loaded: Planes = container.planes()
 
         def compare(frame: int, rows: Sequence[range]) -> Compared:
