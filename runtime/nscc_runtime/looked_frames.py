@@ -1,6 +1,6 @@
-"""Frames of programs that look, one after the other: kept states go on from each to the next.
+"""Consecutive frames of programs that look: kept states go on from each frame to the next.
 
-They are exposed by their ways, or by the reference where these lack an effect.
+The compiled loop over paths exposes them, or the reference if the loop lacks an effect.
 """
 
 from __future__ import annotations
@@ -28,18 +28,25 @@ from nscc_runtime.reference.looks import LookingReference
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
-ways_of = OfContainer(LookingProgram)
-"""The ways of a program on a sensor."""
+looking_program_of = OfContainer(LookingProgram)
+"""A program whose pixels look, on a sensor, by (container, sensor)."""
 
 
-def next_planes(container: Container, loaded: Planes, left: Planes) -> dict[str, NDArray[np.bool_]]:
-    """The registers with which a frame starts after one that has `left` these planes: kept states
-    go on, the codes that were `loaded` stay."""
+def next_planes(
+    container: Container, loaded: Planes, final_planes: Planes
+) -> dict[str, NDArray[np.bool_]]:
+    """Return the registers at the start of the next frame: kept states from the `final_planes` of
+    this one, everything else as `loaded`."""
     machine = container.machine
     assert machine is not None
     names = (state.name for state in machine.states if state.kept)
-    kept = {register for name in names for register in container.state_planes[name].registers}
-    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
+    kept_registers = {
+        register for name in names for register in container.state_planes[name].registers
+    }
+    return {
+        **loaded,
+        **{name: plane for name, plane in final_planes.items() if name in kept_registers},
+    }
 
 
 Exposing = Callable[[Scene, Planes, tuple[int, int], int, range | None], Executed]
@@ -68,13 +75,15 @@ def told_frame(
 
 
 def exposer(
-    ways: LookingProgram, effects: Selection, threads: int = 1, by_words: bool = False
+    looking_program: LookingProgram, effects: Selection, threads: int = 1, by_words: bool = False
 ) -> Exposing:
-    """What exposes (scene, loaded, seeds, frame, rows) with these effects: the ways, or the
-    reference where they lack an effect or `by_words` asks for it."""
-    if by_words or ways.lacks(effects):
-        return LookingReference(ways.container, ways.sensor, effects, threads).expose
-    return lambda scene, loaded, seeds, frame, rows: ways.expose(
+    """Return a function that exposes (scene, loaded, seeds, frame, rows) with these effects: the
+    compiled loop, or the reference if the loop lacks an effect or with `by_words`."""
+    if by_words or looking_program.lacks(effects):
+        return LookingReference(
+            looking_program.container, looking_program.sensor, effects, threads
+        ).expose
+    return lambda scene, loaded, seeds, frame, rows: looking_program.expose(
         scene, loaded, effects, seeds, frame, rows, threads
     )
 
@@ -90,5 +99,5 @@ def frames(
     check(container, light)
     check_adc(container.target)
     scene, threads = scene_of(container, light), threads_of(threads)
-    expose = exposer(ways_of(container, sensor), effects, threads, by_words)
+    expose = exposer(looking_program_of(container, sensor), effects, threads, by_words)
     return film(expose, container, scene, sensor, effects, (seed, device_seed), count)

@@ -6,11 +6,11 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 
-def planless(what: str) -> Rejected:
-    """NS0750; `what` wants a plan."""
+def planless(subject: str) -> Rejected:
+    """Return NS0750: `subject` needs a plan."""
     return rejected(
         "NS0750",
-        f"{what} needs a plan, and a chip that is sent planes of bits has none",
+        f"{subject} needs a plan, and a chip that is sent planes of bits has none",
         notes=("light is sorted slot by slot, with every effect that is on",),
-        helps=(f"leave {what} out: nothing is approximated",),
+        helps=(f"leave {subject} out: nothing is approximated",),
     )

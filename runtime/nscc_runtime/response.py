@@ -154,5 +154,5 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
         return plain
     # Nothing is told of light that never reaches the exposure.
     gain = np.where(response.seen_s > 0, response.gain(open_s), 1.0)
-    gain, zero_e = (each[lanes].transpose(2, 0, 1) for each in (gain, response.bias_e))
+    gain, zero_e = (values[lanes].transpose(2, 0, 1) for values in (gain, response.bias_e))
     return replace(plain, gain=gain, zero_e=zero_e)

@@ -37,8 +37,8 @@ class Sites(NamedTuple):
 
 
 class Away(NamedTuple):
-    """Counts that are given: how far they are `from_mean` (counted groups, pixels), and in which of
-    these rows each group's are, -1: in none."""
+    """Known counts: their deviations `from_mean` (counted groups, pixels), and in `row` the row of
+    each group there, or -1."""
 
     row: Annotated[Ints, "groups"]
     from_mean: Floats

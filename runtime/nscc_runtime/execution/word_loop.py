@@ -3,9 +3,8 @@
 Two loops run pixels through words: `nscc_runtime.execution.pixel_loop` single pixels with fixed
 shutters, and `nscc_runtime.looking.path_loop` blocks of pixels that look. They add charge to PIX
 and draw the normal numbers of a word before it runs here. Register r of pixel i of a block is at
-index r * `block` + i. `block` and `count`, the number of pixels that run the word, are constants for
-single pixels: everything here is inlined for that.
-"""
+index r * `block` + i. `block` and `count`, the number of pixels that run the word, are constants
+for single pixels: everything here is inlined for that."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ from nscc_runtime.execution.program import Program, analysed
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import Planes, exposer, frames, next_planes, ways_of
+from nscc_runtime.looked_frames import Planes, exposer, frames, looking_program_of, next_planes
 from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.looking.path_loop import run_paths
 from nscc_runtime.loop import Loop
@@ -168,7 +168,7 @@ class LookingPixels(PlannedScene):
 
     @cached_property
     def _program(self) -> LookingProgram:
-        return ways_of(self.container, self.sensor)
+        return looking_program_of(self.container, self.sensor)
 
     def signal_e(self) -> float:
         """See `PlannedScene`."""
