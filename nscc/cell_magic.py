@@ -73,7 +73,7 @@ def load_ipython_extension(shell: Any) -> None:
             raise _Usage(f"%%nsl: {error}") from None
         name = given.pop("name")
         if name is not None and not name.isidentifier():
-            raise _Usage(f"%%nsl: {name!r} is no name of a variable")
+            raise _Usage(f"%%nsl: {name!r} is not a valid variable name")
         options = Options(**{key: value for key, value in given.items() if value is not None})
         text = Source(f"In [{shell.execution_count}]", cell)
         try:

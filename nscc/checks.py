@@ -64,7 +64,7 @@ def check_plans(planned: Planned) -> None:
     for plan in planned.plans:
         for bucket, opens in enumerate(planned.opens):
             gathered = _gathered(plan, bucket, opens[0])
-            _require(gathered == list(opens), f"{plan.lowering} gathers other slots' light")
+            _require(gathered == list(opens), f"{plan.lowering} collects the light of other slots")
 
 
 def _gathered(plan: ExposurePlan, bucket: int, first: int) -> list[int]:
@@ -106,13 +106,13 @@ def check_looking_plan(plan: LookingPlan) -> None:
     """Every change of a node's open buckets is a moment that closes and opens these buckets."""
     machine = plan.machine
     boundaries = [moment.boundary for moment in plan.moments]
-    _require(boundaries == sorted(set(boundaries)), "moments out of their order")
+    _require(boundaries == sorted(set(boundaries)), "times are not in order")
     inner = machine.opens[:, :, 1:] != machine.opens[:, :, :-1]
     for stage in range(machine.stages):
         changed = np.flatnonzero(inner[machine.nodes(stage)].any(axis=(0, 1))) + 1
         begin, end = machine.starts(stage), machine.ends(stage)
         changed = changed[(begin < changed) & (changed < end)]
-        _require({*boundaries}.issuperset(changed.tolist()), "a change without a moment")
+        _require({*boundaries}.issuperset(changed.tolist()), "a change without a time")
     for moment in plan.moments:
         _check_moment(moment, machine)
 
@@ -156,12 +156,12 @@ def check_looking_gates(tried: Sequence[LookingLowered]) -> None:
         for boundary, items in solution.items.items():
             gates = [item for item in items if isinstance(item, Gate)]
             used = {name for gate in gates for name in (gate.destination, *gate.sources)}
-            _require(names >= used, f"registers that nothing has: {sorted(used - names)}")
+            _require(names >= used, f"unknown registers: {sorted(used - names)}")
             made = sum(
                 isinstance(item, Op) and item.operation.effect is Effect.FLAG_ANALOG
                 for item in items
             )
-            _require(made == len(machine.at(boundary)), "a comparison that nothing makes")
+            _require(made == len(machine.at(boundary)), "a comparison that no word makes")
 
 
 def check_route(sending: Sending) -> None:
@@ -193,13 +193,15 @@ def check_schedule(choice: Choice) -> None:
         places = schedule.allocation.places
         _require(len(set(places.values())) == len(places), "two holders of one register")
         boundaries = [boundary for boundary, _ in schedule.launches]
-        _require(boundaries == sorted(boundaries), "launches out of their order")
+        _require(boundaries == sorted(boundaries), "launches are not in order")
         _require(boundaries[0] == 0 and boundaries[-1] <= slots, "a launch out of time")
         used = {kernel for _, kernel in schedule.launches}
         _require(used == set(range(len(schedule.kernels))), "a kernel that is never launched")
         own = {*target.digital_registers, *target.analog_registers, "FLAG", "PIX"}
         for word in {word for kernel in schedule.kernels for word in kernel}:
-            _require(own.issuperset(word.destinations), f"a word that the chip has not: {word}")
+            _require(
+                own.issuperset(word.destinations), f"a word that the chip does not have: {word}"
+            )
 
 
 def check_words(container: Container) -> None:
@@ -209,7 +211,9 @@ def check_words(container: Container) -> None:
     read = [readout.bucket for readout in container.readouts]
     _require(sorted(read) == sorted(container.buckets), "a bucket that is not read out")
     kernels = range(len(container.kernels))
-    _require(all(each.kernel in kernels for each in container.launches), "a launch of no kernel")
+    _require(
+        all(each.kernel in kernels for each in container.launches), "a launch of an unknown kernel"
+    )
 
 
 def check_proof(proof: Proof) -> None:

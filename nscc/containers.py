@@ -74,7 +74,7 @@ def with_pixels(
     arrays = ", ".join(f"{name}=..." for name in fields)
     raise rejected(
         "NS0741",
-        f"'{name}' says nothing about its pixels' codes, so there is nothing to expose",
+        f"the pixels of '{name}' have no codes, so it cannot be exposed",
         notes=(f"its code has the fields: {', '.join(fields)}",),
         helps=(
             f"add a statement such as `pixels {fields[0]} = ...` to the program",

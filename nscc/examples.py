@@ -71,7 +71,7 @@ def example(name: str) -> Path:
     if found is None:
         raise rejected(
             "NS0787",
-            f"there is no example '{name[:60]}'",
+            f"unknown example '{name[:60]}'",
             helps=(
                 *meant(name, known, written="nscc examples {}"),
                 "`nscc examples` lists them",

@@ -71,14 +71,17 @@ class ExperimentStore:
             raise rejected(
                 "NS0784",
                 f"cannot write '{path}': {getattr(error, 'strerror', None) or error}",
-                helps=("name a place in a folder that you may write to",),
+                helps=("choose a folder that you may write to",),
             ) from error
         except sqlite3.DatabaseError as error:
             raise rejected(
                 "NS0834",
                 f"'{path}' is not an experiment store",
                 notes=(f"SQLite says: {error}",),
-                helps=("move the file away: a new store is made, and everything measured again",),
+                helps=(
+                    "move the file away: nscc then creates a new store and repeats all "
+                    "measurements",
+                ),
             ) from error
 
     def values(self, experiment: str) -> dict[str, Any]:

@@ -121,8 +121,8 @@ def write_new(products: Mapping[Path, Product]) -> None:
         if path.exists():
             raise rejected(
                 "NS0788",
-                f"there is a file '{path}' already",
-                helps=("take another name or folder, or remove it first",),
+                f"the file '{path}' exists already",
+                helps=("choose another name or folder, or remove the file first",),
             )
     write_together(products)
 
@@ -135,7 +135,7 @@ def refuse_same(paths: Collection[Path], options: str) -> None:
     if len({path.absolute() for path in paths}) < len(paths):
         raise rejected(
             "NS0745",
-            f"two products would be written to one file: {', '.join(map(str, paths))}",
+            f"two outputs have the same file name: {', '.join(map(str, paths))}",
             helps=(f"give {options} different names",),
         )
 
@@ -156,9 +156,9 @@ def _refuse_input(path: Path, data: Product) -> None:
     if given is not None and not (isinstance(data, bytes) and path.read_bytes() == data):
         raise rejected(
             "NS0785",
-            f"'{path}' is an input of this command, and would be overwritten",
-            notes=() if given == path else (f"it is the file that was read as '{given}'",),
-            helps=("give the product another name",),
+            f"the output '{path}' would overwrite an input of this command",
+            notes=() if given == path else (f"the command reads this file as '{given}'",),
+            helps=("choose another name for the output",),
         )
 
 
@@ -214,5 +214,5 @@ def _fill(file: BinaryIO, data: Product) -> None:
 
 def _cannot_write(path: Path, error: OSError) -> Rejected:
     reason = error.strerror or str(error)
-    help_text = "name a file that you may write, in a folder with room"
+    help_text = "choose a file that you may write, in a folder with enough space"
     return rejected("NS0784", f"cannot write '{path}': {reason}", helps=(help_text,))

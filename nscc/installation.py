@@ -99,6 +99,6 @@ def _cache() -> Finding:
     store = Store(folder)
     where = f"cache of search results: {folder}"
     if not store.writable():
-        return Finding(ABSENT, f"{where} cannot be written, so nothing is kept")
+        return Finding(ABSENT, f"{where} is not writable, so nscc runs without a cache")
     held = f"{store.entries()} results, {store.bytes_used() / 1e6:.1f} of {MOST_BYTES / 1e6:.0f} MB"
     return Finding(GOOD, f"{where} ({held}; remove the folder to clear it)")

@@ -72,13 +72,13 @@ def expand(name: str, operands: Sequence[str], own: tuple[Operation, ...] = ()) 
     count = len(operands)
     for index, register in enumerate(operands):
         if register not in READ_LINES:
-            raise OperandError(f"{register!r} is no register", index)
+            raise OperandError(f"unknown register {register!r}", index)
     if count < mnemonic.least or (mnemonic.most is not None and count > mnemonic.most):
         takes = f"{name} takes {_count(mnemonic)}, not {count}"
         raise OperandError(f"{takes}: write `{mnemonic.usage}`")
     for index, register in enumerate(operands):
         if register in mnemonic.scratch:
-            why = f"{name} overwrites {' and '.join(mnemonic.scratch)} on its way"
+            why = f"{name} overwrites {' and '.join(mnemonic.scratch)}"
             raise OperandError(f"{why}, so {register} cannot be its operand", index)
     try:
         return mnemonic.write(operands)
@@ -106,13 +106,13 @@ def _word(row: Operation, destinations: Sequence[str], sources: Sequence[str]) -
     for index, register in enumerate(destinations):
         if register not in writable:
             register_of = f"a{'n' if analog else ''} {kind} register ({_listed(writable)})"
-            raise OperandError(f"{row.name} writes {register_of}, and {register} is none", index)
+            raise OperandError(f"{row.name} writes {register_of}, not {register}", index)
         if register in destinations[:index]:
             raise OperandError(f"{row.name} names {register} twice as a destination", index)
     for index, register in enumerate(sources, start=len(destinations)):
         if register not in readable:
             reads = f"{row.name} reads {kind} sources ({_listed(readable)})"
-            raise OperandError(f"{reads}, and {register} is none", index)
+            raise OperandError(f"{reads}, not {register}", index)
         if register in sources[: index - len(destinations)]:
             message = f"{row.name} names {register} twice: a word reads a register once"
             raise OperandError(message, index)
@@ -153,7 +153,7 @@ def _in_place(kind: str, operands: Sequence[str]) -> Ops:
         allowed = DIGITAL_SOURCES if index else DIGITAL_WRITE
         if register not in allowed:
             takes = f"{kind} in place takes digital registers ({_listed(allowed)})"
-            raise OperandError(f"{takes}, and {register} is none", index)
+            raise OperandError(f"{takes}, not {register}", index)
     return pair(kind, operands[0], operands)
 
 
@@ -236,7 +236,7 @@ class _Form:
         try:
             written = [word.write([meant.get(n, n) for n in names]) for word, names in self.words]
         except OperandError as error:  # said of the macro as a whole
-            raise OperandError(f"one of the words that it stands for is wrong: {error}") from None
+            raise OperandError(f"one of its words is invalid: {error}") from None
         return tuple(op for words in written for op in words)
 
 

@@ -80,7 +80,7 @@ def npz_arrays(
     try:
         archive = ZipFile(path)
     except (BadZipFile, ValueError, NotImplementedError, EOFError) as error:
-        raise InvalidArrays("it is no .npz file") from error
+        raise InvalidArrays("it is not an .npz file") from error
     arrays: dict[str, NDArray[Any]] = {}
     unpacked_bytes = 0
     with archive:
@@ -120,6 +120,6 @@ def check_size(size: int, most_bytes: int = MOST_BYTES) -> None:
     """Raises InvalidArrays where arrays of `size` bytes are more than a reader takes."""
     if size > most_bytes:
         raise InvalidArrays(
-            f"its arrays unpack to {size / 2**20:,.0f} MiB, at most {most_bytes >> 20:,} MiB are "
-            "read"
+            f"its arrays unpack to {size / 2**20:,.0f} MiB, but at most "
+            f"{most_bytes >> 20:,} MiB are allowed"
         )

@@ -348,7 +348,7 @@ def run_passes(
     Raises Rejected with everything that is wrong with it: Unfit if it is only too large.
     """
     if options.level not in LEVELS:
-        raise ValueError(f"level {options.level} is none of {LEVELS}")
+        raise ValueError(f"level {options.level} is not one of {LEVELS}")
     see = see or (lambda _name, _value: None)
     results = results_of_user() if options.cache else None
     job = Job(options, base, results)

@@ -30,7 +30,7 @@ def added(group: Group, taken: Collection[str] = frozenset()) -> dict[str, Any]:
     found = _loaded(group)
     for name in found:
         if name in taken:
-            raise unusable(group, name, "nscc has one of that name itself")
+            raise unusable(group, name, "nscc has an object of that name")
     return {name: value for name, (value, _) in found.items()}
 
 
@@ -48,7 +48,7 @@ def _loaded(group: Group) -> dict[str, tuple[Any, str]]:
     found: dict[str, tuple[Any, str]] = {}
     for entry in sorted(entry_points(group=group), key=lambda each: (each.name, each.value)):
         if entry.name in found:
-            raise unusable(group, entry.name, "another distribution adds one of that name")
+            raise unusable(group, entry.name, "another package provides an object of that name")
         try:
             found[entry.name] = entry.load(), entry.module
         except Exception as error:  # whatever a module of somebody else's raises
@@ -62,7 +62,7 @@ def unusable(group: Group, name: str, reason: str) -> Rejected:
     kind = group.removeprefix("nscc.").removesuffix("s")
     return rejected(
         "NS0905",
-        f"the {kind} {name[:60]!a} that an installed package adds cannot be used",
+        f"the {kind} {name[:60]!a} of an installed package cannot be used",
         notes=(reason, f"it is an entry point of the group {group}"),
-        helps=("mend or uninstall the package that adds it",),
+        helps=("repair or uninstall the package that provides it",),
     )

@@ -234,7 +234,7 @@ class ShutterProgram:
             for. Compile with `codes="open"` to allow all legal codes.
         """
         if codes is not None and fields:
-            raise wrong_argument("with_pixels takes a file or fields, not both")
+            raise wrong_argument("with_pixels takes either a file or fields")
         given = fields if codes is None else _path("with_pixels", codes)
         return replace(self, container=with_pixels(self.container, self.name, given))
 
@@ -277,8 +277,9 @@ class ShutterProgram:
         if self.container.machine is not None:
             raise rejected(
                 "NS0442",
-                f"the shutters of '{self.name}' depend on the light: before it there are none",
-                helps=("a frame of it tells how many slots each pixel was open: `open_slots`",),
+                f"the shutters of '{self.name}' depend on the light: they are unknown "
+                "before the exposure",
+                helps=("a captured frame contains the open time of each pixel: `open_slots`",),
                 status=1,
             )
         return replayed(self.container, f"'{self.name}'")
@@ -292,8 +293,8 @@ class ShutterProgram:
         if self.compiled is None or self.options is None:
             raise rejected(
                 "NS0743",
-                f"'{self.name}' holds words and no {wanted}: it was compiled before",
-                helps=("nscc.compile gives a program that knows how its words came about",),
+                f"'{self.name}' contains words but no {wanted}, because it is compiled already",
+                helps=("use nscc.compile: its result contains the compiler's data",),
             )
         return self.compiled, self.options
 
@@ -405,7 +406,7 @@ def load(path: str | os.PathLike[str]) -> ShutterProgram:
     found = _path("nscc.load", path)
     if found.suffix.lower() == ".nsl":
         raise wrong_argument(
-            f"nscc.load reads compiled programs (.icw), and '{found}' is the text of one",
+            f"nscc.load reads compiled programs (.icw), but '{found}' is the text of a program",
             helps=(f"nscc.compile('{found}') compiles it",),
         )
     return ShutterProgram(found.as_posix(), read_container(found))
@@ -430,13 +431,13 @@ def _source(source: object, folder: str | os.PathLike[str] | None) -> tuple[Sour
     path = _path("nscc.compile", source)
     if is_compiled(path):
         raise wrong_argument(
-            f"nscc.compile takes the text of programs, and '{path}' is compiled already",
-            helps=(f"nscc.load('{path}') reads it",),
+            f"nscc.compile takes the text of a program, but '{path}' is compiled already",
+            helps=(f"use nscc.load('{path}')",),
         )
     if folder is not None:
         raise wrong_argument(
-            "nscc.compile: folder is for a program that is in no file",
-            helps=("leave it out: a file's paths are relative to the file",),
+            "nscc.compile: folder applies only to a program without a file",
+            helps=("leave it out: paths in a program file are relative to the file",),
         )
     return read_source(path), path.parent
 

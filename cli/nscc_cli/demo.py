@@ -9,7 +9,7 @@ import click
 
 from nscc.requirements import line_for
 from nscc_cli.options import OUT, SEED, color_option, fit_option, tone_option
-from nscc_cli.support import CommonCommand, done, progress, say
+from nscc_cli.support import CommonCommand, progress, say, say_done
 
 
 @click.command("demo", cls=CommonCommand)
@@ -44,12 +44,12 @@ def command(
     if merge:
         settings = replace(settings, learned=False)
     elif not settings.learned:
-        done(f"without torch the frame is merged; {line_for('torch')} brings the decoder")
+        say_done(f"without torch the frame is merged; {line_for('torch')} brings the decoder")
     folder = out or Path(f"{Path(scene).stem}_demo" if scene and ":" not in scene else "demo")
-    listener = Listener(done, lambda diagnostic: say([diagnostic]), progress)
+    listener = Listener(say_done, lambda diagnostic: say([diagnostic]), progress)
     for name in (scene,) if scene else BUILTIN:
         made = demo(Scene(name, fps=fps), folder, settings, listener)
-        done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
+        say_done("\n".join(f"wrote {path.as_posix()}" for path in made.files))
         looked = "" if made.looked_db is None else f", by pixels that look {made.looked_db:.1f} dB"
-        done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{looked}")
-        done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))
+        say_done(f"always open {made.open_db:.1f} dB, reconstructed {made.psnr_db:.1f} dB{looked}")
+        say_done("step by step:\n" + "\n".join(f"  {line}" for line in made.commands))

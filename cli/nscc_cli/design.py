@@ -12,7 +12,7 @@ from nscc_cli import options as shared
 from nscc_cli.completion import SCENE, TARGET
 from nscc_cli.frames import scene_of, sensor_of
 from nscc_cli.options import LEVEL, OUT
-from nscc_cli.support import CommonCommand, NumberRange, done, progress, say
+from nscc_cli.support import CommonCommand, NumberRange, progress, say, say_done
 
 if TYPE_CHECKING:
     import numpy as np
@@ -36,22 +36,25 @@ _MOST_SLOTS = 4096
 @click.command("design", cls=CommonCommand)
 @shared.section(shared.SCENE, click.option(
     "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-    help="A scene as nscc run takes it; of several the mean of the decibels counts.",
+    help="A scene as in nscc run; for several scenes the errors are averaged in decibels.",
 ))  # fmt: skip
 @click.option("--looks", type=click.IntRange(2, _MOST_LOOKS), metavar="K",
-              help="Design pixels that look: K exposures, the last the whole frame.")  # fmt: skip
-@click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]), help="What is least: the "
-              "square error of the light on a mu-law curve (default), as it is, of its logarithm; "
-              "sve-risk designs a fixed 2 x 2 tile of stops instead.")  # fmt: skip
-@click.option("--motion", type=click.Choice(_MOTIONS), help="Choose a code for clips by how "
-              "things move: slow, fast, or as in the scenes.")  # fmt: skip
+              help="Design pixels that look: K exposures; the last is the whole "
+                   "frame.")  # fmt: skip
+@click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]),
+              help="The error to minimise: of the light on a mu-law curve (default), "
+                   "linear, or of its logarithm; sve-risk designs a fixed 2 x 2 tile "
+                   "of stops instead.")  # fmt: skip
+@click.option("--motion", type=click.Choice(_MOTIONS),
+              help="Choose a code for clips by their motion: slow, fast, or as in "
+                   "the scenes.")  # fmt: skip
 @click.option("--max-words", type=NumberRange(0.1, 1000), default=4.0, show_default=True,
-              help="With --motion: words a slot, in the mean, that the code may take.")  # fmt: skip
+              help="With --motion: the largest mean number of words per slot.")  # fmt: skip
 @click.option("--slots", type=click.IntRange(2, _MOST_SLOTS),
               help=f"Slots of the frame (default: {_STILL_SLOTS}, for clips "
               f"{_CLIP_SLOTS}).")  # fmt: skip
 @click.option("--slot-us", type=NumberRange(0.01, 1e6), default=125.0, show_default=True,
-              help="The length of each.")  # fmt: skip
+              help="The length of each slot.")  # fmt: skip
 @click.option("--target", type=TARGET, default="scamp5", show_default=True,
               metavar="NAME|FILE.toml", help="The chip.")  # fmt: skip
 @click.option("-O", "level", type=LEVEL, default=2, show_default=True,
@@ -84,15 +87,15 @@ def command(
     tile = criterion == _SVE_RISK
     if tile + (looks is not None) + (motion is not None) != 1:
         raise click.UsageError(
-            "name what to design: --looks K for pixels that look, --criterion sve-risk for a fixed "
-            "2 x 2 tile, or --motion slow, fast or scene for clips"
+            "name the design: --looks K for pixels that look, --criterion sve-risk for a "
+            "fixed 2 x 2 tile, or --motion slow, fast or scene for clips"
         )
     if motion and criterion:
-        raise click.UsageError("--criterion is for stills: leave it out, or --motion")
+        raise click.UsageError("--criterion applies to stills: leave it out, or leave out --motion")
     options["slots"] = options["slots"] or (_CLIP_SLOTS if motion else _STILL_SLOTS)
     slots, slot_us, name = options["slots"], options["slot_us"], options["target"]
     if looks is not None and looks > slots:
-        raise click.UsageError(f"{looks} exposures end at as many boundaries; there are {slots}")
+        raise click.UsageError(f"{looks} exposures need {looks} boundaries; there are {slots}")
     default = f"motion-{motion}.nsl" if motion else f"looks-{looks}.nsl"
     path = out or Path("sve-risk.nsl" if tile else default)
     target = load_target(name, Path())
@@ -116,7 +119,7 @@ def command(
     click.echo(f"wrote {path.as_posix()}")
     for label, text in made.lines:
         click.echo(f"  {label:<9} {text}")
-    done(cost_text(made.compiled))
+    say_done(cost_text(made.compiled))
 
 
 def _seen(
@@ -145,6 +148,6 @@ def _laid(
     """Each scene in the slots of the frame on the chip's array."""
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):
-        scene = scene_of({**options, "scene": name}, "no scene to design for: --scene is missing")
+        scene = scene_of({**options, "scene": name}, "--scene is missing: a design needs a scene")
         [laid] = scene.laid(slot_us, target, lambda told: say([told]), progress)
         yield laid

@@ -23,34 +23,38 @@ _MOST_EXPOSURES = 32
 
 def _counts(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """Numbers of slots, separated by commas, from few to many."""
-    parts = [part.strip() for part in value.split(",")]
-    for part in parts:
-        if not (part.isdecimal() and 2 <= int(part) <= _MOST_SLOTS):
-            message = f"{part[:40]!r} is no number of slots, 2 to {_MOST_SLOTS}"
+    items = [item.strip() for item in value.split(",")]
+    for item in items:
+        if not (item.isdecimal() and 2 <= int(item) <= _MOST_SLOTS):
+            message = f"invalid number of slots {item[:40]!r}: 2 to {_MOST_SLOTS} are allowed"
             raise click.BadParameter(message, context, option)
-    return tuple(sorted({int(part) for part in parts}))
+    return tuple(sorted({int(item) for item in items}))
 
 
 def _divisors(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """The same; each must divide the most, which is the number of a clip's frames."""
-    found = _counts(context, option, value)
-    for count in found:
-        if found[-1] % count:
-            message = f"{count} does not divide {found[-1]}: all are slots of the same clips"
+    counts = _counts(context, option, value)
+    for count in counts:
+        if counts[-1] % count:
+            message = (
+                f"{count} does not divide {counts[-1]}: all numbers of slots use the same clips"
+            )
             raise click.BadParameter(message, context, option)
-    return found
+    return counts
 
 
 def _exposures(context: click.Context, option: click.Parameter, value: str) -> tuple[int, ...]:
     """Numbers of exposures a pixel, separated by commas, or `none`."""
     if value.strip() == "none":
         return ()
-    parts = [part.strip() for part in value.split(",")]
-    for part in parts:
-        if not (part.isdecimal() and 2 <= int(part) <= _MOST_EXPOSURES):
-            message = f"{part[:40]!r} is no number of exposures, 2 to {_MOST_EXPOSURES}"
+    items = [item.strip() for item in value.split(",")]
+    for item in items:
+        if not (item.isdecimal() and 2 <= int(item) <= _MOST_EXPOSURES):
+            message = (
+                f"invalid number of exposures {item[:40]!r}: 2 to {_MOST_EXPOSURES} are allowed"
+            )
             raise click.BadParameter(message, context, option)
-    return tuple(sorted({int(part) for part in parts}))
+    return tuple(sorted({int(item) for item in items}))
 
 
 @click.command("sensor", cls=CommonCommand)
@@ -97,18 +101,18 @@ def command(**options: Any) -> int:
     settings = Settings(**{name: options[name] for name in named})
     say_compiling(denoise, "the loop of total variation")
     with kept_rows(files, options) as rows:
-        found = measure(settings, lambda todo: progress(todo, "capturing"), rows)
-        if found.points:
+        measured = measure(settings, lambda todo: progress(todo, "capturing"), rows)
+        if measured.points:
             names = ("shutters", "slots", "PSNR, dB")
-            click.echo(table_text(found.points, names, ("slot, us", 1e3)))
-        for line in refusals_text(found.refused):
+            click.echo(table_text(measured.points, names, ("slot, us", 1e3)))
+        for line in refusals_text(measured.refused):
             click.echo(line)
-        if not found.points:
+        if not measured.points:
             rows.done()
             return 1
         makers = {
-            "csv": lambda: csv_text(found.points, found.target, found.refused).encode(),
-            "png": lambda: png_of(sensor_diagram, found, settings.slot_us),
+            "csv": lambda: csv_text(measured.points, measured.target, measured.refused).encode(),
+            "png": lambda: png_of(sensor_diagram, measured, settings.slot_us),
         }
         write_files(files, makers, rows)
     return 0

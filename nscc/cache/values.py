@@ -53,14 +53,14 @@ def _typed(kind: Any, value: Any) -> Any:
     if kind in (str, bool, NoneType):
         if type(value) is kind:
             return value
-        raise ValueError(f"{value!r:.40} is no {kind.__name__}")
+        raise ValueError(f"{value!r:.40} is not a {kind.__name__}")
     origin = get_origin(kind)
     if origin in (UnionType, Union):
         return _any_of(get_args(kind), value)
     if origin is not tuple and not is_dataclass(kind):
         raise TypeError(f"{kind} cannot be read back from JSON")
     if not isinstance(value, list):
-        raise ValueError(f"{value!r:.40} is no list")
+        raise ValueError(f"{value!r:.40} is not a list")
     if origin is tuple:
         parts = get_args(kind)
         if len(parts) == 2 and parts[1] is Ellipsis:
@@ -81,7 +81,7 @@ def _any_of(kinds: tuple[Any, ...], value: Any) -> Any:
             return _typed(kind, value)
         except ValueError:
             continue
-    raise ValueError(f"{value!r:.40} is none of {kinds}")
+    raise ValueError(f"{value!r:.40} is not one of {kinds}")
 
 
 def _integer(value: Any) -> int:
@@ -89,7 +89,7 @@ def _integer(value: Any) -> int:
         return value
     if type(value) is str:
         return int(value, 16)
-    raise ValueError(f"{value!r:.40} is no integer")
+    raise ValueError(f"{value!r:.40} is not an integer")
 
 
 @cache

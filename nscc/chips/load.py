@@ -86,7 +86,7 @@ def load_target(
     names = target_names()
     raise rejected(
         "NS0230",
-        f"nscc knows no target {name_or_path[:60]!a}",
+        f"unknown target {name_or_path[:60]!a}",
         status=1 if source else 2,
         source=source,
         label=Label(span, "no such target") if source and span else None,
@@ -205,7 +205,7 @@ def _added(name: str, value: object) -> Target:
             text = value if isinstance(value, str) else target_toml(value)
             target = parse_target(text.encode(), name)
         else:
-            raise TypeError(f"a {type(value).__name__} is no target, no TOML text and no path")
+            raise TypeError(f"expected a target, TOML text or a path, not a {type(value).__name__}")
         if target.name == name:
             return target
         reason = f"its table calls it {target.name}"

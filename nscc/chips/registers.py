@@ -44,13 +44,13 @@ def tap_contradictions(stream: Mapping[str, Any]) -> Iterator[tuple[str, str, st
     if taps is not None and len(set(taps)) < len(taps):
         yield "taps", "stream.taps has a name twice", ""
     elif taps is not None and not 1 <= len(taps) <= _MOST_TAPS:
-        message = f"stream.taps lists {len(taps)} taps, and 1 to {_MOST_TAPS} are possible"
+        message = f"stream.taps lists {len(taps)} taps, but 1 to {_MOST_TAPS} are allowed"
         yield "taps", message, ""
     elif taps is not None and len(taps) == 1 and not drain:
-        message = "stream.taps has one tap, and without a drain all light goes there"
+        message = "stream.taps has one tap and no drain, so all light goes to that tap"
         yield "taps", message, "give `drain = true`, or a second tap"
     if taps is not None and gains and len(gains) != len(taps):
-        message = f"stream.tap_gain has {len(gains)} gains, and there are {len(taps)} taps"
+        message = f"stream.tap_gain has {len(gains)} gains, but there are {len(taps)} taps"
         yield "tap_gain", message, "give one for each tap, in their order"
 
 
@@ -62,6 +62,6 @@ def _listed(names: Sequence[str], known: Sequence[str]) -> Iterator[tuple[str, s
         elif name not in known:
             some = ", ".join(known) if len(known) < 10 else f"{known[0]} to {known[-1]}"
             yield (
-                f"{shown(name)}, which no instruction word can name",
-                meant(name, known, f"words name {some}")[0],
+                f"{shown(name)}, which an instruction word cannot address",
+                meant(name, known, f"instruction words address {some}")[0],
             )

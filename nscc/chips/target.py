@@ -37,7 +37,7 @@ class Target:
     scamp5's value where a file leaves it out.
     """
 
-    name: str = key(NAME, "what messages and reports call it", required=True)
+    name: str = key(NAME, "its name in messages and reports", required=True)
     kind: Literal["scamp", "stream"] = key(
         Text(("scamp", "stream")),
         'pixels with a processor ("scamp"), or sent a bit for every slot ("stream")',
@@ -90,7 +90,10 @@ class Target:
     )
 
     store_words: int = key(
-        Integer(1, 1 << 18), "ICWs that all stored kernels may have", section="store", name="words"
+        Integer(1, 1 << 18),
+        "largest number of ICWs in all stored kernels",
+        section="store",
+        name="words",
     )
     tables_count_against_store: bool = _ours(
         Flag(), "do constant kernel tables count against the store?", section="store",
@@ -110,7 +113,7 @@ class Target:
         section="time",
     )
     digital_retention_us: float = key(
-        _ABOVE_0, "an untouched digital register keeps its bit for so long", section="time"
+        _ABOVE_0, "time for which a digital register keeps an unwritten bit", section="time"
     )
 
     full_well_e: float = _ours(_ABOVE_0, "electrons that PIX, or a tap, can hold", section="range")
@@ -123,7 +126,7 @@ class Target:
     )
     adc_bits: int = key(Integer(1, 16), "bits of the readout", section="range")
     adc_offset_lsb: float = _ours(
-        Number(-65536, 65536), "codes on top of what the readout makes of nothing", section="range"
+        Number(-65536, 65536), "codes added to the code of an exposure of 0", section="range"
     )
     readout: Literal["spread", "full", "half"] = key(
         Text(("spread", "full", "half")),
@@ -147,12 +150,12 @@ class Target:
         "where a pixel can collect charge, in the order of a program's buckets", default=(),
         required=True,
     )  # fmt: skip
-    drain: bool = _stream(Flag(), "can a slot's bit also choose to lead light away?", default=False)
+    drain: bool = _stream(Flag(), "can a slot's bit also select a drain?", default=False)
     row_load_us: float = _stream(
         _WORD_US, "sending one row of a plane of bits", default=1.0, required=True
     )
     pipelined: bool = _stream(
-        Flag(), "is a plane loaded while the last one acts, or does light wait for it?",
+        Flag(), "is a plane loaded while the previous plane acts?",
         default=True,
     )  # fmt: skip
     tap_gain: tuple[float, ...] = _stream(
@@ -249,7 +252,7 @@ SCHEMA = Schema(
         "": "",
         "array": "the pixels",
         "registers": "of one pixel",
-        "behaviour": "none of these is stated in public: each key has a default",
+        "behaviour": "these values are not public: each key has a default",
         "store": "",
         "time": "",
         "range": "",
@@ -272,7 +275,7 @@ STREAM_SCHEMA = Schema(
         "array": "the pixels",
         "time": "",
         "range": "of every tap",
-        "stream": "the bits that pixels are sent, and where their light goes",
+        "stream": "the bits that pixels receive, and where their light goes",
     },
     _CODES,
     "`nscc targets dual-tap --toml` prints a complete file to start from",

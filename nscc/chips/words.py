@@ -68,7 +68,7 @@ class OwnWords(Kind):
                 if _alike(row, other):
                     raise ValueError(f"{row.name} and {other.name} can be the same word")
             if row.name in (*MNEMONICS, *BY_NAME, *(other.name for other in found)):
-                raise ValueError(f"there is a word {row.name} already")
+                raise ValueError(f"the word {row.name} exists already")
             found.append(row)
         return tuple(found)
 
@@ -102,30 +102,36 @@ def _plain(row: Operation) -> dict[str, Any]:
 def _row(values: Any, who: str) -> Operation:
     """One word; ValueError with what is wrong with it."""
     if not isinstance(values, Mapping):
-        raise ValueError(f"{who} is no table of keys")
+        raise ValueError(f"{who} is not a table of keys")
     if isinstance(values.get("name"), str):
         who = ascii(values["name"][:40])
     for key in values:
         if key not in (*_NEEDED, *_DEFAULTS):
             known = ", ".join((*_NEEDED, *_DEFAULTS))
-            raise ValueError(f"{who} has a key {key[:40]!a}: the keys of a word are {known}")
+            raise ValueError(
+                f"{who} has the unknown key {key[:40]!a}: the keys of a word are {known}"
+            )
     for key in _NEEDED:
         if key not in values:
             raise ValueError(f"{who} lacks the key {key}")
     given = {**_DEFAULTS, **values}
     name, effect, us = given["name"], EFFECTS.get(str(given["effect"])), given["us"]
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]{0,31}", name):
-        raise ValueError(f"{who} is no name of letters and digits, a letter first")
+        raise ValueError(
+            f"{who} is not a valid name: use letters and digits, starting with a letter"
+        )
     if effect is None:
-        raise ValueError(f"{who} has the effect {str(given['effect'])[:40]!a}: "
-                         f"the effects are {', '.join(EFFECTS)}")  # fmt: skip
+        raise ValueError(f"{who} has the unknown effect {str(given['effect'])[:40]!a}: the "
+                         f"effects are {', '.join(EFFECTS)}")  # fmt: skip
     written_, read = _counts(who, effect, given["destinations"], given["sources"])
     divisor = given["divisor"]
     if not _whole(divisor, 1, 64) or (divisor != 1 and effect is not Effect.BUS):
-        raise ValueError(f"{who} has a divisor that is not 1 to 64, or is no bus word")
+        raise ValueError(
+            f"{who} has an invalid divisor: only bus words have a divisor, from 1 to 64"
+        )
     inverted = given["inverted"]
     if not isinstance(inverted, bool) or (inverted and effect is not Effect.DIGITAL):
-        raise ValueError(f"{who} is inverted, and no digital word")
+        raise ValueError(f"{who} is inverted, but only digital words can be inverted")
     number = isinstance(us, int | float) and not isinstance(us, bool)
     if us is not None and not (number and isfinite(us) and 0 < us <= 1e6):
         raise ValueError(f"{who} takes a number of microseconds above 0 and up to 1000000 (us)")
@@ -159,12 +165,12 @@ def _counts(who: str, effect: Effect, written_: Any, read: Any) -> tuple[int, tu
 def _lines(who: str, effect: Effect, names: Any) -> tuple[int, ...]:
     """The control lines of these names, in their order on the chip."""
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
-        raise ValueError(f"{who} has lines that are no list of names")
+        raise ValueError(f"{who} has invalid lines: a list of names is required")
     for name in names:
         if name not in _LINES:
-            raise ValueError(f"{who} raises {name[:40]!a}: there is no such control line")
+            raise ValueError(f"{who} raises the unknown control line {name[:40]!a}")
         if _LINES[name] in _operand_lines(effect in _DIGITAL):
-            raise ValueError(f"{who} raises {name}, which is the line of an operand")
+            raise ValueError(f"{who} raises {name}, which belongs to an operand")
     return tuple(sorted({_LINES[name] for name in names}))
 
 

@@ -27,7 +27,7 @@ def page(code_or_name: str) -> str:
         near = closest(wanted.upper(), list(known)) or closest(wanted.lower(), list(known.values()))
         raise rejected(
             "NS0790",
-            f"no message has the code or name '{wanted[:60]}'",
+            f"unknown message code or name '{wanted[:60]}'",
             helps=(
                 *((did_you_mean(near),) if near else ()),
                 "`nscc explain` lists all codes",

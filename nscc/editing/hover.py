@@ -59,7 +59,7 @@ def _bucket(document: Document, mention: Mention) -> str | None:
         return None
     compiled = document.checked.compiled
     names = [] if compiled is None else [bucket.name for bucket in compiled.program.buckets]
-    told = "one of the frames that an exposure gives"
+    told = "one of the exposures of a frame"
     if compiled is None or compiled.program.machine is not None or mention.name not in names:
         return told
     return f"{told}. {_open_slots(compiled.program.table.shutters[:, names.index(mention.name)])}"
@@ -114,12 +114,12 @@ def _sense(document: Document, name: str) -> str:
     looking = document.looking
     sense = next((each for each in looking.senses if each.name == name), None) if looking else None
     if sense is None:
-        return "what a pixel sees of its own light"
+        return "the light that a pixel compares"
     listed = ", ".join(map(str, sense.at[:_MOST_VALUES])) + ", .." * (len(sense.at) > _MOST_VALUES)
     return (
-        "whether the pixel's signal was beyond its level at the latest look, false before the "
-        f"first. It looks {'once' if len(sense.at) == 1 else f'{len(sense.at)} times'}, at "
-        f"{listed}"
+        "true if the pixel's signal was beyond its level at the latest look, false before "
+        "the first look. It looks "
+        f"{'once' if len(sense.at) == 1 else f'{len(sense.at)} times'}, at {listed}"
     )
 
 
@@ -127,16 +127,16 @@ def _state(document: Document, name: str) -> str:
     looking = document.looking
     found = next((each for each in looking.states if each.name == name), None) if looking else None
     if found is None:
-        return "what a pixel remembers"
+        return "a value that a pixel remembers"
     values = "a bit" if found.boolean else f"{found.low}..{found.high}"
     kept = ", kept from frame to frame" if found.kept else ""
     read = ", read out with the frame" if name in document.declared.reads else ""
-    return f"what a pixel remembers: {values}, {found.start} at the start{kept}{read}"
+    return f"a value that a pixel remembers: {values}, {found.start} at the start{kept}{read}"
 
 
 def _predefined(document: Document, name: str) -> str | None:
     if name == LOOKS and document.tokens.version > 1:
-        return "how many boundaries with a sense there were so far, this one included"
+        return "the number of boundaries with a sense so far, including this one"
     meaning = document.constants.get(name)
     if name in PREDEFINED and meaning is not None and meaning.kind == "constant":
         return f"{PREDEFINED[name]}: {meaning.value}"

@@ -27,16 +27,16 @@ def renamed(document: Document, offset: int, name: str) -> tuple[Span, ...]:
     old = renameable(document, offset)
     if not _NAME.fullmatch(name):
         raise CannotRename(
-            f"{shown(name)} is no name: names are of letters, digits and underscores, "
-            "and do not begin with a digit"
+            f"{shown(name)} is not a valid name: names consist of letters, digits and "
+            "underscores, and do not begin with a digit"
         )
     if name in reserved(document.tokens.version):
-        raise CannotRename(f"`{name}` is a word of the language")
+        raise CannotRename(f"`{name}` is a reserved word of the language")
     if old.kind == "name" and name in _predefined(document):
         raise CannotRename(f"`{name}` is predefined")
     others = {(each.name, each.kind) for each in mentions(document)} - {(old.name, old.kind)}
     if (name, old.kind) in others:
-        raise CannotRename(f"`{name}` stands for something else in this program")
+        raise CannotRename(f"`{name}` has another meaning in this program")
     return tuple(each.span for each in alike(document, old))
 
 
@@ -44,7 +44,7 @@ def renameable(document: Document, offset: int) -> Mention:
     """The name at `offset`, if it may have another one. Raises CannotRename as `renamed` does."""
     found = mention_at(document, offset)
     if found is None:
-        raise CannotRename("no name of the program stands here")
+        raise CannotRename("there is no name of the program at this place")
     if declaration(document, found) is None:
         predefined = found.name in _predefined(document)
         why = "is predefined" if predefined else "is not declared in this program"
@@ -53,8 +53,8 @@ def renameable(document: Document, offset: int) -> Mention:
     by_name = found.name in document.declared.codes.keys() - document.declared.pixels.keys()
     if file is not None and by_name and found.kind == "name":
         raise CannotRename(
-            f"the pixels' `{found.name}` is the array of that name in "
-            f'"{file.path.value}": give the array another name first'
+            f"the values of `{found.name}` come from the array of that name in "
+            f'"{file.path.value}": rename the array first'
         )
     return found
 

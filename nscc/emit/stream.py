@@ -120,8 +120,10 @@ def planes_bytes(container: Container) -> bytes:
     if sent is None:
         raise rejected(
             "NS0511",
-            "there are no planes to send: the program does not say which code each pixel has",
-            helps=('give it a `pixels` statement, or codes in a file: `pixels from "C.npz"`',),
+            "cannot compute the planes: the pixels have no codes",
+            helps=(
+                'add a `pixels` statement, or read the codes from a file: `pixels from "C.npz"`',
+            ),
             status=1,
         )
     loadings = [*schedule(target, container.slot_us)]

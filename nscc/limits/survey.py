@@ -59,8 +59,9 @@ def survey(
     """
     refuse_planes(
         target,
-        "--limits has nothing to find",
-        f"any shutter fits slots of {time_text(target.plane_load_us)}: only the time limits it",
+        "--limits does not apply to this chip",
+        f"any shutter fits slots of {time_text(target.plane_load_us)}: only the loading "
+        "time limits it",
     )
     found = []
     for slot in slots:
@@ -129,7 +130,11 @@ def _unknown(limit: Limit) -> str:
     reasons = []
     nearest = next((trial for trial in limit.tried if trial.size >= first), None)
     if nearest is not None and (limit.impossible is None or nearest.size < limit.impossible):
-        proves = "certain, but only for these rows" if nearest.proved else "which proves nothing"
+        proves = (
+            "certain, but only for these rows"
+            if nearest.proved
+            else "but a longer search may succeed"
+        )
         reasons.append(f"{nearest.size} was tried: {nearest.reason} [{nearest.code}], {proves}")
     if limit.impossible is None or family.ceiling < limit.impossible - 1:
         reasons.append(f"above {family.ceiling}: {family.ceiling_reason}")

@@ -70,7 +70,7 @@ def _reasons(limit: Limit) -> list[str]:
 def _tried(limit: Limit) -> str:
     """What was compiled, with every size below the largest that did not fit."""
     if limit.built is None:
-        return "nothing that was tried fits"
+        return "no tried size fits"
     count = sum(trial.size <= limit.built.size for trial in limit.tried)
     if not limit.gaps:
         return f"{limit.built.size}; so did all {count} sizes tried up to it"

@@ -119,7 +119,7 @@ def _field(name: str, events: _Events, shutters: int) -> _Field:
     """The field that numbers these events; raises GaveUp where no numbers tell them apart."""
     atoms = _atoms([v for _, v in events])
     if atoms is None:
-        raise GaveUp("the events that are left are no unions of each other")
+        raise GaveUp("the remaining events are not unions of each other")
     numbers = np.full(shutters, len(atoms), dtype=np.int64)
     for i, v in enumerate(atoms):
         numbers[members(v, shutters)] = i

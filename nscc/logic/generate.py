@@ -127,13 +127,13 @@ def added_generators() -> dict[str, Generator]:
     found: dict[str, Generator] = added(_GROUP, GENERATORS)
     for name, each in found.items():
         if not isinstance(each, Generator):
-            raise unusable(_GROUP, name, f"it is no Generator but {type(each).__name__}")
+            raise unusable(_GROUP, name, f"it is not a Generator, but {type(each).__name__}")
         if each.kind not in FROM_LEVEL:
-            raise unusable(_GROUP, name, f"its kind is none of {', '.join(FROM_LEVEL)}")
+            raise unusable(_GROUP, name, f"its kind is not one of {', '.join(FROM_LEVEL)}")
         if not callable(each.solve):
             raise unusable(_GROUP, name, "its `solve` cannot be called")
         if each.from_level is not None and each.from_level not in range(LEAST_ADDED, 4):
-            raise unusable(_GROUP, name, f"its `from_level` is none of {LEAST_ADDED} to 3")
+            raise unusable(_GROUP, name, f"its `from_level` is not between {LEAST_ADDED} and 3")
     return found
 
 
@@ -150,8 +150,8 @@ class GeneratorFault:
         """NS0504, with the traceback in its data."""
         return Diagnostic(
             "NS0504",
-            f"the generator {self.generator[:60]!a} of gates failed at -O{self.level} and was left "
-            f"out: {self.error}",
+            f"the gate generator {self.generator[:60]!a} failed at -O{self.level} and was "
+            f"left out: {self.error}",
             severity=Severity.WARNING,
             notes=("the program was compiled with the other generators; its words are proved",),
             data={"generator": self.generator, "traceback": self.traceback},
@@ -256,8 +256,8 @@ def _tried(
 def _wrong(problem: Problem, machine: Machine, solution: object) -> str | None:
     """What is wrong with a solution of somebody else's."""
     if not isinstance(solution, Solution):
-        return f"it is no Solution but {type(solution).__name__}"
+        return f"it is not a Solution, but {type(solution).__name__}"
     hash(solution)  # raises where anything in it is not frozen: solutions are keys
     if not all(isinstance(text, str) for text in (solution.encoding, *solution.holders)):
-        return "its name or a holder is no text"
+        return "its name or a holder is not text"
     return fault(problem, machine, solution)

@@ -46,7 +46,7 @@ def _fits(problem: Problem, machine: Machine, solution: Solution) -> None:
     if len(solution.answers) != len(problem.demands):
         raise _Wrong(f"{len(solution.answers)} answers to {len(problem.demands)} demands")
     if not all(type(p) is int and 0 <= p <= problem.everything for p in solution.planes):
-        raise _Wrong("a plane is no truth vector of the shutters")
+        raise _Wrong("a plane is not a truth vector of the shutters")
     if solution.state_in_flag and not (problem.flag_lasts and scratch):
         raise _Wrong("it keeps its state in FLAG, which does not last or has no scratch beside it")
     registers = {*_names("p", planes), *_names("s", states), *_names("t", scratch)}
@@ -131,7 +131,7 @@ class _Frame:
     def _known(self, name: str, gate: Gate) -> int:
         content = self.held[name]
         if content is None:
-            raise _Wrong(f"{gate} reads {name}, of which nothing is known")
+            raise _Wrong(f"{gate} reads {name}, whose contents are unknown")
         return content
 
     def _run(self, segments: Sequence[Segment]) -> None:

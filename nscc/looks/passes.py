@@ -39,7 +39,9 @@ def plan_of(
     if isinstance(plan, Misfit):
         return plan, [fit.plan_fault(program, {"edges": plan})]
     if lowering == "accumulate":
-        reason = Misfit("accumulate resets PIX in every slot, and `light` is what it holds since")
+        reason = Misfit(
+            "accumulate resets PIX in every slot, but `light` needs its charge since the last reset"
+        )
         return reason, [fit.plan_fault(program, {lowering: reason})]
     return plan, []
 

@@ -47,8 +47,8 @@ def capacity_fault(program: Program) -> Diagnostic | None:
     ]
     return Diagnostic(
         "NS0412",
-        f"this shutter does not fit {target.name}: its codes need {required} bits a pixel, "
-        f"the chip has {available}",
+        f"this shutter does not fit {target.name}: its codes need {required} bits per "
+        f"pixel, but the chip has {available}",
         source=program.source,
         label=Label(_field_span(program), what),
         related=chip_label(program, registers),
@@ -68,10 +68,13 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
     if len(short) < len(misfits):
         return Diagnostic(
             "NS0414",
-            "this program cannot be lowered as asked: " + "; ".join(reasons),
+            "the requested lowering cannot implement this program: " + "; ".join(reasons),
             source=program.source,
             label=Label(program.buckets[0].span),
-            helps=("leave --lowering at auto: it takes only lowerings that serve the program",),
+            helps=(
+                "leave --lowering at auto: it chooses only lowerings that can implement the "
+                "program",
+            ),
             data={"lowerings": list(misfits)},
         )
     least: Misfit = min(short, key=lambda m: m.required)
@@ -80,16 +83,16 @@ def plan_fault(program: Program, misfits: Mapping[Lowering, Misfit]) -> Diagnost
     most = least.available - (least.required - buckets)
     helps = [f"keep at most {most} buckets"]
     if len(misfits) == 1:
-        helps.append("leave --lowering at auto: lowerings differ in what they need")
+        helps.append("leave --lowering at auto: lowerings need different numbers of registers")
     return Diagnostic(
         "NS0413",
-        f"{buckets} buckets do not fit {program.target.name}: "
-        f"they need {least.required} {least.resource}, the chip has {least.available}",
+        f"{buckets} buckets do not fit {program.target.name}: they need {least.required} "
+        f"{least.resource}, but the chip has {least.available}",
         source=program.source,
         label=Label(program.buckets[-1].span, f"bucket {buckets}"),
         related=chip_label(program, registers),
         notes=(
-            "certain: every bucket is a frame in a register of its own",
+            "certain: every bucket needs its own register",
             *chip_note(program, registers),
             *reasons,
         ),
@@ -103,13 +106,16 @@ def gates_fault(program: Program, misfits: Mapping[Lowering, Misfit], *, level: 
     available = len(program.target.digital_registers)
     return Diagnostic(
         "NS0502",
-        f"no gates were found at -O{level} that decode {len(program.table.shutters)} shutters in "
-        f"{available} digital registers",
+        f"the search at -O{level} found no gates that decode "
+        f"{len(program.table.shutters)} shutters with {available} digital registers",
         source=program.source,
         label=Label(_field_span(program)),
-        notes=(*_reasons(misfits), "not proved: another encoding or more search may find some"),
+        notes=(*_reasons(misfits), "not proved: another encoding or a longer search may find some"),
         helps=(
-            *(["leave --lowering at auto: another one may need other gates"] * (len(misfits) == 1)),
+            *(
+                ["leave --lowering at auto: another lowering may need other gates"]
+                * (len(misfits) == 1)
+            ),
             _fewer_codes(program),
         ),
         data=resource("digital registers", available + 1, available, proved=False),
@@ -156,7 +162,7 @@ def only_search_can_tell(diagnostic: Diagnostic) -> bool:
 
 def as_note(diagnostic: Diagnostic) -> Diagnostic:
     """What `nscc check` says instead of an unproved fault."""
-    message = f"whether this fits is for `nscc build` to decide: {diagnostic.message}"
+    message = f"only `nscc build` can decide whether this fits: {diagnostic.message}"
     return replace(
         diagnostic, code="NS0503", message=message, severity=Severity.NOTE, related=(), helps=()
     )
@@ -169,7 +175,7 @@ def _store(lowered: Lowered, level: int) -> Diagnostic:
     holders = lowered.schedule.allocation.holders
     return Diagnostic(
         "NS0501",
-        f"this program needs {stored} stored words at -O{level}, {target.name} stores "
+        f"this program needs {stored} stored words at -O{level}, but {target.name} stores "
         f"{target.store_words}",
         source=program.source,
         label=Label(_field_span(program), f"{len(program.table.shutters)} different shutters"),
@@ -191,7 +197,7 @@ def _fewer_codes(program: Program) -> str:
     if program.mode == "fixed":
         return "use fewer different codes, or shutters with fewer edges"
     if program.pixel_codes is None:
-        return "give the pixels: then only the codes in use are compiled"
+        return "add the pixel values: then nscc compiles only the used codes"
     return "`--codes fixed` compiles only the codes that the pixels use"
 
 
@@ -206,14 +212,15 @@ def looking_fault(program: Program, reasons: list[str], *, level: int) -> Diagno
     states = "" if machine is None else ", ".join(state.name for state in machine.states)
     return Diagnostic(
         "NS0502",
-        f"no gates were found at -O{level} that step this program's states in {available} digital "
-        "registers",
+        f"the search at -O{level} found no gates for the states of this program with "
+        f"{available} digital registers",
         source=program.source,
         label=Label(_field_span(program)),
         notes=(
-            f"held: {counted(len(program.table.shutters), 'code')}, states {states or 'none'}",
+            f"registers must hold: {counted(len(program.table.shutters), 'code')}, states "
+            f"{states or 'none'}",
             *reasons,
-            "not proved: another encoding or more search may find some",
+            "not proved: another encoding or a longer search may find some",
         ),
         helps=("use fewer states, smaller ranges, or fewer codes",),
         data=resource("digital registers", available + 1, available, proved=False),

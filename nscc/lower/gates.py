@@ -140,5 +140,5 @@ def lower(
     found = cheapest(level)
     if found is None:
         registers = len(target.digital_registers)
-        return Misfit(f"no generator found gates in {registers} digital registers", searched=True)
+        return Misfit(f"no generator found gates with {registers} digital registers", searched=True)
     return found

@@ -146,7 +146,7 @@ def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> Exposur
         return registers
     shutters = program.table.shutters
     if lowering == "latch" and np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]):
-        return Misfit("latch serves only shutters that open with slot 0 and close once")
+        return Misfit("latch requires shutters that open in slot 0 and close once")
     return _Builder(program, lowering, opens, registers).build()
 
 

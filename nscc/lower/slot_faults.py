@@ -17,15 +17,17 @@ def retention_fault(lowered: Lowered) -> Diagnostic:
     keep_us = lowered.time.keep_us
     return Diagnostic(
         "NS0602",
-        f"digital registers forget within this frame: slot {longest} lasts "
+        f"digital registers lose their bits within this frame: slot {longest} lasts "
         f"{time_text(slot_us)}, and the readout {time_text(lowered.time.between_us)}; "
-        f"{program.target.name} keeps a bit for {time_text(program.target.digital_retention_us)}",
+        f"{program.target.name} keeps a bit for "
+        f"{time_text(program.target.digital_retention_us)}",
         source=program.source,
-        label=Label(program.frame.span, "registers are refreshed between slots, not inside them"),
+        label=Label(program.frame.span, "registers are refreshed between slots, not within a slot"),
         notes=(
-            f"nothing is left untouched for more than {time_text(keep_us)}, with a margin of 10 %",
+            f"every bit must be refreshed within {time_text(keep_us)}, which includes a "
+            "margin of 10 %",
         ),
-        helps=("split the slot into several: the rule may treat them alike",),
+        helps=("split the slot into several slots: the rule may treat them alike",),
         data=resource("retention_us", slot_us, keep_us, proved=True),
     )
 
@@ -50,18 +52,21 @@ def late_fault(choice: Choice, level: int) -> Diagnostic:
         why = f"its {words} words take {time_text(needed_us)} at -O{level}"
     return Diagnostic(
         "NS0601",
-        f"slot {worst} is shorter than its own instructions: it lasts "
+        f"slot {worst} is shorter than its instructions: it lasts "
         f"{time_text(slots_us[worst])}, and {why}",
         source=program.source,
         label=Label(program.frame.span, f"{len(lowered.late)} of {len(slots_us)} slots too short"),
         related=chip_label(program, _times(target)),
         notes=(
             *chip_note(program, _times(target)),
-            "certain: the light must be read and a kernel launched"
+            "certain: a slot must read the light and launch a kernel"
             if certain
-            else "not proved: fewer words may be found",
+            else "not proved: a longer search may find fewer words",
         ),
-        helps=(f"slots of {at_least(lowered.shortest_slot_us)} or longer fit the words found",),
+        helps=(
+            f"slots of {at_least(lowered.shortest_slot_us)} or longer have enough time for the "
+            "words found",
+        ),
         data=resource("slot_us", needed_us, slots_us[worst], proved=certain),
     )
 
@@ -84,16 +89,16 @@ def overfull_fault(choice: Choice, level: int) -> Diagnostic:
     place = f"slot {worst}" if worst < slots else "the end of the last slot"
     return Diagnostic(
         "NS0603",
-        f"{place} executes {words[worst]} words at -O{level}, "
-        f"and --max-words-per-slot allows {allowed}",
+        f"{place} executes {words[worst]} words at -O{level}, but --max-words-per-slot "
+        f"allows {allowed}",
         source=program.source,
         label=Label(program.frame.span, f"{over} of {slots + 1} over the limit"),
         notes=(
             f"{words[worst]} words: {_where_they_go(lowered, worst)}",
             f"lowered as {lowered.plan.lowering}, encoding: {lowered.solution.encoding}",
-            "certain: the words that read the light are more than that"
+            "certain: the words that read the light alone exceed the limit"
             if certain
-            else "not proved: fewer words may be found",
+            else "not proved: a longer search may find fewer words",
         ),
         helps=(f"--max-words-per-slot {words[worst]} accepts the words found",),
         data={**resource("words_per_slot", words[worst], allowed, proved=certain), "slot": worst},
@@ -121,8 +126,9 @@ def _where_they_go(lowered: Lowered, boundary: int) -> str:
 
 def _times(target: Target) -> str:
     return (
-        f"{target.digital_word_us:g} us a digital word, {target.analog_word_us:g} us an analog "
-        f"one, {target.launch_us:g} us a launch, {target.wait_us:g} us the loop at a boundary"
+        f"a digital word takes {target.digital_word_us:g} us, an analog word "
+        f"{target.analog_word_us:g} us, a launch {target.launch_us:g} us, and the loop at a "
+        f"boundary {target.wait_us:g} us"
     )
 
 

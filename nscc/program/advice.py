@@ -35,7 +35,7 @@ def judge_rules(
             problems.warning("NS0350", f"{who} never opens", rule.rule.span, when)
         elif has_fields and survey.shutters[:, k, :].all():
             message = f"{who} is always open, whatever the code"
-            camera = ("`open when true` without fields is the ordinary camera",)
+            camera = ("for an ordinary camera write `open when true` without fields",)
             helps = () if isinstance(rule, tree.Bucket) else camera
             problems.warning("NS0351", message, rule.rule.span, "true in every slot", helps=helps)
 
@@ -57,17 +57,17 @@ def judge_names(
     for field in fields:
         if not field.first_bit and field.name not in in_rules:
             place = declared.codes[field.name].name.span
-            why = "every value of it gives the same shutter"
-            problems.warning("NS0352", f"no rule reads the field `{field.name}`", place, why)
+            why = "all its values give the same shutter"
+            problems.warning("NS0352", f"no rule depends on the field `{field.name}`", place, why)
     for name, let in declared.lets.items():
         if name not in read:
-            problems.note("NS0355", f"nothing reads `{name}`", let.name.span, "not used")
+            problems.note("NS0355", f"`{name}` is not used", let.name.span, "not used")
     in_rules_or_fields = {book for rule in rules for book in rule.books}
     in_rules_or_fields |= {field.book for field in fields if field.book is not None}
     for name in books:
         if name not in in_rules_or_fields:
             place = declared.books[name].name.span
-            problems.note("NS0355", f"nothing reads the codebook `{name}`", place, "not used")
+            problems.note("NS0355", f"the codebook `{name}` is not used", place, "not used")
 
 
 def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Problems) -> None:
@@ -75,12 +75,12 @@ def judge_bumps(found: Recognised, rule: Rule, table: DecodeTable, problems: Pro
     if found.name == "c" and found.cut:
         problems.warning(
             "NS0354",
-            f"{counted(found.cut, 'shutter has', 'shutters have')} a bump that the frame's edge "
-            "cuts short",
+            f"{counted(found.cut, 'shutter has', 'shutters have')} a bump that the end of "
+            "the frame cuts short",
             rule.rule.span,
             f"a frame has the slots 0..{table.shutters.shape[2] - 1}",
             notes=(found.reason,),
-            helps=("end the range of starts at N - len: `code start : 0..N - len`",),
+            helps=("limit the starts to N - len: `code start : 0..N - len`",),
         )
 
 

@@ -99,11 +99,16 @@ def _refuse_looking(declared: Declarations, target: Target, problems: Problems) 
     place = min(spans, key=lambda span: span.start)
     problems.error(
         "NS0510",
-        f"the pixels of {target.name} have no logic: they neither look at light nor keep states",
+        f"the pixels of {target.name} have no logic: they cannot look at the light or keep states",
         place,
         "needs a processor in every pixel",
-        notes=("light goes to a tap by a bit that is sent for every slot, known before it falls",),
-        helps=("compile for such a chip: `target scamp5`", "or give every pixel a fixed shutter"),
+        notes=(
+            "on this chip, a bit that is known before the exposure routes the light of each slot",
+        ),
+        helps=(
+            "compile for a chip with such pixels: `target scamp5`",
+            "or give every pixel a fixed shutter",
+        ),
     )
     problems.stop_on_errors()
 

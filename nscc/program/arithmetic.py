@@ -110,7 +110,7 @@ def _bounded(
 
     def fault() -> Fault:
         text = f"{clipped(a.data)} {node.op} {clipped(b.data)} is beyond 2^62 - 1"
-        return Fault("NS0305", f"a number becomes too large: {text}", node.span, text)
+        return Fault("NS0305", f"a number is too large: {text}", node.span, text)
 
     if low >= -LIMIT and high <= LIMIT:
         return Value(compute(), low, high, faults)
@@ -179,7 +179,7 @@ def _shift(node: Binary, a: Value, b: Value) -> Value:
 
         def fault() -> Fault:
             count, place = clipped(b.data), node.right.span
-            message = f"a shift by {count} is not possible"
+            message = f"invalid shift by {count}"
             return Fault("NS0304", message, place, f"the count is {count}")
 
         wrong = (b.data < 0) | (b.data > MOST_SHIFT)

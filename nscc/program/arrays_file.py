@@ -56,10 +56,15 @@ class ArraysFile:
     def require_sha256(self, wanted: str) -> None:
         """Raises Rejected (NS0315) unless the file has the digest that the program states."""
         if len(wanted) != 64 or not all(c in "0123456789abcdefABCDEF" for c in wanted):
-            message = f'"{clipped(wanted)}" is no SHA-256: that has 64 hexadecimal digits'
+            message = (
+                f'"{clipped(wanted)}" is not a SHA-256 digest: a digest has 64 hexadecimal digits'
+            )
             raise rejected("NS0315", message, helps=(f'the file has sha256 "{self.sha256}"',))
         if wanted.lower() != self.sha256:
-            message = f'"{self.shown}" is not the file that the program was written for'
+            message = (
+                f'the contents of "{self.shown}" differ from the file that the program was '
+                "written for"
+            )
             notes = (f"expected {wanted.lower()}", f"found    {self.sha256}")
             raise rejected("NS0315", f"{message}: its SHA-256 differs", notes=notes)
 
@@ -108,7 +113,9 @@ class ArraysFile:
                 raise rejected("NS0313", f'"{self.shown}" {problem}', helps=(help_text,))
             size = path.stat().st_size
             if size > MOST_FILE_BYTES:
-                message = f'"{self.shown}" has {size} bytes; at most {MOST_FILE_BYTES} are read'
+                message = (
+                    f'"{self.shown}" has {size} bytes, but at most {MOST_FILE_BYTES} are allowed'
+                )
                 raise rejected("NS0313", message)
             reads(path)
             with path.open("rb") as stream:
@@ -132,7 +139,7 @@ class ArraysFile:
 
     def _too_large(self, key: str, most: int) -> Rejected:
         message = f'the array `{clipped(key)}` of "{self.shown}" has more than {most} values'
-        return rejected("NS0314", message, helps=("no program of this size can use so many",))
+        return rejected("NS0314", message, helps=("no program of this size needs so many values",))
 
     def _missing(self, key: str) -> Rejected:
         listed = ", ".join(f"`{clipped(k, 30)}`" for k in self.keys[:12]) or "no arrays"
@@ -147,6 +154,6 @@ class ArraysFile:
         help_text = f"round and convert it before saving: `{key}.astype(numpy.int64)`"
         return rejected(
             "NS0314",
-            f'the array `{clipped(key)}` of "{self.shown}" is {kind}, and must be of integers',
+            f'the array `{clipped(key)}` of "{self.shown}" is {kind}, but must contain integers',
             helps=() if dtype.hasobject else (help_text,),
         )

@@ -56,7 +56,7 @@ def _wrong_digit(book: BookInline, problems: Problems) -> bool:
     for row in book.rows:
         other = next((d for d in row.digits if d not in "01"), None)
         if other is not None:
-            message = f"a row of a codebook holds 0 and 1, and this one holds `{clipped(other)}`"
+            message = f"a codebook row contains `{clipped(other)}`; only 0 and 1 are allowed"
             problems.error("NS0310", message, row.span, "1 is open, 0 is closed")
             return True
     return False
@@ -70,7 +70,7 @@ def _wrong_length(book: BookInline, slots: Meaning, problems: Problems) -> bool:
     if not wrong:
         return False
     have = counted(len(wrong[0].digits), "digit")
-    message = f"this row has {have}, and the frame has {counted(slots.value, 'slot')}"
+    message = f"this row has {have}, but the frame has {counted(slots.value, 'slot')}"
     many = f"{len(wrong)} of {counted(len(book.rows), 'row')} have another length"
     notes = (many,) if len(wrong) > 1 else ()
     helps = ("give every row a digit for each slot, the first for slot 0",)

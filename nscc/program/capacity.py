@@ -24,8 +24,8 @@ def bits_needed(shutters: int) -> int:
 def capacity_note(shutters: int) -> str:
     """Why fewer registers than `bits_needed` are not enough, in words."""
     return (
-        f"certain for codes held in digital registers: {shutters} shutters need "
-        f"{bits_needed(shutters)} of them, whatever the encoding"
+        f"certain for codes in digital registers: {shutters} shutters need "
+        f"{bits_needed(shutters)} registers with any encoding"
     )
 
 

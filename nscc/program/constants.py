@@ -118,7 +118,7 @@ class _Resolver:
             self._learn("N", Meaning("constant", count))
             return
         self._learn("N", FAILED)
-        message = f"a frame of {clipped(count)} slots is not possible"
+        message = f"invalid number of slots: {clipped(count)}"
         self.problems.error("NS0308", message, place, f"a frame has 1 to {MOST_SLOTS} slots")
 
     def _learn(self, name: str, meaning: Meaning) -> None:
@@ -144,9 +144,9 @@ class _Resolver:
             "NS0203",
             f"`{first}` is defined by itself: {chain}",
             self.exprs[first][1],
-            "needs its own value",
+            "depends on its own value",
             related=tuple(
-                Label(self.exprs[name][1], f"`{name}` is part of the cycle") for name in others[:8]
+                Label(self.exprs[name][1], f"`{name}` is part of the circle") for name in others[:8]
             ),
             helps=("give one of them a number",),
         )

@@ -158,8 +158,8 @@ def _position(node: tree.Index, index: Value, size: int, what: str) -> tuple[Dat
         shown = clipped(index.data)
         return Fault(
             "NS0303",
-            f"`{node.base.text}[{shown}]` does not exist: `{node.base.text}` has {what}, "
-            f"0..{size - 1}",
+            f"the index of `{node.base.text}[{shown}]` is out of range: `{node.base.text}` "
+            f"has {what}, 0..{size - 1}",
             node.index.span,
             f"the index is {shown}",
         )

@@ -74,7 +74,7 @@ class _Maker:
         if count is None:
             return None
         if not 1 <= count <= MOST_BITS:
-            message = f"a field of {count} bits is not possible"
+            message = f"invalid number of bits: {count}"
             text = f"a bit field has 1 to {MOST_BITS} bits"
             self.problems.error("NS0307", message, statement.count.span, text)
             return None

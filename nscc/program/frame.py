@@ -25,8 +25,8 @@ def make_frame(
     bad = [time for time in times if not SHORTEST_US <= time.us <= LONGEST_US]
     for time in bad[:8]:
         text = "zero or negative" if time.us <= 0 else "too short" if time.us < 1 else "too long"
-        notes = ("a slot lasts from 1 ps to 10^6 s",)
-        problems.error("NS0309", "a slot cannot have this length", time.span, text, notes=notes)
+        notes = ("a slot must be between 1 ps and 10^6 s long",)
+        problems.error("NS0309", "slot length out of range", time.span, text, notes=notes)
     if bad or slots.kind != "constant":
         return None
     if isinstance(statement, EqualSlots):

@@ -131,9 +131,9 @@ class _Maker:
         signal = self._signal(sense.signal)
         if sense.comparison not in ("<", ">"):
             self.problems.error(
-                "NS0323", "a comparison of charge is `>` or `<`", sense.span,
-                f"this one is `{sense.comparison}`",
-                notes=("no comparator can tell whether two charges are equal",),
+                "NS0323", "unsupported comparison: use `>` or `<`", sense.span,
+                f"this is `{sense.comparison}`",
+                notes=("a comparator cannot test whether two charges are equal",),
             )  # fmt: skip
         at = self._boundaries(sense)
         if at is None or signal is None or self.target is None:
@@ -153,7 +153,7 @@ class _Maker:
         if signal.bucket is None:
             if len(self.declared.rules) == 1:
                 return 0
-            helps = (f"say which one: `exposure {next(iter(self.buckets), 'NAME')}`",)
+            helps = (f"name the bucket: `exposure {next(iter(self.buckets), 'NAME')}`",)
             self.problems.error(
                 "NS0323", "this program has several buckets", signal.span, "whose exposure?",
                 helps=helps,
@@ -179,7 +179,7 @@ class _Maker:
         if found.faults is not None:
             where = int(numbers[np.broadcast_to(found.faults, numbers.shape)][0])
             text = f"for n = {where}"
-            message = "the boundaries of this sense cannot be told"
+            message = "the boundaries of this sense cannot be computed"
             self.problems.error("NS0322", message, sense.at.span, text)
             return None
         at = numbers[np.broadcast_to(np.asarray(found.data, np.bool_), numbers.shape)]
@@ -202,8 +202,10 @@ class _Maker:
         if isinstance(sense.level, tree.Levels):
             items = sense.level.items
             if len(items) != looks:
-                message = f"`{sense.name.text}` looks {looks} times and has {len(items)} levels"
-                self.problems.error("NS0320", message, sense.level.span, "one for each look")
+                message = f"`{sense.name.text}` looks {looks} times, but has {len(items)} levels"
+                self.problems.error(
+                    "NS0320", message, sense.level.span, "give one level for each look"
+                )
                 return None
         known: dict[int, int | None] = {}
         for item in items:
@@ -215,7 +217,7 @@ class _Maker:
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
         """A level in steps of IN."""
         if isinstance(level, tree.Levels):
-            self.problems.error("NS0320", "a list of lists is no level", level.span, "")
+            self.problems.error("NS0320", "a level cannot be a list of lists", level.span, "")
             return None
         if not isinstance(level, tree.Amount):
             number = constant(level, self.constants, self.problems, "a level")
@@ -236,13 +238,13 @@ class _Maker:
         if not can_tell(float(value), unit, target):
             self.problems.error(
                 "NS0321",
-                f"no pixel can tell whether it holds {level_e(float(value), unit, target):g} e",
+                f"the level {level_e(float(value), unit, target):g} e is out of range",
                 level.span, "this level",
                 notes=(
-                    f"PIX of {target.name} holds {target.full_well_e:g} e, and beyond that it says "
-                    "no more than that it is full",
-                    f"IN goes up to {target.in_high} steps of {target.electrons_per_step:.4g} e: "
-                    f"{most_e:.6g} e",
+                    f"a full well of {target.name} holds {target.full_well_e:g} e; PIX "
+                    "cannot hold more",
+                    f"the largest IN is {target.in_high} steps of "
+                    f"{target.electrons_per_step:.4g} e: {most_e:.6g} e",
                 ),
                 helps=(
                     f"give a level from {least:.3g}% to {'below ' * (full_e <= most_e)}{most:.3g}%",
@@ -266,7 +268,9 @@ class _Maker:
             if low > high:
                 span = state.low.span.to(state.high.span)
                 message = f"the range {low}..{high} is empty"
-                self.problems.error("NS0306", message, span, "the first value is the larger one")
+                self.problems.error(
+                    "NS0306", message, span, "the first value is larger than the second"
+                )
                 return None
         start = self._start(state)
         if start is None:
@@ -312,13 +316,11 @@ class _Maker:
         if what is None:
             self.problems.unknown("a state", name.text, name.span, self.declared.states)
             return False
-        helps = (
-            "only states step, and come with the frame: declare `state NAME : LO..HI = START`",
-        )
+        helps = ("`next` and `read` need a state: declare `state NAME : LO..HI = START`",)
         if name.text in self.declared.senses:
             helps = (
-                "remember its answer in a state: `state seen : bit = false`, "
-                f"`next seen = {name.text}`, `read seen`",
+                "store its answer in a state: `state seen : bit = false`, `next seen = "
+                f"{name.text}`, `read seen`",
             )
         message = f"`{name.text}` is {what}, not a state"
         self.problems.error("NS0209", message, name.span, what, helps=helps)

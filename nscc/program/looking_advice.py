@@ -38,12 +38,13 @@ def judge_looking(
     if untold is not None:
         rule = declared.rules[untold.bucket]
         names = ", ".join(untold.states)
-        helps = (f"`read {names}` tells it",) if names else (
-            "remember in a state when the shutter closed, `state closed_at : 0..3 = 0`: read that",
+        helps = (f"`read {names}` gives the open time",) if names else (
+            "add a state that stores when the shutter closed, `state closed_at : 0..3 = 0`, "
+                "and read it",
         )  # fmt: skip
         problems.error(
-            "NS0324", "the readout does not tell how long a pixel was open", rule.span,
-            "pixels of one code are open for different times", helps=helps,
+            "NS0324", "the readout does not determine how long a pixel was open", rule.span,
+            "pixels with the same code are open for different times", helps=helps,
             data={"missing": list(untold.states)},
         )  # fmt: skip
     if declared.reset is not None and target.reset_honours_flag != "yes":
@@ -78,19 +79,21 @@ def judge_looked_names(
             used.update(sense.at)
             continue
         place = declared.senses[sense.name].name.span
-        problems.note("NS0355", f"nothing reads the sense `{sense.name}`", place, "not used")
+        problems.note("NS0355", f"the sense `{sense.name}` is not used", place, "not used")
     for k, state in enumerate(machine.states):
         if state.sense:
             continue
         name, place = state.name, declared.states[state.name].name.span
         without_its_own = [*rules, *replace(looking, nexts=_others(looking, name)).expressions]
         if name not in declared.nexts:
-            problems.note("NS0355", f"`{name}` keeps its start", place, "no `next` changes it")
+            problems.note(
+                "NS0355", f"`{name}` always keeps its start value", place, "no `next` changes it"
+            )
         elif not state.kept and (machine.values[:, k] == state.start).all():
             text = "its `next` never changes it"
-            problems.note("NS0355", f"`{name}` keeps its start", place, text)
+            problems.note("NS0355", f"`{name}` always keeps its start value", place, text)
         elif not state.read and not any(name in each.variables for each in without_its_own):
-            problems.note("NS0355", f"nothing reads the state `{name}`", place, "not used")
+            problems.note("NS0355", f"the state `{name}` is not used", place, "not used")
 
 
 def _others(looking: Looking, name: str) -> dict[str, Next]:
@@ -109,11 +112,11 @@ def _judge_resets(
             boundary = slots.start + int(differ.argmax())
             problems.error(
                 "NS0415", f"{target.name} resets all pixels at once", statement.condition.span,
-                f"at n = {boundary} only some pixels are to be reset",
-                notes=("its reset of the photodiode does not honour FLAG",),
+                f"at n = {boundary} the condition selects only some pixels",
+                notes=("the reset of the photodiode ignores FLAG",),
                 helps=(
-                    "reset at boundaries that depend on `n` alone, or use a target whose reset is "
-                    "per pixel: `target scamp5-algorithm1`",
+                    "use a condition on `n` alone, or a target with a reset per pixel: "
+                    "`target scamp5-algorithm1`",
                 ),
                 data={"boundary": boundary},
             )  # fmt: skip
@@ -168,21 +171,23 @@ def most_looks(declared: Declarations, looking: Looking) -> Part:
     """The sense that looks most often: what multiplies the times that pixels can be open."""
     sense = max(looking.senses, key=lambda each: len(each.at))
     text = f"looks at {counted(len(sense.at), 'boundary', 'boundaries')}"
-    helps = ["look at fewer boundaries, or let a state keep a shutter closed once it has closed"]
+    helps = ["use fewer looks, or a state that keeps a shutter closed"]
     return Part(declared.senses[sense.name].at.span, text, helps)
 
 
 def _helps(looking: Looking, most_senses: int, states: int) -> list[str]:
     helps = []
     if most_senses > 1:
-        helps.append("use fewer senses at one boundary: each doubles the answers that there are")
+        helps.append("use fewer senses at one boundary: each sense doubles the number of answers")
     by_field = dict.fromkeys(f"`{each.field}`" for each in looking.senses if each.field is not None)
     if by_field:
-        helps.append(f"use fewer values of {', '.join(by_field)}: each is a level to compare")
+        helps.append(
+            f"use fewer values of {', '.join(by_field)}: each value is one more level to compare"
+        )
     if states > 1:
-        helps.append("give the states smaller ranges, or use fewer of them")
+        helps.append("reduce the ranges of the states, or use fewer states")
     if len(looking.looks) > 1:
-        helps.append(f"look at fewer boundaries: there are {len(looking.looks)}")
+        helps.append(f"use fewer looks: there are {len(looking.looks)}")
     return helps
 
 

@@ -107,8 +107,8 @@ class _Builder:
         self.transitions += more
         if self.transitions > MOST_TRANSITIONS:
             message = (
-                f"{counted(len(self.codes), 'code')} with their states and answers have "
-                f"{self.transitions} transitions and more, and the limit is {MOST_TRANSITIONS}"
+                f"{counted(len(self.codes), 'code')} with their states and answers have at "
+                f"least {self.transitions} transitions, but the limit is {MOST_TRANSITIONS}"
             )
             raise TooMuch(message, self.transitions, MOST_TRANSITIONS)
 
@@ -142,8 +142,8 @@ class _Builder:
         if self.cells > MOST_CELLS:
             message = (
                 f"{counted(len(self.codes), 'code')} with their states and answers, at "
-                f"{counted(len(self.looks), 'look')}, open and reset in {self.cells} slots and "
-                f"more, and the limit is {MOST_CELLS}"
+                f"{counted(len(self.looks), 'look')}, open and reset in at least "
+                f"{self.cells} slots, but the limit is {MOST_CELLS}"
             )
             raise TooMuch(message, self.cells, MOST_CELLS)
         bindings = self._bindings(nodes, looks)
@@ -217,8 +217,9 @@ class _Builder:
         step = level_steps(value, "lsb", target)
         if not can_tell(value, "lsb", target):
             text = (
-                f"a level has 1 to {target.in_high} steps, and is below {target.full_well_e:g} e, "
-                f"a full well, and {target.register_max_e:g} e, a full register"
+                f"a level must be between 1 and {target.in_high} steps, and below "
+                f"{target.full_well_e:g} e (a full well) and {target.register_max_e:g} e (a "
+                "full register)"
             )
             held_e = level_e(value, "lsb", target)
             message = f"the level {value} of `{sense.field}` is {step} steps of IN, {held_e:g} e"
@@ -259,7 +260,7 @@ class _Builder:
             beyond = where & ((value < state.low) | (value > state.high))
             if beyond.any():
                 row = int(beyond[:, 0].argmax())
-                message = f"`{state.name}` becomes {int(value[row, 0])}, outside its range"
+                message = f"`{state.name}` gets the value {int(value[row, 0])}, outside its range"
                 text = f"`{state.name}` has the values {state.low}..{state.high}"
                 fault = Fault("NS0311", message, given.span, text)
                 raise NoValue([Finding(fault, self._place(rows[row], boundary), int(beyond.sum()))])

@@ -66,7 +66,7 @@ def _times(machine: Machine, slot_us: NDArray[np.float64]) -> dict[int, set[Time
             found.setdefault(following, set()).update(found[node])
             if len(found[following]) > MOST_HISTORIES:
                 count = len(found[following])
-                message = f"a pixel can have been open for {count} different times and more"
+                message = f"a pixel can be open for {count} or more different times"
                 raise TooMuch(message, count, MOST_HISTORIES)
     return found
 

@@ -114,7 +114,7 @@ def codes_from_arrays(
     planes: list[Stored] = []
     for name, parts in fields.items():
         if name not in arrays:
-            raise rejected("NS0314", f"there is no array for the field '{name}' of the code")
+            raise rejected("NS0314", f"the array for the code field '{name}' is missing")
         planes += planes_of(np.asarray(arrays[name]), name, (rows, cols), len(parts))
     return _rows_of_table(planes, table, (rows, cols), "the arrays", mode, ranges)
 
@@ -157,7 +157,10 @@ def refuse_outside(where: str, name: str, plane: Plane, values: tuple[int, int])
             "NS0311",
             f"in {where} the {pixel_text(x, y)} has {name} = {plane[y, x]}, outside {low}..{high}",
             notes=(f"{counted(count, 'pixel is', 'pixels are')} outside the range",),
-            helps=(f"give values from {low} to {high}, or widen `code {name}` in the program",),
+            helps=(
+                f"use values from {low} to {high}, or extend the range `code {name}` in the "
+                "program",
+            ),
             data={"field": name, "x": x, "y": y, "pixels": count},
         )
 
@@ -173,15 +176,15 @@ def _unknown(
             "NS0312",
             f"in {where} the {pixel_text(x, y)} has {code}, which the program forbids",
             notes=(f"{counted(count, 'pixel has', 'pixels have')} such codes",),
-            helps=("give codes within the fields' ranges that fulfil every `require`",),
+            helps=("use codes within the ranges of the fields that fulfil every `require`",),
             data={"x": x, "y": y, "pixels": count},
         )
     return rejected(
         "NS0319",
-        f"the program was not compiled for a code of {where}: {pixel_text(x, y)} has {code}",
+        f"the program was not compiled for a code in {where}: {pixel_text(x, y)} has {code}",
         notes=(
-            f"{counted(count, 'pixel has', 'pixels have')} such codes; "
-            f"the program knows {counted(len(table.codes), 'code')}",
+            f"{counted(count, 'pixel has', 'pixels have')} such codes; the program was "
+            f"compiled for {counted(len(table.codes), 'code')}",
         ),
         helps=("`--codes open` compiles the program (.nsl) for every code that it allows",),
         data={"x": x, "y": y, "pixels": count},

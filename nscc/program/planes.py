@@ -93,7 +93,7 @@ class _Maker:
         if what is None:
             self.problems.unknown("a field", name, statement.field.span, list(self.fields))
         else:
-            message = f"`{name}` is {what}, not a field: pixels hold fields"
+            message = f"`{name}` is {what}, not a field: `pixels` needs a field"
             helps = (f"declare it with `code {name} : LO..HI`",)
             self.problems.error("NS0209", message, statement.field.span, what, helps=helps)
 
@@ -103,13 +103,13 @@ class _Maker:
         given = next(iter(self.declared.pixels.values()))
         self.problems.error(
             "NS0210",
-            f"the pixels of {shown} are not given, and those of other fields are",
+            f"the pixel values of {shown} are missing, but other fields have values",
             first.name.span,
             "has no `pixels` statement",
             related=(Label(given.field.span, "given here"),),
             helps=(
                 f"add `pixels {missing[0]} = ...`",
-                "a file without any `pixels` is a program without data, which compiles too",
+                "a program without any `pixels` statement is also valid",
             ),
         )
 
@@ -121,8 +121,8 @@ class _Maker:
         rows, cols = self.target.rows, self.target.cols
         cost = work(checked, {"y": (0, rows), "x": (1, cols)})
         if cost > WORK_LIMIT:
-            takes = f"this expression takes {cost} operations over the array of {rows} x {cols}"
-            helps = ('data belongs in a file: `pixels from "codes.npz"`',)
+            takes = f"this expression needs {cost} operations for the array of {rows} x {cols}"
+            helps = ('store the data in a file: `pixels from "codes.npz"`',)
             message = f"{takes}; the limit is {WORK_LIMIT}"
             self.problems.error("NS0450", message, value.span, helps=helps)
             return None
@@ -157,7 +157,9 @@ class _Maker:
             if odd:
                 have = counted(len(odd.values), "value")
                 place, text = odd.span, f"{have}, the first row has {len(lines[0].values)}"
-            message = "the rows of a tile must have the same number of values, and at least one"
+            message = (
+                "all rows of a tile must have the same number of values, and at least one value"
+            )
             self.problems.error("NS0316", message, place, text)
             return None
         values = [[self._tile_value(expr) for expr in row.values] for row in lines]
@@ -186,8 +188,12 @@ class _Maker:
         statement = self.declared.pixels_file
         assert statement is not None
         if not missing:
-            message = f'nothing is taken from "{clipped(statement.path.value)}"'
-            why = "every field is given otherwise" if self.fields else "there are no fields"
+            message = f'"{clipped(statement.path.value)}" is not used'
+            why = (
+                "every field has its own `pixels` statement"
+                if self.fields
+                else "the program has no fields"
+            )
             self.problems.warning("NS0356", message, statement.span, why)
             return
         try:
@@ -256,7 +262,7 @@ def _as_bits(field: Field, target: Target | None) -> tuple[str, ...]:
     if field.high <= LIMIT or target is None:
         return ()
     shape = f"({target.rows}, {target.cols}, {field.bits})"
-    return (f"give its bits: an array {field.name} of 0 and 1 {shape}, bit 0 first, in a file",)
+    return (f"give its bits in a file: an array {field.name} of 0 and 1 {shape}, bit 0 first",)
 
 
 def _value_span(statement: PixelsExpr | PixelsTile | PixelsFromFile, x: int, y: int) -> Span:
@@ -304,7 +310,7 @@ def planes_of(
                 parts_of_bits(_single_bits(stored, name, shape, parts, bits, where))]  # fmt: skip
     if stored.dtype.kind not in "iu" or stored.shape != shape:
         found = f"the array `{clipped(name)}`{where} is {stored.shape} of {stored.dtype}"
-        message = f"{found}, and must be integers {shape}: [row, column]"
+        message = f"{found}, but must contain integers {shape}: [row, column]"
         helps = (f"the array of pixels is {shape[0]} rows x {shape[1]} columns",)
         raise rejected("NS0314", message, helps=helps)
     plane = as_plane(stored)
@@ -321,12 +327,16 @@ def _single_bits(
     most = bits or parts * PART_BITS
     if stored.shape[:2] != shape or not least <= count <= most:
         wanted = f"({shape[0]}, {shape[1]}, {bits if bits else f'{least} to {most}'})"
-        message = f"the array `{clipped(name)}`{where} has shape {stored.shape}; bits are {wanted}"
+        message = (
+            f"the array `{clipped(name)}`{where} has shape {stored.shape}, but bits need {wanted}"
+        )
         helps = ("the last axis is the bit, bit 0 first",)
         raise rejected("NS0314", message, helps=helps)
     if not np.isin(stored, (0, 1)).all():
         message = f"the array `{clipped(name)}`{where} has values other than 0 and 1"
-        raise rejected("NS0314", message, helps=("with three axes, an array holds single bits",))
+        raise rejected(
+            "NS0314", message, helps=("with three axes, an array must contain single bits",)
+        )
     return stored
 
 

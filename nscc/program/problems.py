@@ -48,7 +48,7 @@ class Problems:
         candidates = sorted(set(known))
         near = closest(name, candidates)
         shown = ", ".join(f"`{c}`" for c in candidates[:12])
-        others = f"names that can stand here: {shown}" if shown else ""
+        others = f"names that can be used here: {shown}" if shown else ""
         help_text = did_you_mean(near) if near else others
         helps = (help_text,) if help_text else ()
         fixes = (Fix(f"write `{near}`", span, near, sure=False),) if near else ()

@@ -118,8 +118,8 @@ def legal_codes(rules: Rules) -> CodeArray:
     if not rules.requires:
         _limit_codes(rules, total)
     elif total > COMBINATION_LIMIT:
-        tried = f"at most {COMBINATION_LIMIT} are tried against `require`"
-        message = f"the fields name {printable(total)} combinations, and {tried}"
+        tried = f"at most {COMBINATION_LIMIT} combinations are tested against `require`"
+        message = f"the fields have {printable(total)} combinations, and {tried}"
         raise TooMuch(message, min(total, UNCOUNTED), COMBINATION_LIMIT)
     _limit_work(rules.requires, rules, total, 1)
     kept: list[CodeArray] = []
@@ -249,7 +249,7 @@ def _limit_work(exprs: Sequence[Checked], rules: Rules, codes: int, slots: int) 
     sizes["n"] = (1, slots)
     needed = total_work(exprs, sizes)
     if needed > WORK_LIMIT:
-        takes = f"evaluating them takes {needed} operations, and the limit is {WORK_LIMIT}"
+        takes = f"evaluating them takes {needed} operations, but the limit is {WORK_LIMIT}"
         message = f"{takes} ({counted(codes, 'code')}, {counted(slots, 'slot')})"
         raise TooMuch(message, needed, WORK_LIMIT)
 

@@ -25,11 +25,11 @@ def prove_file(path: Path) -> tuple[Container, Proof]:
     if not container.has_table:
         raise rejected(
             "NS0443",
-            f"'{path.as_posix()}' has no decode table: it says what its words are, but not which "
-            "shutters they should open",
+            f"'{path.as_posix()}' has no decode table, so there are no shutters to compare "
+            "its words with",
             helps=(
-                "`nscc shutters` finds what they open",
-                "`.shutter` and `.code` lines in the assembly text are a decode table",
+                "`nscc shutters` prints the shutters that the words implement",
+                "add a decode table to the assembly text: `.shutter` and `.code` lines",
             ),
             status=1,
         )
@@ -41,7 +41,7 @@ def _held(path: Path, proof: Proof, what: str) -> Proof:
     if proof.failure is not None:
         raise rejected(
             "NS0440",
-            f"the {what} of '{path.as_posix()}' do not do what its decode table says: "
+            f"the {what} of '{path.as_posix()}' do not match its decode table: "
             f"{proof.failure.what} ({_where(proof.failure)})",
             notes=proof.failure.doubts,
             helps=("build the program again; `nscc diff` shows which words changed",),

@@ -82,7 +82,7 @@ class Looks(Pixels):
             bits = dict(zip(planes.values, planes.bits, strict=True))
             values = self.machine.values[self.node, k].tolist()
             if not bits.keys() >= set(values):
-                raise Wrong(f"no bits stand for some value of the state `{state.name}`")
+                raise Wrong(f"no bits represent some value of the state `{state.name}`")
             held = np.array([bits[value] for value in values], np.bool_)
             registers = held.reshape(len(values), -1)
             found |= zip(planes.registers, self.known(registers), strict=True)
@@ -100,7 +100,9 @@ class Looks(Pixels):
             self.run_launches(boundary)
             if self.pending:
                 level = machine.at(boundary)[self.pending[0]].level
-                raise Wrong(f"nothing is compared with {level} steps of IN at boundary {boundary}")
+                raise Wrong(
+                    f"no comparison uses the level of {level} steps of IN at boundary {boundary}"
+                )
             if looks:
                 self.node = machine.steps[self.node, self.outcome].astype(np.int64)
                 self.outcome = np.zeros_like(self.node)
@@ -136,7 +138,7 @@ class Looks(Pixels):
         states = self._state_bits(kept=False)
         for register, bits in states.items():
             if self.read(register) != bits:
-                raise Wrong(f"{register} does not hold its state when the frame ends")
+                raise Wrong(f"{register} does not hold its state at the end of the frame")
         encoding = self.container.encoding[self.machine.behaviour[self.node]]
         for register, bits in self.code_bits(encoding).items():
             if register not in states and self.read(register) != bits:
@@ -164,7 +166,7 @@ class Looks(Pixels):
                     self.pending.remove(number)
                     return self._follow_both(number, above)
         raise Wrong(
-            f"`{word}` sums something else than a signal and its level, at boundary "
+            f"`{word}` compares a sum that is not a signal and its level, at boundary "
             f"{self._boundary}"
         )
 
@@ -190,7 +192,7 @@ class Looks(Pixels):
         count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:
-            raise Wrong(f"more than {MOST_LANES} transitions are to be followed")
+            raise Wrong(f"the proof needs more than {MOST_LANES} transitions")
         self.choose(np.tile(np.arange(count), 2))
         self.outcome |= np.repeat([0, 1], count) << number
         no = (1 << count) - 1

@@ -23,11 +23,11 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
     for word in preparation.words:
         fault = target_fault(word, container.target)
         if fault is not None:
-            return next(iter(buckets.values())), f"the target does not take `{word}`: {fault}"
+            return next(iter(buckets.values())), f"the target does not support `{word}`: {fault}"
     found = _left(container, preparation)
     for register, (before, after) in found.items():
         if not abs(after - _wanted(container, before)) <= _TOLERANCE * container.target.full_well_e:
-            what = "what is converted differs from what its codes stand for"
+            what = "the converted value does not match the meaning of its codes"
             return buckets[register], what
     return None
 

@@ -20,8 +20,10 @@ def refuse_looking(container: Container, name: str = "this program") -> None:
     if container.machine is not None:
         raise rejected(
             "NS0444",
-            f"the shutters of {name} depend on the light: they are not known before it falls",
-            notes=("its pixels look at the light, and close and open by what they find",),
+            f"the shutters of {name} depend on the light: they are unknown before the exposure",
+            notes=(
+                "its pixels look at the light, and the answers decide when they open and close",
+            ),
             helps=("`nscc run` writes how long each pixel was open: `open_slots`",),
             status=1,
         )
@@ -40,9 +42,9 @@ def replayed(container: Container, name: str = "this program") -> NDArray[np.boo
     if found is None:
         raise rejected(
             "NS0442",
-            f"the words of {name} open no shutters: some slot's light counts neither once nor not "
-            "at all",
-            helps=("`nscc prove` says what the words do wrong",),
+            f"the words of {name} do not implement shutters: the light of some slot has a "
+            "weight other than 0 or 1",
+            helps=("`nscc prove` shows the error in the words",),
             status=1,
         )
     return found
@@ -55,9 +57,8 @@ def _sent(container: Container, name: str) -> NDArray[np.bool_]:
         return container.table.shutters
     raise rejected(
         "NS0442",
-        f"the planes of {name} open other shutters than its decode table says: "
-        f"{proof.failure.what}",
-        helps=("build it again",),
+        f"the planes of {name} do not match its decode table: {proof.failure.what}",
+        helps=("build the program again",),
         status=1,
     )
 
@@ -79,8 +80,8 @@ def shutters_of_pixels(container: Container, name: str = "this program") -> dict
     if pixels is None:
         raise rejected(
             "NS0441",
-            f"{name} has no pixel data, so its pixels have no shutters yet",
-            helps=("give the program a `pixels` statement",),
+            f"{name} has no pixel data, so the shutters of its pixels are unknown",
+            helps=("add a `pixels` statement to the program",),
             status=1,
         )
     laid = replace(container, pixel_codes=pixels)

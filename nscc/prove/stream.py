@@ -28,7 +28,10 @@ def prove_stream(container: Container) -> Proof:
                 wrong = (place == bucket) != table.shutters[:, bucket, slot][at_pixel]
                 if wrong.any():
                     y, x = np.argwhere(wrong)[0].tolist()
-                    what = f"the light of pixel x = {x}, y = {y} goes another way in slot {slot}"
+                    what = (
+                        f"the light of pixel x = {x}, y = {y} goes to another destination in "
+                        f"slot {slot}"
+                    )
                     failure = failure or Failure(what, 1, name, int(at_pixel[y, x]))
     return Proof(len(table.codes), container.slots, 1, failure, pixels=count)
 
@@ -41,6 +44,6 @@ def _times(container: Container) -> Failure | None:
     for slot, each in enumerate(schedule(container.target, container.slot_us)):
         whole = each.load_us + load_us <= each.acts_us + slack
         if not whole or each.load_us < free_us - slack or each.acts_us >= end_us[slot]:
-            return Failure(f"there is no time to load the plane of slot {slot}", 1)
+            return Failure(f"slot {slot} is too short to load its plane", 1)
         free_us = each.load_us + load_us
     return None

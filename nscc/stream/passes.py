@@ -65,10 +65,10 @@ def _no_words(program: Program, asked: Sequence[str]) -> Diagnostic:
     options = " and ".join(asked)
     return Diagnostic(
         "NS0510",
-        f"{options}: the pixels of {program.target.name} have no logic, so there are no words to "
-        "find",
+        f"{options} does not apply: the pixels of {program.target.name} have no logic and "
+        "run no words",
         source=program.source,
         label=Label(program.buckets[0].span),
-        notes=("light goes to a tap by a bit that is sent for every slot",),
+        notes=("on this chip, one bit per pixel and slot routes the light",),
         helps=(f"leave {options} out, or compile for a chip with a processor in every pixel",),
     )

@@ -40,7 +40,7 @@ def with_planes(container: Container) -> Container:
 
 def no_route(found: NoRoute, chip: str, program: Program | None = None) -> Diagnostic:
     """NS0509: light cannot be sorted as the program wants. Certain."""
-    said = f"the pixels of {chip} cannot sort light like this: {found.reason}"
+    said = f"the pixels of {chip} cannot route light like this: {found.reason}"
     help_text = (found.help,)
     if program is None:
         return Diagnostic("NS0509", said, helps=help_text, data={"slot": found.slot})
@@ -51,7 +51,7 @@ def no_route(found: NoRoute, chip: str, program: Program | None = None) -> Diagn
         source=program.source,
         label=Label(program.buckets[found.bucket].span),
         related=chip_label(program, f"taps: {taps}" + "; a drain" * program.target.drain),
-        notes=("certain: in a slot all pixels choose between the same two places",),
+        notes=("certain: in each slot all pixels choose between the same two destinations",),
         helps=help_text,
         data={"slot": found.slot},
     )

@@ -48,15 +48,15 @@ def route(shutters: NDArray[np.bool_], buckets: tuple[str, ...], target: Target)
     taps = len(target.taps)
     if len(buckets) > taps:
         most = f"keep at most {taps} buckets, one for each tap"
-        return NoRoute(f"{len(buckets)} buckets need as many taps, the chip has {taps}", most,
+        return NoRoute(f"{len(buckets)} buckets need as many taps, but the chip has {taps}", most,
                        bucket=len(buckets) - 1)  # fmt: skip
     both = shutters.sum(axis=1) > 1
     if both.any():
         slot = int(np.flatnonzero(both.any(axis=0))[0])
         first, second = np.flatnonzero(shutters[both[:, slot].argmax(), :, slot])[:2]
         return NoRoute(
-            f"in slot {slot} a pixel is open in `{buckets[first]}` and in `{buckets[second]}`, "
-            "and its light goes to one tap",
+            f"in slot {slot} a pixel is open in `{buckets[first]}` and in "
+            f"`{buckets[second]}`, but its light can go to only one tap",
             "let the buckets' rules exclude each other", slot, int(second),
         )  # fmt: skip
     away = DRAIN if target.drain else len(buckets) if len(buckets) < taps else None
@@ -79,16 +79,18 @@ def _chosen(
             names = [f"`{buckets[p]}`" if p != _NOWHERE else "no bucket" for p in places]
             said = f"{', '.join(names[:-1])} and {names[-1]}"
             return NoRoute(
-                f"in slot {slot} light goes {len(places)} ways (to {said}), and a bit chooses "
-                "between two",
-                "let every slot have two ways only: of two buckets, or one bucket and none", slot,
+                f"in slot {slot} light has {len(places)} destinations ({said}), but a bit "
+                "chooses between two",
+                "use at most two destinations in every slot: two buckets, or one bucket and "
+                    "the drain", slot,
                 len(buckets) - 1,
             )  # fmt: skip
         if away is None and _NOWHERE in places:
             return NoRoute(
-                f"in slot {slot} a pixel is open in no bucket, and {target.name} has no drain: "
-                "light always goes to a tap",
-                f"let one bucket take the rest: `bucket {buckets[-1]} open when not (..)`", slot,
+                f"in slot {slot} a pixel is open in no bucket, but {target.name} has no "
+                "drain: light always goes to a tap",
+                f"let one bucket collect the remaining light: `bucket {buckets[-1]} open "
+                    "when not (..)`", slot,
                 len(buckets) - 1,
             )  # fmt: skip
         named = [place for place in places if place != _NOWHERE]

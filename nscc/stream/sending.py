@@ -64,17 +64,17 @@ def late_fault(sending: Sending) -> Diagnostic | None:
         fewer = (f"{said}{time_text(slots_us[worst])}: `nscc targets {target.name} --toml`",)
     return Diagnostic(
         "NS0508",
-        f"slot {worst} is shorter than loading its bits takes: it lasts "
-        f"{time_text(slots_us[worst])}, and {takes} are {time_text(needed_us)}",
+        f"slot {worst} is shorter than the loading of its bits: it lasts "
+        f"{time_text(slots_us[worst])}, but {takes} take {time_text(needed_us)}",
         source=program.source,
         label=Label(program.frame.span, f"{len(late)} of {len(slots_us)} slots too short"),
         related=chip_label(program, f"{takes} a plane"),
         notes=(
             *chip_note(program, f"{takes} a plane"),
-            "certain: every slot has a plane of its own, which is sent row by row",
+            "certain: every slot needs its own plane, which is sent row by row",
         ),
         helps=(
-            f"slots of {at_least(needed_us)} {more} leave time for it"
+            f"slots of {at_least(needed_us)} {more} are long enough"
             + _fewer_slots(slots_us, needed_us),
             *fewer,
         ),

@@ -38,7 +38,7 @@ class _PlainValues(pickle.Unpickler):
     def find_class(self, module: str, name: str) -> Any:
         if (module, name) == ("lark.lexer", "Token"):  # a text; lark 1.2 writes some
             return lark.Token
-        raise pickle.UnpicklingError(f"{module}.{name} is no plain value")
+        raise pickle.UnpicklingError(f"{module}.{name} is not a plain value")
 
 
 def grammar_path() -> Path:

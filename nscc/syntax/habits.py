@@ -63,8 +63,10 @@ def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
     elif kind == "row" and "INTEGER" in stuck.expected:
         yield "`y` is a pixel's row, `x` its column"
     elif before + text == ">>":
-        yield "there is no `>>`: `A / (1 << n)` shifts; bit i of a field `code NAME : bit[K]` is " \
-              "NAME[i]"  # fmt: skip
+        yield (
+            "the language has no `>>`: `A / (1 << n)` shifts; bit i of a field `code NAME : "
+            "bit[K]` is NAME[i]"
+        )  # fmt: skip
     elif kind == "[" and before == "]":
         yield "one index is enough: `book[id]` is the digit of slot n in row id"
     elif kind == "[" and statement == "code":
@@ -74,7 +76,9 @@ def hints(tokens: Tokens, first: int, last: int, stuck: Stuck) -> Iterator[str]:
     elif stuck.expected == {"["} and statement == "pixels":
         yield "a tile is a list of rows: `tile [[4, 3], [2, 1]]`, a single row `tile [[4, 3]]`"
     elif kind == "from" and statement == "pixels":
-        yield '`pixels from "codes.npz"` takes every field that is not given otherwise, by its name'
+        yield (
+            '`pixels from "codes.npz"` sets every field without its own `pixels` statement, by name'
+        )
     elif kind == "(" and before.lower().startswith(("rand", "rnd")):
         yield 'random codes are data: save them with numpy.savez, and `pixels from "codes.npz"`'
 
@@ -83,10 +87,10 @@ def number_hints(tokens: Tokens, at: int) -> Iterator[str]:
     """What to say of token `at`, which begins like a number and is none of the language's."""
     text = tokens.text(at)
     if re.fullmatch(r"[0-9]{1,9}\.[0-9]{1,9}", text):
-        yield "numbers are whole; decimals stand only in times, with a unit: 1.6ms"
+        yield "numbers are integers; only times have decimals, with a unit: 1.6ms"
         yield from _quotient(tokens, at)
     elif "." in text:
-        yield "decimals stand only in times, with the unit ns, us, ms or s: 1.6ms"
+        yield "only times have decimals, with the unit ns, us, ms or s: 1.6ms"
     elif re.fullmatch("0[xX][0-9a-fA-F]{1,15}|0[bB][01]{1,60}|0[oO][0-7]{1,20}", text):
         yield f"numbers are decimal: {int(text, 0)}"
     elif "_" in text:
@@ -100,7 +104,7 @@ def file_hint(tokens: Tokens, at: int) -> str | None:
     beside = tokens.text(at - 1) if at else "", _text(tokens, at + 1, len(tokens.kinds))
     touching = at and tokens.span(at - 1).end == tokens.span(at).start
     if touching and beside[1] in ("npz", "npy", "toml", "mat"):
-        return f'the name of a file stands in quotes: "{beside[0]}.{beside[1]}"'
+        return f'write the file name in quotes: "{beside[0]}.{beside[1]}"'
     return None
 
 

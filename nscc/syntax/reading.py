@@ -55,22 +55,22 @@ def too_large(name: str) -> Diagnostic:
     """NS0103: a program's text is over the limit."""
     return Diagnostic(
         "NS0103",
-        f"this program is larger than {MOST_BYTES // 1024} KiB, the most that a program may have",
-        helps=('data belongs in a file of its own: `pixels from "codes.npz"`',),
+        f"this program is larger than {MOST_BYTES // 1024} KiB, the largest size of a program",
+        helps=('store data in a separate file: `pixels from "codes.npz"`',),
         source=Source(name, ""),
     )
 
 
 def _not_text(path: Path, reason: str) -> Rejected:
     ending = path.suffix.lower()
-    message = f"this file is not a text in UTF-8: {reason}"
+    message = f"this file is not UTF-8 text: {reason}"
     helps = ("save the program as UTF-8 text; a compiled program ends in .icw",)
     if ending == ".icw":
         helps = (
-            "it is compiled already: `nscc run`, `view`, `prove`, `shutters` and `disasm` take it; "
-            "this needs the .nsl that it was compiled from",
+            "it is compiled already: `nscc run`, `view`, `prove`, `shutters` and `disasm` "
+            "accept it; this command needs the .nsl file",
         )
     elif ending != ".nsl":
         helps = ("name a shutter program, a text file that ends in .nsl; `nscc run PROGRAM.nsl "
-                 "--scene SCENE` takes pictures and clips",)  # fmt: skip
+                 "--scene SCENE` accepts pictures and clips",)  # fmt: skip
     return rejected("NS0102", message, helps=helps, status=1, source=Source(path.as_posix(), ""))

@@ -180,12 +180,12 @@ class Axis(Kind):
         if many and isinstance(self.each, Several):
             many = not value or isinstance(value[0], list | tuple)
         if many and not value:
-            raise ValueError("an empty list leaves no point: name a value, or leave the key out")
+            raise ValueError("an empty list gives no points: name a value, or leave the key out")
         if not many:
             return (self.each.read(value),)
         found = tuple(map(self._read_one, value))
         if len(set(found)) < len(found):
-            raise ValueError("a value of a list stands there once")
+            raise ValueError("a list contains a value twice")
         return found
 
     def _read_one(self, value: Any) -> Any:
@@ -201,6 +201,6 @@ class Axis(Kind):
 
 NAME = Text(
     pattern=r"[A-Za-z][A-Za-z0-9_.+-]{0,63}",
-    said="a name of letters, digits, `-`, `_`, `.` (64 at most, a letter first)",
+    said="a name of letters, digits, `-`, `_`, `.` (at most 64, starting with a letter)",
 )
-LINE = Text(pattern=".{0,400}", said="one line of text, 400 characters at most")
+LINE = Text(pattern=".{0,400}", said="one line of text with at most 400 characters")

@@ -25,7 +25,9 @@ def parsed(data: bytes) -> tuple[str, dict[str, Any]]:
         text = data.decode("utf-8-sig").replace("\r\n", "\n")
         longest = max(map(len, text.split("\n")))
         if longest > _LONGEST_LINE:
-            raise NotToml(f"a line has {longest} characters, {_LONGEST_LINE} are the most")
+            raise NotToml(
+                f"a line has {longest} characters, but at most {_LONGEST_LINE} are allowed"
+            )
         return text, tomllib.loads(text)
     except UnicodeDecodeError as error:
         raise NotToml(f"byte {error.start} is not UTF-8 text") from error

@@ -42,11 +42,11 @@ def in_fewer(container: Container, join: int) -> tuple[str, NDArray[np.int32]]:
     """
     codes, slots = container.pixel_codes, container.slots
     if container.machine is not None or codes is None:
-        raise NotJoined("pixels that look at the light do so in slots of the program's own")
+        raise NotJoined("programs with pixels that look keep their own slots")
     if slots % join:
-        raise NotJoined(f"{slots} slots are no multiple of {join}")
+        raise NotJoined(f"{slots} slots are not a multiple of {join}")
     if slots // join < 2:
-        raise NotJoined(f"of {slots} slots less than 2 are left")
+        raise NotJoined(f"fewer than 2 of {slots} slots would remain")
     slot_us = np.array(container.slot_us).reshape(-1, join)
     used, row = np.unique(container.table.shutter_of_code[codes], return_inverse=True)
     opened = container.table.shutters[used].reshape(len(used), -1, *slot_us.shape)

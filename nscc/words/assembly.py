@@ -117,10 +117,12 @@ def _block_line(text: str, begin: int, block: Block | None, faults: Faults) -> N
     content = read_block_line(text)
     if block is None:
         helps = (".target, .source and .pixels take lines that begin with `| `",)
-        faults.add("NS0713", "a line behind a bar belongs to no directive", span, helps=helps)
+        faults.add(
+            "NS0713", "this continuation line does not belong to a directive", span, helps=helps
+        )
     elif content is None:
         helps = ('write `| text`, or `|= "text"` with a JSON string',)
-        faults.add("NS0714", f"malformed line behind a bar: {shown(text)}", span, helps=helps)
+        faults.add("NS0714", f"malformed continuation line: {shown(text)}", span, helps=helps)
     else:
         block.lines.append((content, span))
 
@@ -130,10 +132,10 @@ def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> boo
     name = shown(head.text)
     if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
-        faults.add("NS0713", f"there is no directive {name}", head.span, helps=helps)
+        faults.add("NS0713", f"unknown directive {name}", head.span, helps=helps)
     elif head.text not in DIRECTIVES and head.text not in known:
         helps = meant(head.text, known, f"instructions and macros: {' '.join(known)}")
-        faults.add("NS0710", f"there is no instruction {name}", head.span, helps=helps)
+        faults.add("NS0710", f"unknown instruction {name}", head.span, helps=helps)
     else:
         return True
     return False
@@ -159,7 +161,7 @@ def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
     code = _CODE.split(text, 1)[0] if is_instruction else text
     count = code.count(",") if is_instruction else 0
     if count + len(code.split(maxsplit=_MOST_PIECES)) > _MOST_PIECES:
-        faults.add("NS0714", f"a line has at most {_MOST_PIECES} pieces", head.span)
+        faults.add("NS0714", f"a line has at most {_MOST_PIECES} parts", head.span)
         return None
     try:
         pieces = _parsed(text)
@@ -212,7 +214,7 @@ def _instruction(
     for operand in unknown[:20]:
         some = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
         helps = meant(operand.text, READ_LINES, some)
-        message = f"there is no register {shown(operand.text)}"
+        message = f"unknown register {shown(operand.text)}"
         faults.add("NS0712", message, operand.span, helps=helps)
     if unknown:
         return

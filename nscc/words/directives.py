@@ -40,7 +40,7 @@ class Directive:
 
 def _block(attribute: str, head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Block:
     if getattr(draft, attribute) is not None:
-        faults.add("NS0719", f"{head.text} stands twice", head.span)
+        faults.add("NS0719", f"{head.text} appears twice", head.span)
     block = Block(head, tuple(tokens))
     setattr(draft, attribute, block)
     return block
@@ -54,7 +54,7 @@ def _target(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> B
 def _note(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     key, text = tokens
     if key.text in draft.notes:
-        faults.add("NS0719", f"the note {shown(key.text)} stands twice", key.span)
+        faults.add("NS0719", f"the note {shown(key.text)} appears twice", key.span)
     else:
         draft.notes[key.text] = text.text
 
@@ -80,7 +80,7 @@ def _wait(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
 def _kernel(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> None:
     (name,) = tokens
     if any(kernel.name.text == name.text for kernel in draft.kernels):
-        faults.add("NS0719", f"there are two kernels {shown(name.text)}", name.span)
+        faults.add("NS0719", f"two kernels have the name {shown(name.text)}", name.span)
     draft.kernels.append(KernelDraft(name))
 
 
@@ -97,7 +97,7 @@ def _slot(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> Non
     place, *kernels = tokens
     instants = read_ranges(place.text, MOST_SLOTS)
     if instants is None:
-        message = f"{shown(place.text)} are no slots"
+        message = f"{shown(place.text)} is not a valid range of slots"
         faults.add("NS0714", message, place.span, helps=(f"write {_SLOT}",))
     else:
         draft.slots.append(SlotDraft(tuple(instants), place, tuple(kernels)))
@@ -107,7 +107,7 @@ def _readout(head: Token, tokens: list[Token], draft: Draft, faults: Faults) -> 
     register, *others = tokens
     gain = read_number(others[1].text) if len(others) > 1 else 1.0
     if gain is None:
-        faults.add("NS0714", f"{shown(others[1].text)} is no gain", others[1].span)
+        faults.add("NS0714", f"{shown(others[1].text)} is not a valid gain", others[1].span)
     else:
         draft.readouts.append(ReadoutDraft(register, others[0] if others else None, gain))
 
@@ -154,7 +154,7 @@ DIRECTIVES: dict[str, Directive] = {
     ),
     ".plane": Directive(
         _plane, "a register and a file",
-        '`.plane R3 "codes.npy"`, and `sha256 HEX` behind it to be sure of the file',
+        '`.plane R3 "codes.npy"`; add `sha256 HEX` to verify the file',
     ),
     ".load": Directive(_names("load"), "registers", "`.load R1 R2`"),
     ".fields": Directive(_names("fields"), "names", "`.fields start stop`"),

@@ -35,8 +35,8 @@ def disassemble(container: Container) -> str:
     """The whole container as text. Raises Rejected (NS0510) where there are no words."""
     refuse_planes(
         container.target,
-        "there is no assembly text of this",
-        "`nscc build --emit planes,schedule` writes what the chip is sent, and when",
+        "this container has no words to disassemble",
+        "`nscc build --emit planes,schedule` writes its planes and their times",
     )
     sections = (
         _head(container),

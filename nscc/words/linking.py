@@ -51,7 +51,9 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
     if draft.shutters or draft.codes:
         table, encoding = _table(draft, target, buckets, faults)
         pixels = _pixels(draft, target, len(table.codes), faults)
-        message = ".plane and .shutter both say what pixels hold: a text has one or the other"
+        message = (
+            ".plane and .shutter both define the contents of the registers: use only one of them"
+        )
         for plane in draft.planes:
             faults.add("NS0719", message, plane.register.span)
     else:
@@ -63,14 +65,14 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         notes |= NO_TABLE
         if draft.pixels is not None:
             span = draft.pixels.directive.span
-            faults.add("NS0715", ".pixels names codes, and there is no .code", span)
+            faults.add("NS0715", ".pixels needs codes, but .code is missing", span)
     machine: Machine | None = None
     state_planes: dict[str, StatePlanes] = {}
     if draft.machine is not None:
         text = "".join(line for line, _ in draft.machine.lines)
         read = machine_file.from_text(text, len(buckets), len(draft.slot_us), len(launches))
         if read is None:
-            message = "the lines below are no machine of this program"
+            message = "the lines below are not a valid machine of this program"
             faults.add("NS0714", message, draft.machine.directive.span)
         else:
             machine, state_planes, levels = read
@@ -97,7 +99,7 @@ def link(draft: Draft, base: Path, faults: Faults) -> Container:
         state_planes=state_planes,
     )
     for wrong in container_faults(container):
-        faults.add("NS0707", f"what this text describes makes no sense: {wrong}", _START)
+        faults.add("NS0707", f"this text is inconsistent: {wrong}", _START)
     faults.stop()
     return container
 
@@ -140,8 +142,8 @@ def check_instructions(draft: Draft, target: Target, faults: Faults) -> None:
                     break
     if target.tables_count_against_store and stored > target.store_words:
         have = f"these kernels have {stored} words"
-        message = f"{have}, and {target.name} stores {target.store_words}"
-        helps = ("words that repeat belong in one kernel that is launched several times",)
+        message = f"{have}, but {target.name} stores {target.store_words}"
+        helps = ("put repeated words into one kernel and launch it several times",)
         faults.add("NS0718", message, draft.kernels[-1].name.span, helps=helps)
 
 
@@ -151,7 +153,7 @@ def _check_complete(draft: Draft, faults: Faults) -> None:
         faults.add("NS0715", "the lengths of the slots are missing", _START, helps=helps)
     if not draft.readouts:
         helps = ("write `.readout A frame`: register A holds the exposure",)
-        faults.add("NS0715", "nothing is read out", _START, helps=helps)
+        faults.add("NS0715", "`.readout` is missing", _START, helps=helps)
 
 
 def _find(token: Token, names: dict[str, int], what: str, faults: Faults) -> int:
@@ -159,8 +161,8 @@ def _find(token: Token, names: dict[str, int], what: str, faults: Faults) -> int
     index = names.get(token.text)
     if index is not None:
         return index
-    helps = meant(token.text, names, f"there are: {', '.join(list(names)[:12]) or 'none'}")
-    faults.add("NS0719", f"there is no {what} {shown(token.text)}", token.span, helps=helps)
+    helps = meant(token.text, names, f"defined are: {', '.join(list(names)[:12]) or 'none'}")
+    faults.add("NS0719", f"undefined {what} {shown(token.text)}", token.span, helps=helps)
     return 0
 
 
@@ -168,7 +170,7 @@ def _indexed(tokens: list[Token], what: str, faults: Faults) -> dict[str, int]:
     names: dict[str, int] = {}
     for token in tokens:
         if token.text in names:
-            faults.add("NS0719", f"the {what} {shown(token.text)} stands twice", token.span)
+            faults.add("NS0719", f"the {what} {shown(token.text)} is defined twice", token.span)
         names.setdefault(token.text, len(names))
     return names
 
@@ -189,7 +191,9 @@ def _launches(draft: Draft, faults: Faults) -> tuple[Launch, ...]:
     for line in draft.slots:
         sequence = [_find(name, kernels, "kernel", faults) for name in line.kernels]
         if slots and any(part[-1] > slots for part in line.instants):
-            message = f"{shown(line.place.text)} reaches beyond instant {slots}, the frame's end"
+            message = (
+                f"{shown(line.place.text)} extends beyond instant {slots}, the end of the frame"
+            )
             helps = (f".wait gives {slots} slots, so kernels run at instants 0 to {slots}",)
             faults.add("NS0714", message, line.place.span, helps=helps)
             continue
@@ -215,7 +219,7 @@ def _readouts(
         else:
             bucket = buckets[0]
             if len(buckets) > 1:
-                faults.add("NS0714", "this readout must say of which bucket it is", place.span)
+                faults.add("NS0714", "this readout must name its bucket", place.span)
         if bucket in read:
             faults.add("NS0719", f"the bucket {shown(bucket)} is read out twice", place.span)
         read.add(bucket)
@@ -242,7 +246,7 @@ def _loading_order(
 ) -> tuple[str, ...]:
     """The order of `.load`; without it the masked register first, for its mask must still be 1."""
     if wanted and set(wanted) != set(planes):
-        message = "without a decode table .load names just the registers that have a .plane"
+        message = "without a decode table, .load names exactly the registers with a .plane"
         faults.add("NS0715", message, draft.load[0].span)
     return wanted or tuple(sorted(planes, key=lambda name: name != target.masked_register))
 
@@ -271,7 +275,7 @@ def _table(
             place = (draft.codes or draft.shutters)[0][0].span
             faults.add("NS0715", f"the decode table has no {name}", place)
     if shutters * len(buckets) * slots > MOST_TABLE_CELLS:
-        message = f"{shutters} shutters of {slots} slots are more than a table can hold"
+        message = f"{shutters} shutters of {slots} slots exceed the size of a table"
         faults.add("NS0714", message, draft.shutters[0][0].span)
         faults.stop()
     opened = np.zeros((shutters, len(buckets), slots), dtype=np.bool_)
@@ -290,7 +294,7 @@ def _table(
         for bucket, token in enumerate(parts):
             found = read_slots(token.text, slots)
             if found is None:
-                message = f"{shown(token.text)} are no slots of 0..{slots - 1}"
+                message = f"{shown(token.text)} is not a valid set of slots in 0..{slots - 1}"
                 helps = ("write `0..15,20`, `1..63/2`, `never`, or `x` and hexadecimal",)
                 faults.add("NS0714", message, token.span, helps=helps)
             else:
@@ -301,10 +305,10 @@ def _table(
         read = [read_integer(token.text) for token in tokens]
         values = [value for value in read if value is not None]
         if not len(values) == len(read) == 1 + len(fields):
-            message = f"a code has a shutter and {len(fields)} values, all of them integers"
+            message = f"a code consists of a shutter and {len(fields)} values, all integers"
             faults.add("NS0714", message, tokens[0].span)
         elif not 0 <= values[0] < shutters:
-            message = f"there is no shutter {shown(tokens[0].text)}, there are {shutters}"
+            message = f"unknown shutter {shown(tokens[0].text)}: there are {shutters} shutters"
             faults.add("NS0714", message, tokens[0].span)
         else:
             shutter_of_code[row] = values[0]
@@ -326,11 +330,11 @@ def _pixels(draft: Draft, target: Target, codes: int, faults: Faults) -> NDArray
     if rows > target.rows or cols > target.cols or (
         form == "plane" and values.shape != (target.rows, target.cols)
     ):  # fmt: skip
-        message = f"{rows} x {cols} does not fit {target.name}: {target.rows} x {target.cols}"
+        message = f"{rows} x {cols} does not match {target.name}: {target.rows} x {target.cols}"
         faults.add("NS0714", message, place)
         return None
     if values.min() < 0 or values.max() >= codes:
-        faults.add("NS0714", f"a pixel holds a code that is not among the {codes}", place)
+        faults.add("NS0714", f"the code of a pixel is not one of the {codes} codes", place)
         return None
     repeats = (-(-target.rows // rows), -(-target.cols // cols))
     tiled = np.tile(values.astype(np.int32), repeats)

@@ -178,7 +178,7 @@ def faults(container: Container) -> Iterator[str]:
     machine = container.machine
     if machine is None:
         if any(launch.level is not None for launch in container.launches):
-            yield "a launch sets IN, and nothing is compared with it"
+            yield "a launch sets IN, but no comparison uses it"
         return
     target, nodes = container.target, int(machine.first[-1])
     buckets, slots = len(container.buckets), container.slots
@@ -201,11 +201,11 @@ def faults(container: Container) -> Iterator[str]:
     shortest_us, frame_us = min(container.slot_us), sum(container.slot_us) * (1 + 1e-9)
     is_sum = (machine.open_us >= shortest_us) & (machine.open_us <= frame_us)
     if not (is_sum | np.isin(machine.open_us, (-1.0, 0.0))).all():
-        yield "the times that pixels of its machine were open are no times"
+        yield "the open times of its machine are invalid"
     yield from _step_faults(machine)
     for comparison in machine.comparisons:
         if comparison.boundary not in machine.looks:
-            yield f"a comparison at boundary {comparison.boundary}, which is no look"
+            yield f"a comparison at boundary {comparison.boundary}, which is not a look"
         if not (LIGHT <= comparison.signal < buckets):
             yield f"a comparison of signal {comparison.signal}"
         if not target.in_low <= comparison.level <= target.in_high:

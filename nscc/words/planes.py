@@ -39,7 +39,7 @@ def read_planes(
             helps = meant(register, target.digital_registers)
             faults.add("NS0712", message, draft.register.span, helps=helps)
         elif register in planes:
-            faults.add("NS0719", f"{register} is given two planes", draft.register.span)
+            faults.add("NS0719", f"{register} has two planes", draft.register.span)
         try:
             wanted = draft.sha256.text if draft.sha256 else None
             shape = (target.rows, target.cols)
@@ -74,12 +74,12 @@ def _plane(
 ) -> NDArray[np.bool_]:
     try:
         if not path.is_file():
-            raise _BadPlaneError("it is no file" if path.exists() else "it does not exist")
+            raise _BadPlaneError("it is not a file" if path.exists() else "it does not exist")
         reads(path)
         with open(path, "rb") as file:
             data = file.read(_LARGEST_FILE + 1)
     except (OSError, ValueError) as error:
-        reason = getattr(error, "strerror", None) or "no such path is possible"
+        reason = getattr(error, "strerror", None) or "invalid path"
         raise _BadPlaneError(reason) from None
     if len(data) > _LARGEST_FILE:
         raise _BadPlaneError(f"it has more than {_LARGEST_FILE} bytes")
@@ -88,7 +88,7 @@ def _plane(
         raise _BadPlaneError(f"its SHA-256 is {found}, not {wanted[:64]!a}")
     values = _values(data, register, shape)
     if not np.isin(values, (0, 1)).all():
-        raise _BadPlaneError("it holds values other than 0 and 1")
+        raise _BadPlaneError("it contains values other than 0 and 1")
     return values.astype(np.bool_)
 
 
@@ -104,7 +104,7 @@ def _values(data: bytes, register: str, shape: tuple[int, int]) -> NDArray[Any]:
             named = f"{register}.npy"
             if named not in members and len(members) != 1:
                 count = len(members)
-                raise _BadPlaneError(f"it holds {count} arrays, and none is named {register}")
+                raise _BadPlaneError(f"it has {count} arrays, and none has the name {register}")
             with archive.open(named if named in members else members[0]) as member:
                 return _array(member, shape)
     except (
@@ -120,10 +120,10 @@ def _array(file: IO[bytes], shape: tuple[int, int]) -> NDArray[Any]:
     except (ValueError, SyntaxError, TypeError, EOFError, RecursionError, MemoryError):
         raise _BadPlaneError("its .npy header is damaged") from None
     if tuple(found) != shape:
-        raise _BadPlaneError(f"its shape is {found}, and the array's is {shape}")
+        raise _BadPlaneError(f"its shape is {found}, but the array has {shape}")
     if dtype.kind not in "biuf":
         raise _BadPlaneError(f"its values are of type {dtype}, not numbers")
     values = npy_values(file, shape, fortran, dtype)
     if values is None:
-        raise _BadPlaneError("it is cut short, or too long")
+        raise _BadPlaneError("its data is incomplete, or too long")
     return values

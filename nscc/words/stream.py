@@ -96,11 +96,11 @@ def faults(stream: Stream, target: Target, slots: int, buckets: int) -> Iterator
             return
     behind = target.cols % 8
     if behind and np.any(stream.planes[:, :, -1] >> behind):
-        yield "a plane has bits behind the last column"
+        yield "a plane has bits after the last column"
     places = np.concatenate([stream.ones, stream.zeros])
     if not all(DRAIN <= place < len(target.taps) for place in places.tolist()):
-        yield f"light is sent to a tap that is not among the {len(target.taps)} of {target.name}"
+        yield f"light is sent to a tap outside the {len(target.taps)} taps of {target.name}"
     if not target.drain and np.any(places == DRAIN):
-        yield f"light is sent to a drain, and {target.name} has none"
+        yield f"light is sent to a drain, but {target.name} has no drain"
     if buckets > len(target.taps):
-        yield f"it has {buckets} buckets, and {target.name} has {len(target.taps)} taps"
+        yield f"it has {buckets} buckets, but {target.name} has {len(target.taps)} taps"

@@ -192,7 +192,7 @@ def captures(
     if {len(many_programs), len(many_lights)} - {1, count} or not (many_programs and many_lights):
         raise wrong_argument(
             f"nscc_runtime.captures: {len(many_lights)} scenes for {len(many_programs)} programs",
-            helps=("give as many of both in lists, or one of either",),
+            helps=("give lists of the same length, or a single scene or program",),
         )
 
     if threads is not None:
@@ -354,7 +354,7 @@ def scene(
     if not isinstance(name, str | Path):
         raise wrong_argument(
             f"{call} takes the name of a scene, not {shown(name)}",
-            helps=("an array is light already: capture(program, array)",),
+            helps=("an array is already light: capture(program, array)",),
         )
     if transfer is not None:
         one_of(call, "transfer", transfer, get_args(Transfer))
@@ -431,4 +431,4 @@ def _plan(call: str, plan: object) -> Plan | Path | None:
         return plan
     if isinstance(plan, str | Path):
         return Path(plan)
-    raise wrong_argument(f"{call}: plan is a plan or a file of one, not {shown(plan)}")
+    raise wrong_argument(f"{call}: plan must be a plan or a plan file, not {shown(plan)}")

@@ -10,7 +10,7 @@ def planless(subject: str) -> Rejected:
     """Return NS0750: `subject` needs a plan."""
     return rejected(
         "NS0750",
-        f"{subject} needs a plan, and a chip that is sent planes of bits has none",
-        notes=("light is sorted slot by slot, with every effect that is on",),
-        helps=(f"leave {subject} out: nothing is approximated",),
+        f"{subject} needs a plan, but a chip that receives planes of bits does not use plans",
+        notes=("such frames are simulated slot by slot, with every enabled effect",),
+        helps=(f"leave {subject} out: the simulation makes no approximation",),
     )

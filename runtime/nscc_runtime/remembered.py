@@ -19,7 +19,7 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
     name = f"remembered {method.__name__}"
 
     @wraps(method)
-    def found(self: S, /, *arguments: P.args, **named: P.kwargs) -> R:
+    def call(self: S, /, *arguments: P.args, **named: P.kwargs) -> R:
         try:
             results: dict[Hashable, R] = self.__dict__[name]
             return results[arguments]
@@ -29,7 +29,7 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
         self.__dict__.setdefault(name, {})[arguments] = result
         return result
 
-    return found
+    return call
 
 
 class Recent:

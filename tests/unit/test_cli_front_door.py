@@ -63,7 +63,7 @@ def test_every_command_has_help_and_common_options(folder: Path, name: str) -> N
         (["--frobnicate"], 2, "NS0782", "--frobnicate"),
         (["run", "ok.nsl", "builtin:hdr"], 2, "NS0780", "did you mean `--scene builtin:hdr`?"),
         (["run", "ok.nsl", "my.png"], 2, "NS0780", "did you mean `--scene my.png`?"),
-        (["run", "ok.nsl", "--tolerance", "5", "e"], 2, "NS0780", "stands in quotes"),
+        (["run", "ok.nsl", "--tolerance", "5", "e"], 2, "NS0780", "in quotation marks"),
         (["run", "ok.nsl", "--scene", "hdr"], 2, "NS0730", "did you mean `builtin:hdr`?"),
         (["run", "ok.nsl", "--repeat", "many"], 2, "NS0783", "'many' is not a whole number"),
         (["effects", "shot-noise"], 2, "NS0756", "did you mean `shot`?"),

@@ -103,7 +103,7 @@ def test_a_store_that_is_full_proves_nothing():
     full = [limit for limit in limits.values() if "stored words" in limit.unknown_reason]
     assert full
     for limit in full:
-        assert "[NS0501], which proves nothing" in limit.unknown_reason
+        assert "[NS0501], but a longer search may succeed" in limit.unknown_reason
         assert limit.built.figures["words_stored"] <= 40
 
 
@@ -146,10 +146,10 @@ def test_the_command(tmp_path):
     ("arguments", "code", "part"),
     [
         (["--limits", "--toml"], "NS0780", "one of them"),
-        (["scamp5", "--json"], "NS0780", "--json goes with --limits"),
-        (["--slot", "1ms"], "NS0780", "--slot goes with --limits"),
-        (["--limits", "--slot", "fast"], "NS0783", "'fast' is no time"),
-        (["--limits", "--slot", "0us"], "NS0783", "longer than nothing"),
+        (["scamp5", "--json"], "NS0780", "--json needs --limits"),
+        (["--slot", "1ms"], "NS0780", "--slot needs --limits"),
+        (["--limits", "--slot", "fast"], "NS0783", "invalid time 'fast'"),
+        (["--limits", "--slot", "0us"], "NS0783", "longer than 0"),
         (["--limits", "-O", "4"], "NS0783", "-O"),
     ],
 )

@@ -138,6 +138,7 @@ LONG_TABLES = {
     "split": [[stop > LONG, stop <= LONG] for stop in range(1, 40)],
     "some stops": [stop > LONG for stop in (3, 4, 9, 17, 18, 30, 33, 40)],
     "cut windows": [(start <= LONG) & (start + 6 > LONG) for start in range(40)],
+    "narrow windows": [(start <= LONG) & (start + 4 > LONG) for start in range(40)],
     "wide windows": [(start <= LONG) & (start + 13 > LONG) for start in range(28)],
     "long bumps": [(a <= M) & (b > M) for a in range(21) for b in range(a, 22)],
     "some bumps": [(a <= LONG) & (a + 3 + 5 * a % 17 > LONG) for a in range(36)],

@@ -128,5 +128,5 @@ def test_seven_buckets_need_seven_registers():
 def test_latch_serves_only_what_opens_with_the_frame():
     lowered = lowered_as(program_from([[0, 1, 1], [1, 1, 0]]), "latch")
     assert isinstance(lowered, Misfit)
-    assert "latch serves only" in lowered.reason
+    assert "latch requires" in lowered.reason
     assert not isinstance(lowered_as(program_from([[0, 0, 0], [1, 1, 0]]), "latch"), Misfit)

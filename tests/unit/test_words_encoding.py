@@ -58,7 +58,9 @@ def test_a_word_that_is_no_operation_is_explained() -> None:
     with pytest.raises(Rejected, match="NS0701") as caught:
         decode((0x80020, 0x10000, 0x20000, 0x31101, 0x30000), "word 3 of kernel 'step'")
     found = caught.value.diagnostics[0]
-    assert found.message.startswith("word 3 of kernel 'step': this word matches no operation")
+    assert found.message.startswith(
+        "word 3 of kernel 'step': unknown word, which matches no operation"
+    )
     assert "4 (0x30000)" in found.notes[0]
     assert "s_in" in found.notes[1]
     assert matching((-1, 0, 0, 0, 0)) is None
@@ -192,7 +194,7 @@ def test_target_limits_hold_for_words() -> None:
     wide = op("NOR", ["R1"], [f"R{i}" for i in range(2, 13)])
     assert target_fault(wide, scamp5) is None
     assert "no register R13" in (target_fault(op("SET", ["R13"]), scamp5) or "")
-    assert "cannot read it as well" in (target_fault(op("WHERE", (), ["FLAG"]), scamp5) or "")
+    assert "cannot also read it" in (target_fault(op("WHERE", (), ["FLAG"]), scamp5) or "")
     assert set(DIGITAL_WRITE) > set(scamp5.digital_registers)
 
 

@@ -51,6 +51,6 @@ def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]
             "NS0844",
             f"{100 * share:.3g} % of the pixels of '{name}' are saturated",
             severity=Severity.WARNING,
-            notes=("of these a decoder knows only that there was so much light or more",),
-            helps=("expose the scene for less light, or with shutters some of which close early",),
+            notes=("a saturated pixel gives the decoder only a lower limit of the light",),
+            helps=("expose the scene with less light, or use shutters that close early",),
         )  # fmt: skip

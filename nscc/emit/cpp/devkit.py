@@ -60,19 +60,21 @@ def devkit_fault(container: Container, devkit: Devkit) -> str | None:
     if "R12" in target.digital_registers and (
         (target.mask_register, target.masked_register) != ("R0", "R12")
     ):
-        return f"writes R12 in all pixels, and the {devkit.name} devkit only where R0 is 1"
+        return (
+            f"writes R12 in all pixels, but the {devkit.name} devkit writes it only where R0 is 1"
+        )
     if target.words:
         shown = ", ".join(row.name for row in target.words[:4])
-        return f"has words that the {devkit.name} devkit does not: {shown}"
+        return f"has words that the {devkit.name} devkit does not have: {shown}"
     if target.rows > _SIDE or target.cols > _SIDE:
         return (
-            f"has {target.rows} x {target.cols} pixels, and the {devkit.name} devkit "
+            f"has {target.rows} x {target.cols} pixels, but the {devkit.name} devkit has "
             f"{_SIDE} x {_SIDE}"
         )
     levels = [each.level for each in container.launches if each.level is not None]
     if levels and not _IN_LOW <= min(levels) <= max(levels) <= _IN_HIGH:
         return (
-            f"sets IN to {min(levels)} to {max(levels)} steps, and the {devkit.name} devkit to "
-            f"{_IN_LOW} to {_IN_HIGH}"
+            f"sets IN to {min(levels)} to {max(levels)} steps, but the {devkit.name} devkit "
+            f"allows {_IN_LOW} to {_IN_HIGH}"
         )
     return None

@@ -68,7 +68,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     if fault is not None:
         raise Rejected(_no_cpp(program, devkit, f"{target.name} {fault}", _OTHER_CHIP))
     if container.pixel_codes is None:
-        reason = "without `pixels` no pixel has a code to load"
+        reason = "without `pixels`, the pixels have no codes to load"
         raise Rejected(_no_cpp(program, devkit, reason, _DATA))
     planes = container.planes()
     loading = loading_of(planes, target, stem)
@@ -111,7 +111,7 @@ def _no_cpp(
         code,
         f"C++ for the {devkit.name} devkit cannot be written: {reason}",
         source=program.source if span else None,
-        label=Label(span, "the chip is chosen here") if span else None,
+        label=Label(span, "this statement chooses the chip") if span else None,
         helps=(way_out,),
         data={"target": program.target.name},
     )
@@ -129,8 +129,8 @@ def _check_store(program: Program, container: Container, loading: Loading, devki
     needed = frame + loading.words + preparing
     if needed > target.store_words:
         reason = (
-            f"its kernels need {needed} words ({frame} of the frame, {loading.words} that load "
-            f"the codes, {preparing} before readout), and {target.name} stores "
+            f"its kernels need {needed} words ({frame} for the frame, {loading.words} to "
+            f"load the codes, {preparing} before the readout), but {target.name} stores "
             f"{target.store_words}"
         )
         way_out = "use fewer slots, or fewer different kernels"
@@ -297,12 +297,17 @@ def _narrow(program: Program, container: Container, devkit: Devkit) -> list[list
     """The kernels in words that have calls, proved as the container's own are."""
     found = narrowed(container)
     if found is None and not devkit.tables:
-        reason = "a word has more sources than a call of its library takes, and no register is free"
+        reason = (
+            "a word has more sources than a call of the devkit's library takes, and no register "
+            "is free"
+        )
         raise Rejected(_no_cpp(program, devkit, reason, TOO_WIDE, "NS0521"))
     if found is not None:
         proof = prove(container, found)
         if not proof.holds:
-            raise ValueError(f"calls of few sources are another program: {proof.failure}")
+            raise ValueError(
+                f"calls with few sources do not implement the program: {proof.failure}"
+            )
     return found
 
 

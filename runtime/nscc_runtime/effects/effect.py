@@ -136,7 +136,7 @@ class Effect:
         """Return its parts of a kind in sums over slots."""
         if isinstance(self.sums, CannotHave):
             return []
-        return [effect_part for effect_part in self.sums if isinstance(effect_part, kind)]
+        return [member for member in self.sums if isinstance(member, kind)]
 
     def lacks(self) -> list[str]:
         """Return the missing entries of the declaration, as texts."""
@@ -163,20 +163,16 @@ class Effect:
         if not isinstance(self.sums, tuple | CannotHave):
             missing.append("`sums`, its parts in sums over slots, or CannotHave(reason)")
         elif not isinstance(self.sums, CannotHave):
-            strange = [
-                unknown_part for unknown_part in self.sums if not isinstance(unknown_part, Part)
-            ]
+            strange = [entry for entry in self.sums if not isinstance(entry, Part)]
             missing += [
-                f"`sums` of known parts only, and {unknown_part!r:.60} is none"
-                for unknown_part in strange
+                f"`sums` with known parts only, but {entry!r:.60} is unknown" for entry in strange
             ]
             part_stages = {
-                getattr(effect_part, "at", effect_part.stage)
-                for effect_part in self.parts_of_kind(Part)
+                getattr(member, "at", member.stage) for member in self.parts_of_kind(Part)
             }
             bare = {*self.reference} ^ part_stages
             if not strange and bare:
-                text = "`sums` that go with `reference`: one of them has no "
+                text = "`sums` that match `reference`: one of them has no "
                 missing.append(text + ", ".join(sorted(bare)))
         if not isinstance(self.words, InLoop | CannotHave):
             missing.append("`words`, InLoop(..) or CannotHave(reason)")
@@ -190,5 +186,5 @@ class Effect:
         for name in ("cost_ns", "light_ns"):
             cost = getattr(self, name)
             if not (isinstance(cost, int | float) and 0 <= cost < math.inf):
-                missing.append(f"`{name}`, a number from 0 on")
+                missing.append(f"`{name}`, a number of 0 or more")
         return missing

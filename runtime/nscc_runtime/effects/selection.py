@@ -136,7 +136,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
     items = [item.strip() for item in text.split(",") if item.strip()]
     if not items:
         raise _invalid_selection(
-            "--effects names no effect", f"write one of {', '.join(RESERVED)}, or effects"
+            "--effects is empty", f"write one of {', '.join(RESERVED)}, or names of effects"
         )
     auto = items[0] == "auto"
     on = set(optional()) if items[0] in ("auto", "all") or items[0][0] == "-" else set()
@@ -145,7 +145,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
         if item in RESERVED:
             if index:
                 raise _invalid_selection(
-                    f"--effects has `{item}` after its beginning", f"put `{item}` first"
+                    f"--effects has `{item}` after its start", f"put `{item}` first"
                 )
             continue
         add, name = item[0] != "-", item.lstrip("+-") if item[0] in "+-" else item
@@ -163,8 +163,8 @@ def named(name: str) -> Effect:
     effect = by_name().get(name)
     if effect is None:
         raise _invalid_selection(
-            f"there is no effect {name[:60]!a}",
-            *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists them"),
+            f"unknown effect {name[:60]!a}",
+            *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists the effects"),
         )
     return effect
 
@@ -174,8 +174,8 @@ def _invalid_selection(message: str, help_text: str) -> Rejected:
         "NS0756",
         message,
         notes=(
-            "--effects takes auto, all, none or names separated by commas; +NAME adds one, "
-            "-NAME leaves one out",
+            "--effects takes auto, all, none or names separated by commas; +NAME adds an "
+            "effect, -NAME removes one",
             f"the effects are {', '.join(by_name())}",
         ),
         helps=(help_text,),

@@ -392,4 +392,4 @@ def _read(kind: Any, value: Any) -> Any:
         return value
     # A whole number may have too many digits to be written out.
     shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"
-    raise ValueError(f"{shown} is no {getattr(kind, '__name__', kind)}")
+    raise ValueError(f"{shown} is not a {getattr(kind, '__name__', kind)}")

@@ -37,7 +37,8 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
                 "NS0748",
                 f"the plan '{path}' was made for another {kind}",
                 notes=(
-                    f"its {kind}_sha256 is {plan_sha256[:12]}.., here it is {actual_sha256[:12]}..",
+                    f"its {kind}_sha256 is {plan_sha256[:12]}.., but here it is "
+                    f"{actual_sha256[:12]}..",
                 ),
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
@@ -65,9 +66,9 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
     ) as error:  # fmt: skip
         raise rejected(
             "NS0747",
-            f"'{path}' is no plan of this version",
+            f"invalid plan '{path}': it does not belong to this version of nscc",
             notes=(_reason(error),),
-            helps=("give --plan a name that does not exist: the plan made is written there",),
+            helps=("give --plan a name that does not exist: nscc writes a new plan there",),
         ) from error
 
 
@@ -77,13 +78,13 @@ def _reason(error: Exception) -> str:
     if isinstance(error, OSError):
         return f"it cannot be read: {error.strerror}"
     if isinstance(error, UnicodeDecodeError):
-        return "it is no text"
+        return "it is not text"
     if isinstance(error, json.JSONDecodeError):
         return f"it is not JSON: {words}"
     if isinstance(error, KeyError):
-        return f"it lacks {words}"
+        return f"{words} is missing"
     if isinstance(error, (TypeError, AttributeError, RecursionError)):
-        return "its values are of other kinds than a plan's"
+        return "its values have other types than those of a plan"
     return words
 
 

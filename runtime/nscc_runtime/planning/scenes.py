@@ -114,8 +114,10 @@ class FixedShutters(PlannedScene):
         mean."""
         uneven, square = self.program.uneven_seconds(self.program.full)
         if tolerance_e is None:
-            part = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
-            return math.sqrt(float(part.max(initial=0.0))) <= _SURELY * (noise_part or 0.0)
+            noise_fraction = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
+            return math.sqrt(float(noise_fraction.max(initial=0.0))) <= _SURELY * (
+                noise_part or 0.0
+            )
         light_e_per_s = self.light.sum_e.reshape(-1) / max(self.program.slot_s.sum(), 1e-300)
         square_e2 = (uneven[:, self.program.lanes] * light_e_per_s).mean(axis=1)
         return math.sqrt(float(square_e2.max(initial=0.0))) <= _SURELY * tolerance_e
@@ -211,18 +213,18 @@ class LookingPixels(PlannedScene):
 
         def compare(frame: int, rows: Sequence[range]) -> Compared:
             nonlocal loaded
-            left = {name: plane.copy() for name, plane in loaded.items()}
+            next_loaded = {name: plane.copy() for name, plane in loaded.items()}
             mine, full, same = [], [], []
             for band in rows:
-                some = planned(scene, loaded, seeds, frame, band)
-                every = reference(scene, loaded, seeds, frame, band)
-                same.append(same_states(some, every))
-                mine.append(some.exposure.exposure_e)
-                full.append(every.exposure.exposure_e)
-                for name, plane in every.planes.items():
-                    whole = left.setdefault(name, np.zeros(self.light.shape, np.bool_))
-                    whole[band.start : band.stop] = plane
-            loaded = next_planes(container, loaded, left)
+                planned_frame = planned(scene, loaded, seeds, frame, band)
+                reference_frame = reference(scene, loaded, seeds, frame, band)
+                same.append(same_states(planned_frame, reference_frame))
+                mine.append(planned_frame.exposure.exposure_e)
+                full.append(reference_frame.exposure.exposure_e)
+                for name, plane in reference_frame.planes.items():
+                    final_plane = next_loaded.setdefault(name, np.zeros(self.light.shape, np.bool_))
+                    final_plane[band.start : band.stop] = plane
+            loaded = next_planes(container, loaded, next_loaded)
             return Compared(
                 np.concatenate(mine, axis=1), np.concatenate(full, axis=1), np.concatenate(same)
             )

@@ -67,7 +67,7 @@ def peak_of(light: Values, number: int = 0) -> float:
     if found <= 0:
         raise rejected(
             "NS0824",
-            f"scene {number + 1} has no light: there is nothing to design shutters for",
-            helps=("name a scene with light; --exposure says how much of it a frame gets",),
+            f"scene {number + 1} has no light, so no shutters can be designed for it",
+            helps=("use a scene with light; --exposure sets how much light a frame receives",),
         )
     return found

@@ -95,7 +95,7 @@ def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
         )
     if not values["target"]:
         return PointFault(
-            "", "limits are those of a chip, and none is named", 'add target = "scamp5"'
+            "", "a limit needs a chip, but target is missing", 'add target = "scamp5"'
         )
     return target_fault(values)
 

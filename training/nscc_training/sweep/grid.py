@@ -52,10 +52,22 @@ _LIKE = Key("", "like", Text(), "a part above whose keys it takes where it has n
 _OF_PART = (_KIND.name, _CALLED.name, _LIKE.name)
 """Keys of every part that are not axes."""
 _PLOT_KEYS = (
-    Key(_PLOT, "x", Text(), "the axis drawn across; by default the first of numbers", ""),
-    Key(_PLOT, "y", Several(Text(), said="a list of figures"), "the figures drawn upwards", ()),
-    Key(_PLOT, "line", Several(Text(), said="a list of axes"), "those whose values have lines", ()),
-    Key(_PLOT, "panel", Text(), "the axis of which each value has a panel", ""),
+    Key(_PLOT, "x", Text(), "the horizontal axis; by default the first numeric axis", ""),
+    Key(
+        _PLOT,
+        "y",
+        Several(Text(), said="a list of results"),
+        "the results on the vertical axis",
+        (),
+    ),
+    Key(
+        _PLOT,
+        "line",
+        Several(Text(), said="a list of axes"),
+        "the axes with one line per value",
+        (),
+    ),
+    Key(_PLOT, "panel", Text(), "the axis with one panel per value", ""),
 )
 
 
@@ -96,7 +108,7 @@ def read_grid(path: Path) -> Grid:
         part_keys = _flat(value)
         like = part_keys.get(_LIKE.name)
         if like is not None and like not in grid_parts:
-            message = f"[{name}]: there is no part {str(like)[:60]!a} above"
+            message = f"[{name}]: there is no part {str(like)[:60]!a} above it"
             unknown_parts.append(
                 head.problem(_CODES.wrong, message, name, _LIKE.name, source, _START)
             )
@@ -107,7 +119,7 @@ def read_grid(path: Path) -> Grid:
     schema = _schema(kinds)
     values, problems = schema.read({**tables, **grid_parts}, source)
     if not (grid_parts or problems):
-        message = "a grid has a table for each of its parts, and here is none"
+        message = "a grid needs a table for each of its parts, but it has none"
         problems.append(schema.problem(_CODES.missing, message, "", "", source, _START))
     if problems:
         raise Rejected(problems, status=2)
@@ -132,7 +144,7 @@ def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     for grid_part in grid_parts:
         if grid_part not in known_parts:
             hint = meant(grid_part, known_parts, f"the parts are {', '.join(known_parts)}")
-            raise rejected("NS0832", f"the grid has no part '{grid_part[:60]}'", helps=hint)
+            raise rejected("NS0832", f"unknown part '{grid_part[:60]}' of the grid", helps=hint)
     points: dict[GridPoint, None] = {}
 
     def take(point: GridPoint) -> None:
@@ -227,7 +239,7 @@ def _points(
     """Return the points of all parts, with runs before the points that need them."""
     count = sum(prod(map(len, keys.values())) for keys in axes_by_part.values())
     if count > MOST_POINTS:
-        message = f"the grid has {count} points, {MOST_POINTS} are the most"
+        message = f"the grid has {count} points, but at most {MOST_POINTS} are allowed"
         help_text = "split it into several files"
         raise Rejected(schema.problem(_CODES.wrong, message, "", "", source, help_text), status=2)
     problems: dict[tuple[str, str, str], Diagnostic] = {}
@@ -258,9 +270,7 @@ def _points(
                 continue
             runs = points_by_part.get(point.values[RUN], [])
             if not runs or runs[0].kind != "train":
-                message = (
-                    f"[{grid_part}]: there is no part [{point.values[RUN][:60]}] of kind train"
-                )
+                message = f"[{grid_part}]: unknown part [{point.values[RUN][:60]}] of kind train"
                 trains = [name for name, kind in kinds.items() if kind == "train"]
                 help_text = f"such parts are {', '.join(trains)}" if trains else "add such a part"
                 problems[grid_part, RUN, message] = schema.problem(
