@@ -1,4 +1,4 @@
-"""Step 5 of planning: decisions on all effects, with what was measured and why."""
+"""Step 5 of planning: the decision on each effect, with its measured error and the reason."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 FROM_GIVEN_PLAN = "taken from the plan given"
-"""The reason of decisions that were made for another scene."""
+"""The reason for decisions that were made for another scene."""
 _BOUND_ERRORS = 3.0
-"""Standard errors of a sample that a bound allows for."""
+"""Number of standard errors between the predicted error and its bound."""
 
 
 @dataclass(frozen=True)
 class Demands:
-    """What the user asked for: effects, those of them that were forced, and tolerances;
-    `tolerance_text` as text where what the tolerance means is not known. `reason` of forced
+    """The user's request: effects, the names of those decided by the user, and tolerances.
+    `tolerance_text` is used if the tolerance in electrons is unknown. `reason`: that of forced
     decisions."""
 
     effects: Selection
@@ -37,7 +37,7 @@ class Demands:
     reason: str = "named in --effects"
 
     def on(self, plan: Plan) -> Plan:
-        """A plan that says so."""
+        """Return the plan with these tolerances entered."""
         tolerances = [tolerance for tolerance in (self.allowed, self.most) if tolerance is not None]
         signal_e, noise_e = (
             next((value for value in values if value is not None), None)
@@ -56,7 +56,7 @@ class Demands:
 def planned(
     trial: Trial, demands: Demands, measured: MeasuredEffects, together: Together, figures: bool
 ) -> Plan:
-    """The plan of a setting that was measured."""
+    """Return the plan of a measured setting."""
     assert demands.allowed is not None
     setting, worst = together.setting, together.worst
     approximations = [Approximation(name, None) for name in trial.approximations]
@@ -86,7 +86,7 @@ def planned(
 
 
 def unmeasured(trial: Trial, demands: Demands, path: Path, why: str, reason: str) -> Plan:
-    """The plan that simulates every effect that is not forced off, without measuring anything."""
+    """Return the plan that simulates every effect that is not forced off, without a measurement."""
     setting = Setting(NONE)
     decisions = []
     for effect in registered():
@@ -157,8 +157,8 @@ def _decision(
 
 
 def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Together) -> float:
-    """The error of the plan without one effect more: what was measured together, and what the
-    products of the effects alone add to it."""
+    """Return the error of the plan without one more effect, estimated from the error of the setting
+    and the mean products of the errors of single effects."""
     dropped_effects, square_e2 = together.setting.dropped, together.difference.square_e2
     more_e2 = together.unseen_e2 + measured.approximations_e**2
     if not dropped:
@@ -198,7 +198,8 @@ def _why_kept(
 
 
 def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
-    """The readout's: no part of the promise, on unless the user wants it off."""
+    """Return the decision on an effect of the readout, which is simulated unless the user forces it
+    off. The tolerance does not include it."""
     forced = not effect.always and effect.name in demands.forced
     on = effect in demands.effects or (demands.effects.auto and not forced)
     reason = demands.reason if forced else "always applied, after the exposure"
@@ -209,7 +210,7 @@ def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
 
 
 def _readout_e(effect: Effect, sensor: Sensor) -> float | None:
-    """What an effect of the readout does to codes, in electrons, by its parts."""
+    """Return the RMS change of codes by an effect of the readout, in electrons."""
     from nscc_runtime.effects import everything
 
     code_e = everything().require_part(Codes).electrons(sensor)
@@ -219,7 +220,7 @@ def _readout_e(effect: Effect, sensor: Sensor) -> float | None:
 
 
 def _cost(trial: Trial, setting: Setting, planning_ms: float) -> Cost:
-    """What the plan takes, and what frames with every effect take."""
+    """Return the time of a frame under the plan, and of a frame with every effect."""
     ms = trial.pixels * 1e-6
     total_ns, near_ns = trial.frame_ns(setting)
     every_ns, _ = trial.frame_ns(Setting(NONE))

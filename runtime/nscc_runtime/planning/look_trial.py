@@ -1,8 +1,8 @@
-"""Programs whose pixels look at the light, tried on tiles of a scene.
+"""Trials of programs whose pixels look at the light, on tiles of a scene.
 
-Exposures of a pixel that ends in another state are no error but another measurement: the part of
-the pixels that do is measured beside the errors of the others. Where states are kept, a film's
-later frames begin in others than its first: all of them are tried.
+The exposure of a pixel that ends in another state is a different measurement, not an error. So two
+figures are measured: the fraction of such pixels, and the errors of the others. With kept states
+the later frames of a series begin in other states than the first, so a whole series is simulated.
 """
 
 from __future__ import annotations
@@ -39,21 +39,21 @@ Bits = NDArray[np.bool_]
 Values = NDArray[np.float64]
 
 _TILES = 256
-"""How many tiles are drawn."""
+"""Number of tiles to draw."""
 _SEEDS = 0, 0
 _FRAMES = 16
-"""At most so many frames of a film are tried."""
+"""Largest number of frames of a series."""
 _SETTLED = 0.005
-"""A film has shown what it does once no more than this part of its pixels begins a frame as it has
-begun none before."""
+"""A series ends when at most this fraction of the pixels begins a frame with new register
+values."""
 _REFERENCE_NS = 1000.0
-"""What a pixel costs more in the reference."""
+"""Additional nanoseconds of a pixel in the reference."""
 LOOKS = "pixels look at the light: each runs through the words that act in it"
 
 
 @dataclass(frozen=True, eq=False)
 class LookTrial(Trial):
-    """A program whose pixels look on a scene."""
+    """A program whose pixels look, on a scene."""
 
     program: LookingProgram
     light: Light
@@ -67,12 +67,12 @@ class LookTrial(Trial):
 
     @property
     def pixels(self) -> int:
-        """How many pixels the scene has."""
+        """Number of pixels of the scene."""
         return self.light.shape[0] * self.light.shape[1]
 
     @cached_property
     def absent(self) -> Names:
-        """Effects that change nothing here for sure."""
+        """Effects that certainly change nothing on this scene."""
         steady = everything().names(Moving) if self.light.motion is None else frozenset()
         return steady | (frozenset() if self.program.fades else everything().names(Fading))
 
@@ -109,8 +109,8 @@ class LookTrial(Trial):
 
     @cached_property
     def _film(self) -> list[tuple[Mapping[str, Bits], Executed]]:
-        """The registers with which each frame starts, and the frame with all effects: as many as
-        it takes until pixels begin them as they have begun others."""
+        """A series of frames with all effects, each with its registers at the start. It ends when
+        nearly all pixels begin a frame with register values that they had before."""
         container, all_effects = self.program.container, everything()
         weight = np.zeros(self._places.size)
         inner_weight = self.sample.weight[: len(self.sample.inner)]
@@ -144,7 +144,8 @@ class LookTrial(Trial):
 
     @remembered
     def _fallen(self, before: Names, every_slot: bool, frame: int) -> Fallen:
-        """The charge under the effects that make it, which are fewer than all."""
+        """Return the charge of a frame under the effects in `before`, which act before words
+        run."""
         effects = everything()
         effects = effects.without(*(e.name for e in effects.effects if e.name not in before))
         joined = Intervals.of(self.program.container, every_slot).joined(self._scene)
@@ -153,7 +154,7 @@ class LookTrial(Trial):
 
     @remembered
     def _of_film(self, dropped: Names) -> list[list[Executed]]:
-        """Every frame of the film without some effects, as often as it is exposed."""
+        """Return the exposures of every frame of the series without the `dropped` effects."""
         effects = everything().without(*dropped)
         return [
             [
@@ -165,8 +166,8 @@ class LookTrial(Trial):
         ]  # fmt: skip
 
     def _between(self, dropped: Names, other_dropped: Names) -> Errors:
-        """Exposures without some effects less those without others, of pixels that end in the
-        same states."""
+        """Return exposures without `dropped` minus exposures without `other_dropped` effects, for
+        pixels that end in the same states in both."""
         size_e, compared, inner = [], [], self.sample.inner
         for mine, theirs in zip(self._of_film(dropped), self._of_film(other_dropped), strict=True):
             turns = [_difference(*pair) for pair in zip(mine, theirs, strict=True)]
@@ -177,21 +178,21 @@ class LookTrial(Trial):
     # -- What planning asks -------------------------------------------------------------------
 
     def executes(self, setting: Setting) -> Path:
-        """The words, or the reference where only that has an effect."""
+        """See `Trial`: the words, or the reference if only it has an effect."""
         kept_effects = self.requested_effects.without(*setting.dropped)
         return "reference" if self.program.lacks(kept_effects) else "words"
 
     def alone(self, effect: Effect, near_saturation: bool) -> Errors:
-        """Beside all other effects that are wanted."""
+        """See `Trial`."""
         other_dropped = self.forced_off - {effect.name}
         return self._between(other_dropped | {effect.name}, other_dropped)
 
     def together(self, setting: Setting) -> Errors:
-        """Beside frames with every effect."""
+        """See `Trial`."""
         return self._between(self.forced_off | setting.dropped, NONE)
 
     def moves(self, free: Names) -> Sequence[Move]:
-        """Effects one by one."""
+        """See `Trial`: single effects."""
         return [
             Move(frozenset({e.name}), self.saved_ns(e.name), e.name)
             for e in registered()
@@ -199,8 +200,7 @@ class LookTrial(Trial):
         ]
 
     def noise_e(self) -> float:
-        """The root mean square over pixels and buckets of the standard deviation of exposures with
-        every effect: of those that end in the same states."""
+        """See `Trial`; for pixels that end in the same states."""
         loaded, first = self._film[0]
         numbers, inner = range(1, 1 + self.sample.frames), self.sample.inner
         pairs = [
@@ -216,12 +216,12 @@ class LookTrial(Trial):
     # -- Prices -------------------------------------------------------------------------------
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
-        """Why pixels run through their words, or why the reference runs."""
+        """See `Trial`."""
         kept_effects = self.requested_effects.without(*setting.dropped)
         return self.program.lacks(kept_effects) or (LOOKS,)
 
     def saved_ns(self, name: str) -> float:
-        """Nanoseconds a pixel that leaving an effect out saves."""
+        """See `Trial`."""
         all_effects = everything()
         lacks = self.program.lacks
         reference_ns = (
@@ -230,13 +230,13 @@ class LookTrial(Trial):
         return next(e.cost_ns for e in registered() if e.name == name) + reference_ns
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
-        """By words, or by the reference."""
+        """See `Trial`."""
         kept_effects = self.requested_effects.without(*setting.dropped, *self.absent)
         effects = (e.name for e in kept_effects.effects if e.kind != "after")
         return SHIPPED.looked + sum(self.saved_ns(name) for name in effects), 0.0
 
     def planning_ms(self) -> float:
-        """Every frame of the sample is exposed with all effects, and without each."""
+        """See `Trial`: the sample is exposed with all effects, and without each."""
         pixels = min(self.pixels, 16 * _TILES)
         exposures = sum(e.kind != "after" for e in registered()) - len(self.absent) + 2
         machine = self.program.container.machine
@@ -245,8 +245,8 @@ class LookTrial(Trial):
 
 
 def _difference(exposed: Executed, full: Executed) -> tuple[Values, Bits]:
-    """Exposures (buckets, pixels) less others, 0 where they are not compared, and where they are:
-    of pixels that end in the same states."""
+    """Return the difference of exposures (buckets, pixels), and where it is valid: finite, and in
+    the same states. Elsewhere it is 0."""
     valid = exposed.exposure.valid.all(axis=0) & full.exposure.valid.all(axis=0)
     same = valid & same_states(exposed, full)
     with np.errstate(invalid="ignore"):
@@ -256,7 +256,7 @@ def _difference(exposed: Executed, full: Executed) -> tuple[Values, Bits]:
 
 
 def same_states(exposed: Executed, full: Executed) -> Bits:
-    """Where (rows, cols) two frames end in the same states."""
+    """Return where (rows, cols) two frames end in the same states."""
     same = np.ones(full.exposure.valid.shape[1:], np.bool_)
     for name, plane in full.planes.items():
         same &= exposed.planes[name] == plane

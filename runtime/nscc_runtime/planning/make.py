@@ -1,16 +1,15 @@
-"""The way from a scene to a plan, in five steps.
+"""Make a plan for a scene, in five steps.
 
-1. `sample`: pixels of the scene are drawn, and weighed by how many others each stands for.
-2. `measured_effects`: each effect is left out alone, on these pixels with the same draws.
-3. `choose`: of all sets of effects whose differences add up to less than the tolerance, those that
-   save most time.
-4. `choose`: the best set is left out at once and compared with the truth; if it is not within the
-   tolerance with two standard errors, the next one is tried.
-5. `decisions`: the plan says what was left out, why the rest was not, and what that was measured to
-   change.
+1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
+2. `measured_effects`: drop each effect alone, on these pixels with the same random numbers.
+3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
+   tolerance.
+4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
+   standard errors exceeds the tolerance, try the next set.
+5. `decisions`: enter for every effect whether it is simulated, its measured error and the reason.
 
-Measuring takes time, so it is done where it saves more than that, or where somebody asks for the
-table. Other frames are simulated with every effect.
+Effects are only measured if that saves more time than it takes, or if the user requests the table.
+Otherwise every effect is simulated.
 """
 
 from __future__ import annotations
@@ -42,26 +41,28 @@ from nscc_runtime.planning.tolerance import (
 from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 MANY = 1000
-"""Frames that a plan is for where nobody says how many."""
+"""Number of frames that a plan is made for, by default."""
 _APPROXIMATED = 0.6
-"""Approximations of sums may make this part of the tolerance; beyond it, words run one by one."""
+"""Largest error of the approximations of sums, as a fraction of the tolerance; with larger errors,
+all pixels run through their words."""
 _NEGLIGIBLE = 0.05
-"""Approximations that make no more than this part of it are not measured."""
+"""Approximations below this fraction of the tolerance are not measured."""
 _ONE_COUNT_E = 1.0
-"""By so much sums may count wrong in a rare pixel: where no pixel may be, words run one by one."""
+"""Error of sums in rare pixels; with a smaller `tolerance_max`, all pixels run through their words.
+"""
 _HOPED = 0.35
-"""Of what all effects that may be left out would save, the part that plans save as a rule."""
+"""Typical saving of a plan, as a fraction of the saving of dropping all effects that are free."""
 _OTHER_STATES, _SERVED_OTHER_STATES = 0.5, 0.7
-"""Effects are left out while this part of the most other states is measured: a sample shows few of
-them; a plan serves another scene while so much of them is."""
+"""Largest measured fraction of pixels in other states, relative to `MOST_OTHER_STATES`, when a plan
+is made and when it is reused for another scene."""
 
 
 @dataclass(frozen=True)
 class PlanRequest:
-    """What is asked of a plan.
+    """The request for a plan.
 
-    `frames`: for how many frames it is made, by which measuring it has to pay; `figures`: every
-    figure of the table is asked for, and measured whatever it saves.
+    `frames`: number of frames that share the plan; it decides whether measuring saves time.
+    `figures`: measure every figure of the table, even if that saves no time.
     """
 
     effects: Selection
@@ -72,9 +73,9 @@ class PlanRequest:
 
 
 def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
-    """The cheapest plan whose error, measured on a sample of the scene, is within the tolerance.
+    """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
 
-    Raises Rejected (NS0746) where a tolerance is invalid.
+    Raises Rejected (NS0746) for an invalid tolerance.
     """
     effects = request.effects
     forced = frozenset(e.name for e in registered() if not effects.auto or e.name in effects.forced)
@@ -97,8 +98,8 @@ def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
 
 
 def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
-    """The decisions of a plan for another scene, measured on this one. A tolerance that is a part
-    of the scene is one of this scene."""
+    """Return a given plan with its errors measured on this scene. A relative tolerance refers to
+    this scene."""
     off = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
     forced_off = frozenset(e.name for e in registered() if e not in plan.requested_effects) & off
     trial = scene.trial(forced_off)
@@ -115,8 +116,8 @@ def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
 
 
 def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
-    """Whether a plan keeps its promise on another scene with light of the same kind, by what all
-    that it leaves out changes there."""
+    """Whether a plan keeps its tolerance on another scene with similar light: the error of all its
+    `dropped` effects is measured there."""
     measured_setting, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
     return (
         measured_setting.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
@@ -128,7 +129,7 @@ def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
 def allowed_on(
     scene: PlannedScene, tolerance: ToleranceInput, tolerance_max: ToleranceInput | None
 ) -> tuple[Tolerance, Tolerance | None]:
-    """What tolerances mean on a scene."""
+    """Return the tolerances in electrons on a scene."""
     allowed = tolerance_of(tolerance, scene.sensor, scene)
     if tolerance_max is None:
         return allowed, None
@@ -138,7 +139,7 @@ def allowed_on(
 def _measured(
     scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
 ) -> Plan:
-    """Steps 1 to 5; the sample is drawn when it is first asked for."""
+    """Run the five steps and return the plan."""
     assert demands.allowed is not None
     too_large = trial.too_large(demands.allowed.electrons)
     moves = [move for move in trial.moves(free) if not move.names & too_large]
@@ -148,7 +149,7 @@ def _measured(
     effects_to_measure |= trial.slow - trial.absent - trial.forced_off
     negligible = scene.approximates(_NEGLIGIBLE * demands.allowed.electrons, None)
     slower = scene.slower_trial(trial, demands.allowed.electrons)
-    # What pixels near saturation would lack is measured where it is asked for, or decides.
+    # Measurements near saturation are slow: they are made on request, or if they decide.
     for near_saturation in (True,) if figures else (False, True):
         measured = measure_effects(
             trial,
@@ -175,14 +176,14 @@ def _measured(
 
 
 def _names(trial: Trial) -> Names:
-    """All effects of the exposure that may change something."""
+    """Return the effects of the exposure that are not absent."""
     return frozenset(e.name for e in registered() if e.kind != "after") - trial.absent
 
 
 def _not_worth(
     scene: PlannedScene, trial: Trial, request: PlanRequest, forced: Names
 ) -> str | None:
-    """Why measuring is not worth its time; None where it is."""
+    """Return the reason for not measuring effects; None if measuring saves time."""
     if request.figures or trial.slow - trial.absent - trial.forced_off:
         return None
     if not request.effects.auto:
@@ -206,7 +207,8 @@ def _not_worth(
 
 
 def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
-    """A tolerance as far as it is known without measuring: not one that is a part of the noise."""
+    """Return a tolerance in electrons; None for a fraction of the noise, which needs a
+    measurement."""
     if isinstance(tolerance, str) and noise_part(tolerance) is not None:
         check_tolerance(tolerance, scene.sensor)
         return None

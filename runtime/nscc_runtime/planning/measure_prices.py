@@ -1,4 +1,4 @@
-"""Measuring what simulating takes on this machine, beside the prices that plans are chosen by."""
+"""Measure the time of simulations on this machine, for comparison with the shipped prices."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ open when n < stop
 pixels stop = 1 + (5 * x + 3 * y) % 16
 """
 _NEAR = 512
-"""Pixels that run through their words."""
+"""Number of pixels that run through their words."""
 _ROUNDS = 5
 
 
@@ -47,7 +47,7 @@ class Price:
 
 
 def measure_prices() -> list[Price]:
-    """The prices of this machine, each the least of some rounds; some seconds."""
+    """Measure the prices on this machine, each as the fastest of several rounds. Takes seconds."""
     container = nscc.compile(_TEXT, level=1).container
     program = analysed(container, default_sensor(container.target))
     rows, cols = program.array.shape
@@ -56,7 +56,7 @@ def measure_prices() -> list[Price]:
     light = Light.of_still((250e3 + 220e3 * wave).astype(np.float32), program.slot_s)
     pixels, request = program.array.lanes.size, PlanRequest(selected("auto"), 5.0, figures=True)
 
-    # `replace`: the same light, without what has been found out about it.
+    # `replace` makes a copy of the light without cached properties.
     def planned() -> Plan:
         return make_plan(planning_of(container, program.sensor, replace(light)), request)
 
@@ -83,7 +83,8 @@ def measure_prices() -> list[Price]:
 
 
 def _of_effects(program: Program, still: Light) -> list[Price]:
-    """What leaving each effect out of sums saves: of a still, and of each frame of a film."""
+    """Measure the time saved by dropping each effect from sums: per still, and per frame of
+    light."""
     all_effects = everything()
     all_effects = all_effects.without(
         *(e.name for e in all_effects.effects if isinstance(e.sums, CannotHave))
@@ -108,7 +109,7 @@ def _of_effects(program: Program, still: Light) -> list[Price]:
 
 
 def _saved_ns(program: Program, light: Light, all_effects: Selection, effect: Effect) -> float:
-    """Nanoseconds a pixel of a frame with all effects less those of one without this one."""
+    """Return the nanoseconds per pixel that a frame without the effect saves."""
     executions = [
         Execution("sums", kept_effects, kept_effects, all_effects)
         for kept_effects in (all_effects, all_effects.without(effect.name))
@@ -122,12 +123,12 @@ def _saved_ns(program: Program, light: Light, all_effects: Selection, effect: Ef
 
 
 def _frame(program: Program, light: Light, execution: Execution) -> None:
-    """One frame of a light of which nothing has been found out, on one core."""
+    """Expose one frame of a copy of the light without cached properties, on one core."""
     executed(program, replace(light), execution, threads=1).frame(0, 0)
 
 
 def _least_s(run: Callable[[], object], rounds: int = _ROUNDS) -> float:
-    """Seconds of the fastest round, after one that is not counted."""
+    """Return the seconds of the fastest round, after a warm-up round."""
     run()
     seconds = []
     for _ in range(rounds):

@@ -1,5 +1,4 @@
-"""Step 5 of planning: a plan says what a run simulates of a sensor's effects, how, and what that
-was measured to change."""
+"""The plan of a run: the effects that are simulated, how, and the measured errors."""
 
 from __future__ import annotations
 
@@ -39,7 +38,7 @@ _PATHS: Mapping[Loop, Path] = {
 
 @dataclass(frozen=True, repr=False)
 class Plan:
-    """What a run needs to know beside program, scene and sensor.
+    """The plan of a run.
 
     Errors are root mean squares over pixels and buckets of the difference from the reference with
     every effect, in electrons before the ADC. Figures that were not measured are None. As text a
@@ -60,7 +59,7 @@ class Plan:
     approximations : tuple of Approximation
         How sums differ from the reference with the same effects.
     decisions : tuple of Decision
-        What becomes of each effect.
+        The decision on each effect.
     other_states : float or None
         Of a program that looks, the part of the pixels that end in other states than with every
         effect; errors are those of the other pixels.
@@ -165,7 +164,7 @@ class Plan:
 
     @property
     def tolerance_inputs(self) -> tuple[ToleranceInput, ToleranceInput | None]:
-        """The tolerances as those of any scene."""
+        """The tolerances as the user entered them: relative ones as text."""
         allowed, most = self.allowed, self.allowed_max
         return (
             self.tolerance if allowed is None or allowed.follows else allowed,
@@ -174,7 +173,7 @@ class Plan:
 
     @property
     def breach(self) -> str | None:
-        """All of the promise that is predicted to break, in words."""
+        """Describe which predicted errors exceed their tolerances; None if none does."""
         broken_parts = []
         if (self.predicted_e or 0.0) > (self.tolerance_e or 0.0):
             broken_parts.append(
@@ -202,7 +201,7 @@ class Plan:
 
     @cached_property
     def requested_effects(self) -> Selection:
-        """All effects but those that the user forced off."""
+        """All effects except those that the user forced off."""
         off = {
             decision.name
             for decision in self.decisions
@@ -213,13 +212,13 @@ class Plan:
 
     @cached_property
     def drops_saturation(self) -> bool:
-        """Whether an effect of what saturates is left out because the tolerance has room for it."""
+        """Whether an effect that saturates is dropped."""
         names = everything().names(Saturates)
         return any(e.decision == "dropped" and e.name in names for e in self.decisions)
 
     @cached_property
     def execution(self) -> Execution:
-        """How frames are exposed under this plan, of a program with fixed shutters."""
+        """The execution of frames of a program with fixed shutters under this plan."""
         requested_effects, kept_effects = self.requested_effects, self.kept
         slow = {e.name for e in requested_effects.effects if isinstance(e.words, CannotHave)}
         unsaturated = requested_effects.names(Saturates) - kept_effects.names(Saturates)
@@ -231,7 +230,7 @@ class Plan:
 
     @property
     def costs(self) -> list[tuple[str, str, float]]:
-        """What takes time and is no effect's own: its name, what it is, and milliseconds."""
+        """Times that belong to no single effect: (name, description, milliseconds)."""
         if self.cost is None:
             return []
         kept_ms = sum(
@@ -290,7 +289,7 @@ class Plan:
 
 
 def _table(plan: Plan) -> str:
-    """A row for each effect, then what the plan comes to."""
+    """Return the plan as text: a row for each effect, then the errors and times."""
     looks = plan.other_states is not None
     head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
     rows: list[tuple[str, ...]] = [(*head, "other states") if looks else head]
@@ -319,7 +318,7 @@ def _table(plan: Plan) -> str:
 
 
 def _errors(plan: Plan) -> list[str]:
-    """The errors that were measured, and what was asked."""
+    """Return lines with the predicted errors and the tolerances."""
     tolerance = plan.allowed if plan.tolerance_e is not None else plan.tolerance
     if plan.predicted_e is None:
         return [f"no error was measured; tolerance {tolerance}"]
@@ -343,7 +342,7 @@ def _errors(plan: Plan) -> list[str]:
 
 
 def approximation_lines(plan: Plan) -> list[str]:
-    """How sums differ from the reference, and by how much."""
+    """Return a line for each approximation of sums, with its error."""
     return [
         f"approximation: {name}" + ("" if error_e is None else f": {error_e:.2g} e")
         for name, error_e in (
@@ -353,14 +352,14 @@ def approximation_lines(plan: Plan) -> list[str]:
 
 
 def _as_json(flat: Decision | Approximation | Cost) -> dict[str, Any]:
-    """A record of numbers and text by its fields; `dataclasses.asdict` takes a millisecond for a
-    plan's, as it looks into each of them."""
+    """Return the fields of a flat record. (`dataclasses.asdict` is slow: a millisecond per
+    plan.)"""
     return dict(vars(flat))
 
 
 def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
-    """Decisions on all effects that there are, in their order; those that an older file does not
-    know are simulated. ValueError for others."""
+    """Return decisions on all effects of this version, in order. Effects that an older file does
+    not contain are simulated; ValueError for unknown effects."""
     named = {(decision.name, decision.kind): decision for decision in decisions}
     known = [(effect.name, effect.kind) for effect in registered()]
     if len(named) < len(decisions) or not named.keys() <= {*known}:
@@ -374,7 +373,8 @@ def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
 
 
 def _read(kind: Any, value: Any) -> Any:
-    """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
+    """Convert a JSON value to the type of an annotation; ValueError for other types and for
+    infinite numbers."""
     origin, type_arguments = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)

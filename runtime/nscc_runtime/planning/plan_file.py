@@ -1,4 +1,4 @@
-"""Plans outside the program: the file of `--plan`, and the table that a person reads."""
+"""Plan files (`--plan`), and the plan as a table."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def plan_of(path: Path) -> Plan:
 
 
 def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
-    """The plan, and the digests of the program and the sensor that it was made for."""
+    """Return the plan, and the digests of its program and sensor."""
     try:
         if path.suffix.lower() == ".npz":
             values = read_frame_arrays(path, lambda _name: False)[1]
@@ -73,7 +73,7 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
 
 
 def _reason(error: Exception) -> str:
-    """What is wrong with a file, in words."""
+    """Describe why a file is not a plan."""
     words = " ".join(str(error).split())[:120]
     if isinstance(error, OSError):
         return f"it cannot be read: {error.strerror}"
@@ -89,5 +89,5 @@ def _reason(error: Exception) -> str:
 
 
 def plan_table(plan: Plan, report: Audit | None = None) -> str:
-    """The plan as a person reads it, and what an audit measured."""
+    """Return the plan as a table, followed by the audit."""
     return str(plan) if report is None else f"{plan}\n{report}"

@@ -1,4 +1,4 @@
-"""What ways of simulating cost: the prices by which plans are chosen.
+"""The time of each kind of simulation: the prices by which plans are chosen.
 
 Plans are chosen by `SHIPPED`, so that the same input gives the same plan on every machine.
 """
@@ -19,12 +19,12 @@ from nscc_runtime.execution.program import Program
 from nscc_runtime.remembered import remembered
 
 Beside = Literal["sums", "all", "nothing"]
-"""What is simulated beside a pixel that runs through its words."""
+"""The simulation of the other pixels while one pixel runs through its words."""
 
 
 @dataclass(frozen=True, eq=False)
 class Prices:
-    """Nanoseconds of one core, each for one pixel.
+    """Nanoseconds of one core per pixel.
 
     `slot_of_reference`: the reference, a slot. Of the loop over words: `pixel` to begin one;
     `word`; `error`, one of a word's small errors; `run`, the charge of one group of slots between
@@ -62,13 +62,13 @@ is right to a factor of about 2."""
 
 
 _SHARED_SITES = 2.5
-"""What a pixel and its neighbours cost, in sites, where all of these are simulated as well."""
+"""Sites per pixel if all pixels are simulated, so that neighbours share counts."""
 
 
 @dataclass(frozen=True)
 class Work:
-    """What a pixel has to do in the loop over words, in the mean over lanes: words that act, the
-    boundaries where they do, groups of slots; and the slots of a frame."""
+    """The work of a pixel in the loop over words, as means over lanes: words that act, boundaries
+    with such words, and groups of slots; and the number of slots of a frame."""
 
     words: float
     boundaries: float
@@ -77,7 +77,7 @@ class Work:
 
     @classmethod
     def of(cls, program: Program) -> Work:
-        """Of a program; kept with it."""
+        """Return the work of a program, computed once."""
         return program.recent.of("work", lambda: cls._of(program))
 
     @classmethod
@@ -92,14 +92,15 @@ class Work:
 
     @property
     def reference_ns(self) -> float:
-        """Of a pixel in the reference."""
+        """Nanoseconds of a pixel in the reference."""
         return SHIPPED.slot_of_reference * self.slots
 
     @remembered
     def words_ns(self, kept_effects: Selection, beside: Beside) -> float:
-        """Of a pixel through its words with the effects in `kept_effects`: beside sums, which have
-        its neighbours' counts, among all pixels, or alone, where its neighbours' are its own
-        affair."""
+        """Return the nanoseconds of a pixel through its words with the effects in `kept_effects`.
+
+        `beside`: "sums" provide its neighbours' counts, "all" pixels run and share them, with
+        "nothing" the pixel draws them itself."""
         prices, runs = SHIPPED, self.groups * self.boundaries
         own_ns = prices.pixel + self.words * (
             prices.word + prices.error * len(kept_effects.errors())
