@@ -80,7 +80,9 @@ def costs() -> str:
 
     prices = measure_prices()
     rows = [("price", "shipped", "here", "unit", "of")]
-    rows += [(e.name, f"{e.shipped:.4g}", f"{e.here:.4g}", e.unit, e.what) for e in prices]
+    rows += [
+        (e.name, f"{e.shipped:.4g}", f"{e.measured:.4g}", e.unit, e.description) for e in prices
+    ]
     measured = {price.name for price in prices}
     rows += [
         (e.name, f"{e.cost_ns:.4g}", "", "ns", "a pixel, where there is something of it")

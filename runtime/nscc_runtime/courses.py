@@ -40,8 +40,8 @@ def courses(container: Container, behaviour: int, wells: Values, frame: int = 0)
     assert machine is not None
     nodes = np.full(len(wells), machine.start_nodes()[behaviour])
     for _ in range(frame):
-        nodes = _next_start(machine, _one(container, machine, nodes, wells)[1])
-    return _one(container, machine, nodes, wells)[0]
+        nodes = _next_start(machine, _run_frame(container, machine, nodes, wells)[1])
+    return _run_frame(container, machine, nodes, wells)[0]
 
 
 def thresholds(container: Container) -> Values:
@@ -50,7 +50,12 @@ def thresholds(container: Container) -> Values:
     machine, share = container.machine, _share(container)
     assert machine is not None
     level = container.target.electrons_per_step / container.target.full_well_e
-    return np.array([each.level * level / share[each.boundary] for each in machine.comparisons])
+    return np.array(
+        [
+            comparison.level * level / share[comparison.boundary]
+            for comparison in machine.comparisons
+        ]
+    )
 
 
 def _share(container: Container) -> Values:
@@ -59,42 +64,48 @@ def _share(container: Container) -> Values:
     return np.asarray(ends / ends[-1])
 
 
-def _one(
+def _run_frame(
     container: Container, machine: Machine, nodes: Nodes, wells: Values
 ) -> tuple[Courses, Nodes]:
     """A frame from these nodes on, and the nodes in which it ends."""
-    share, every = np.diff(_share(container)), np.arange(len(wells))
+    share, all_pixels = np.diff(_share(container)), np.arange(len(wells))
     opens = np.zeros((len(wells), *machine.opens.shape[1:]), np.bool_)
     resets = np.zeros((len(wells), machine.slots), np.bool_)
-    held, exposed = np.zeros(len(wells)), np.zeros((machine.opens.shape[1], len(wells)))
+    charge, exposed = np.zeros(len(wells)), np.zeros((machine.opens.shape[1], len(wells)))
     level = container.target.electrons_per_step / container.target.full_well_e
     flips: list[tuple[int, float]] = []
     for stage in range(machine.stages):
         for slot in range(machine.starts(stage), machine.ends(stage)):
             resets[:, slot] = machine.resets[nodes, slot]
             opens[:, :, slot] = machine.opens[nodes, :, slot]
-            held = np.minimum(np.where(resets[:, slot], 0.0, held) + wells * share[slot], 1.0)
+            charge = np.minimum(np.where(resets[:, slot], 0.0, charge) + wells * share[slot], 1.0)
             exposed += opens[:, :, slot].T * wells * share[slot]
         if stage + 1 == machine.stages:
             break
         outcome = np.zeros(len(wells), np.int64)
-        for bit, asked in enumerate(machine.at(machine.ends(stage))):
-            signal = held if asked.signal == LIGHT else np.minimum(exposed[asked.signal], 1.0)
-            above = signal > asked.level * level
+        for bit, comparison in enumerate(machine.at(machine.ends(stage))):
+            signal = (
+                charge
+                if comparison.signal == LIGHT
+                else np.minimum(exposed[comparison.signal], 1.0)
+            )
+            above = signal > comparison.level * level
             outcome |= above.astype(np.int64) << bit
             turned = np.flatnonzero(above[1:] != above[:-1])
-            flips += [(asked.boundary, float(np.sqrt(wells[k] * wells[k + 1]))) for k in turned]
+            flips += [
+                (comparison.boundary, float(np.sqrt(wells[k] * wells[k + 1]))) for k in turned
+            ]
         nodes = machine.steps[nodes, outcome].astype(np.int64)
-    return Courses(wells, opens, resets, machine.values[nodes[every]], tuple(flips)), nodes
+    return Courses(wells, opens, resets, machine.values[nodes[all_pixels]], tuple(flips)), nodes
 
 
 def _next_start(machine: Machine, ended: Nodes) -> Nodes:
     """Where the next frame starts: what is kept as it was, everything else at its START."""
-    kept = np.array([state.is_kept for state in machine.states], np.bool_)
+    is_kept = np.array([state.is_kept for state in machine.states], np.bool_)
     starts = np.array([state.start for state in machine.states], np.int64)
     first = slice(0, int(machine.first[1]))
     known = np.column_stack([machine.behaviour[first], machine.values[first]])
-    wanted = np.where(kept, machine.values[ended], starts)
-    wanted = np.column_stack([machine.behaviour[ended], wanted])
+    start_values = np.where(is_kept, machine.values[ended], starts)
+    start_values = np.column_stack([machine.behaviour[ended], start_values])
     place = {tuple(row): number for number, row in enumerate(known.tolist())}
-    return np.array([place[tuple(row)] for row in wanted.tolist()], np.int64)
+    return np.array([place[tuple(row)] for row in start_values.tolist()], np.int64)

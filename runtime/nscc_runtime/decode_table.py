@@ -59,20 +59,24 @@ def decode_arrays(
     """
     if container.pixel_codes is None or container.machine is not None:
         return {}
-    kept = everything() if plan is None else _kept(plan)
+    kept_effects = everything() if plan is None else _kept_selection(plan)
     try:
         shutters = open_shutters(container)
-        response = shutter_response(container, sensor, kept)
+        response = shutter_response(container, sensor, kept_effects)
     except Rejected:
         return {}
     lanes = container.table.shutter_of_code[container.pixel_codes]
     used, row = np.unique(lanes, return_inverse=True)
     small = next(t for t in (np.uint8, np.uint16, np.uint32) if len(used) - 1 <= np.iinfo(t).max)
     gain = response.gain(shutters @ container.slot_s)
-    variance_e2 = response.variance_e2 + converter_e2(sensor, kept) + _planned_e2(kept, plan)
+    variance_e2 = (
+        response.variance_e2 + converter_e2(sensor, kept_effects) + _planned_e2(kept_effects, plan)
+    )
     # Beyond float32 a variance is infinite: such a code says nothing about the light.
     with np.errstate(over="ignore"):
-        tables = [part[used].astype(np.float32) for part in (gain, response.bias_e, variance_e2)]
+        tables = [
+            values[used].astype(np.float32) for values in (gain, response.bias_e, variance_e2)
+        ]
     return {
         "decode_row": row.reshape(lanes.shape).astype(small),
         "decode_shutter": np.packbits(shutters[used], axis=-1, bitorder="little"),
@@ -83,17 +87,17 @@ def decode_arrays(
     }
 
 
-def _kept(plan: Mapping[str, Any]) -> Selection:
+def _kept_selection(plan: Mapping[str, Any]) -> Selection:
     """The effects that a plan kept."""
     names = frozenset(row["name"] for row in plan["effects"] if row["decision"] == "kept")
     return Selection(names & everything().on, frozenset())
 
 
-def _planned_e2(kept: Selection, plan: Mapping[str, Any] | None) -> float:
+def _planned_e2(kept_effects: Selection, plan: Mapping[str, Any] | None) -> float:
     """The variance of effects of which only the plan says how large they are."""
-    known = set().union(*(kept.names(kind) for kind in _KNOWN))
-    others = [] if plan is None else plan["effects"]
+    known = set().union(*(kept_effects.names(kind) for kind in _KNOWN))
+    plan_effects = [] if plan is None else plan["effects"]
     return sum(
-        (row["predicted_rms_e"] or 0.0) ** 2 for row in others
+        (row["predicted_rms_e"] or 0.0) ** 2 for row in plan_effects
         if row["decision"] == "kept" and row["name"] not in known and row["kind"] != "after"
     )  # fmt: skip

@@ -42,7 +42,7 @@ from nscc_runtime.pieces import simulate_scene
 from nscc_runtime.planless import planless
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
-from nscc_runtime.planning.tolerance import Given, Tolerance
+from nscc_runtime.planning.tolerance import Tolerance, ToleranceInput
 from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.load import FramesAre
@@ -124,8 +124,8 @@ def capture(
     """
     call = "nscc_runtime.capture"
     container = container_of(call, program)
-    said: list[Diagnostic] = []
-    scene = laid_of(call, light, container, said.append)
+    diagnostics: list[Diagnostic] = []
+    scene = laid_of(call, light, container, diagnostics.append)
     one_of(call, "fidelity", fidelity, get_args(Fidelity))
     require_whole_number(call, "seed", seed)
     require_whole_number(call, "device_seed", device_seed)
@@ -145,12 +145,12 @@ def capture(
         repeat=repeat, threads=threads, torch_device=torch_device, turn=turn,
     )  # fmt: skip
     chip = sensor_of(call, sensor, converter_of(container))
-    exposed = simulate_scene(container, scene, chip, request, Listener(warn=said.append))
-    warn(said)
+    exposed = simulate_scene(container, scene, chip, request, Listener(warn=diagnostics.append))
+    warn(diagnostics)
     if exposed.simulated.plan_file is not None and isinstance(file, Path):
         write_whole(file, exposed.simulated.plan_file.encode())
     frame = exposed.simulated.frame
-    arrays = {each.name: getattr(frame, each.name) for each in fields(Frame)}
+    arrays = {array_field.name: getattr(frame, array_field.name) for array_field in fields(Frame)}
     return Capture(**arrays, exposed=exposed)
 
 
@@ -208,8 +208,8 @@ def captures(
             plans.passed(number)
 
     with ThreadPoolExecutor(threads or processors(), thread_name_prefix=THREADS) as pool:
-        each = islice(cycle(many_programs), count), cycle(many_lights)
-        return [*pool.map(run, range(count), *each)]
+        arguments = islice(cycle(many_programs), count), cycle(many_lights)
+        return [*pool.map(run, range(count), *arguments)]
 
 
 def plan(
@@ -218,8 +218,8 @@ def plan(
     *,
     sensor: SensorLike = None,
     effects: str | Selection = "auto",
-    tolerance: Given = Request.tolerance,
-    tolerance_max: Given | None = None,
+    tolerance: ToleranceInput = Request.tolerance,
+    tolerance_max: ToleranceInput | None = None,
     device_seed: int = Request.device_seed,
 ) -> Plan:
     """Choose the effects that a capture has to simulate for a tolerance. Nothing is exposed.
@@ -256,19 +256,19 @@ def plan(
 
     call = "nscc_runtime.plan"
     container = container_of(call, program)
-    said: list[Diagnostic] = []
-    scene = laid_of(call, light, container, said.append)[0].light
+    diagnostics: list[Diagnostic] = []
+    scene = laid_of(call, light, container, diagnostics.append)[0].light
     chip = sensor_of(call, sensor, converter_of(container))
     require_whole_number(call, "device_seed", device_seed)
     allowed, most = (
-        _tolerance(call, name, each)
-        for name, each in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
+        _tolerance(call, name, value)
+        for name, value in (("tolerance", tolerance), ("tolerance_max", tolerance_max))
     )
     request = Request.of(effects=_effects(call, effects), tolerance=allowed, tolerance_max=most)
     check(container, scene)
     if container.target.streamed:
         raise planless(call)
-    warn(said)
+    warn(diagnostics)
     planned = planning_of(container, chip, scene, device_seed)
     return make_plan(
         planned,
@@ -299,9 +299,9 @@ def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
     Rejected
         As `capture`.
     """
-    found = capture(program, light, audit=True, **options).audit
-    assert found is not None  # it was asked for
-    return found
+    report = capture(program, light, audit=True, **options).audit
+    assert report is not None  # it was asked for
+    return report
 
 
 def scene(
@@ -404,14 +404,14 @@ def _text(call: str, name: str, value: object, count: int) -> str | None:
     """Text as the command line takes it, of a number or of several."""
     if value is None or isinstance(value, str):
         return value
-    given = value if isinstance(value, tuple | list) else [value]
-    if len(given) != count:
-        wanted = "a number" if count == 1 else f"{count} numbers"
-        raise wrong_argument(f"{call}: {name} is text or {wanted}, not {shown(value)}")
-    return ",".join(f"{number(call, name, each):.17g}" for each in given)
+    items = value if isinstance(value, tuple | list) else [value]
+    if len(items) != count:
+        expected = "a number" if count == 1 else f"{count} numbers"
+        raise wrong_argument(f"{call}: {name} is text or {expected}, not {shown(value)}")
+    return ",".join(f"{number(call, name, item):.17g}" for item in items)
 
 
-def _tolerance(call: str, name: str, tolerance: object) -> Given | None:
+def _tolerance(call: str, name: str, tolerance: object) -> ToleranceInput | None:
     if tolerance is None or isinstance(tolerance, str | Tolerance):
         return tolerance
     return number(call, name, tolerance)

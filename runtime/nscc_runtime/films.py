@@ -27,23 +27,23 @@ def gathered(frames: Iterable[Frame], count: int) -> Frame:
     """
     rooms: dict[str, NDArray[Any]] = {}
     for number, frame in enumerate(frames):
-        parts = dict(_parts(frame))
+        arrays = dict(_named_arrays(frame))
         if not rooms:
-            mapped = count * sum(values.nbytes for values in parts.values()) > MOST_BYTES
+            mapped = count * sum(values.nbytes for values in arrays.values()) > MOST_BYTES
             rooms = {
                 name: _room((count, *values.shape), values.dtype, mapped)
-                for name, values in parts.items()
+                for name, values in arrays.items()
             }
-        for name, values in parts.items():
+        for name, values in arrays.items():
             rooms[name][number] = values
-    whole = {name: rooms.pop(name) for name in _ARRAYS}
-    return Frame(**whole, told=rooms)
+    frame_arrays = {name: rooms.pop(name) for name in _ARRAYS}
+    return Frame(**frame_arrays, told=rooms)
 
 
 _ARRAYS = ("frame", "exposure_e", "valid", "saturated_by")
 
 
-def _parts(frame: Frame) -> Iterator[tuple[str, NDArray[Any]]]:
+def _named_arrays(frame: Frame) -> Iterator[tuple[str, NDArray[Any]]]:
     yield from ((name, getattr(frame, name)) for name in _ARRAYS)
     yield from frame.told.items()
 

@@ -259,13 +259,13 @@ def unplanned(
 def _decision(effect: Effect, chosen: Selection, moving: bool) -> str:
     if effect not in chosen:
         return "dropped"
-    return "kept" if moving or not effect.parts(Moving) else "absent"
+    return "kept" if moving or not effect.parts_of_kind(Moving) else "absent"
 
 
 def _reason(effect: Effect, chosen: Selection, moving: bool) -> str:
     if effect.always:
         return "always applied"
-    if effect in chosen and not moving and effect.parts(Moving):
+    if effect in chosen and not moving and effect.parts_of_kind(Moving):
         return effect.absent
     if effect.name in chosen.forced:
         return "named in --effects"

@@ -46,10 +46,10 @@ def marked_by_codes(
 
     Raises Rejected for words that open no shutters (NS0442).
     """
-    found = np.zeros(frame.shape, np.uint8)
+    marked = np.zeros(frame.shape, np.uint8)
     for bit, codes in full_codes(container, sensor).items():
-        found |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
-    return found
+        marked |= np.where(frame >= codes, np.uint8(bit), np.uint8(0))
+    return marked
 
 
 @lru_cache(maxsize=2)
@@ -59,12 +59,14 @@ def full_codes(container: Container, sensor: Sensor) -> Mapping[int, Values]:
     """
     program = analysed(container, sensor)
     used, places = np.unique(program.lanes, return_inverse=True)
-    parts = np.array_split(used, -(-len(used) // _MOST_LANES))
-    told = [_codes_of(program, part) for part in parts]
+    lane_batches = np.array_split(used, -(-len(used) // _MOST_LANES))
+    codes_by_batch = [_codes_of(program, lanes) for lanes in lane_batches]
     shape = program.reference.groups.lane.shape
     return {
-        bit: np.concatenate([each[bit] for each in told], axis=1)[:, places].reshape(-1, *shape)
-        for bit in told[0]
+        bit: np.concatenate([lane_codes[bit] for lane_codes in codes_by_batch], axis=1)[
+            :, places
+        ].reshape(-1, *shape)
+        for bit in codes_by_batch[0]
     }
 
 
@@ -74,7 +76,7 @@ def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]
     noise_e = _SIGMAS * _noise_e(program)[lanes].T
     sensor, effects = program.sensor, everything()
     begin = (marked != 0).argmax(axis=1)
-    found = {}
+    codes_by_bit = {}
     for at in ("well", "registers"):
         mark = effects.marking(at)
         if mark is None:
@@ -85,8 +87,8 @@ def _codes_of(program: Program, lanes: NDArray[np.integer]) -> dict[int, Values]
         level = np.minimum(first, len(_LEVELS) - 1)[:, None]
         least = np.take_along_axis(exposure, level, axis=1)[:, 0] - noise_e
         least = np.where(first < begin + _ALIKE, least, np.inf)
-        found[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
-    return found
+        codes_by_bit[mark.bit] = np.floor(least / sensor.electrons_per_lsb + sensor.adc_offset_lsb)
+    return codes_by_bit
 
 
 def _noise_e(program: Program) -> Values:
@@ -99,26 +101,26 @@ def _noise_e(program: Program) -> Values:
 def _steady(program: Program, lanes: NDArray[np.integer]) -> tuple[Values, NDArray[np.uint8]]:
     """The exposures (buckets, levels, lanes) of steady light in the mean, and their marks."""
     container, sensor, effects = program.container, program.sensor, everything()
-    seen_s = program.slot_s @ program.tables.seen()[:, lanes]
+    seen_s = program.slot_s @ program.tables.seen_slots()[:, lanes]
     never = seen_s <= 0
-    scale = effects.the(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
+    scale = effects.require_part(Well).full_e(sensor) / np.where(never, 1.0, seen_s)
     rate = (_LEVELS[:, None] * np.where(never, 0.0, scale)).reshape(-1)
-    pixels = _Pixels(program, rate, np.tile(lanes, len(_LEVELS)))
+    pixels = _SteadyPixels(program, rate, np.tile(lanes, len(_LEVELS)))
     for word in program.tables.decayed:
         pixels.run(word)
     shape = len(container.buckets), len(_LEVELS), len(lanes)
     exposure, marked = np.empty((shape[0], rate.size)), np.empty((shape[0], rate.size), np.uint8)
-    tau_s = effects.the(Leak).tau_s(sensor)
+    tau_s = effects.require_part(Leak).tau_s(sensor)
     for order, readout in enumerate(container.readouts):
         bucket = container.buckets.index(readout.bucket)
         waited_s = order * container.target.readout_us * 1e-6
-        kept = readout.gain * np.exp(-(pixels.since_s() + waited_s) / tau_s)
-        exposure[bucket] = pixels.register[readout.register] * kept
+        factor = readout.gain * np.exp(-(pixels.since_s() + waited_s) / tau_s)
+        exposure[bucket] = pixels.register[readout.register] * factor
         marked[bucket] = pixels.marks.read_out(readout.register, readout.gain)
     return exposure.reshape(shape), marked.reshape(shape)
 
 
-class _Pixels:
+class _SteadyPixels:
     """Pixels in steady light, electrons a second `rate`, while words run; arrays are (pixels,)."""
 
     def __init__(self, program: Program, rate: Values, lanes: NDArray[np.integer]) -> None:
@@ -137,22 +139,22 @@ class _Pixels:
 
     def run(self, word: AnalogWord) -> None:
         """The light up to a word's end, and the word."""
-        slow = self.effects.part(SlowWords) is not None
+        slow = self.effects.find_part(SlowWords) is not None
         ends_s = float(self.start_s[word.boundary]) + slow * word.after_us * 1e-6
         passed_s = max(0.0, ends_s - self.now_s)
         self.now_s += passed_s
-        charge, full_e = self.charge + self.rate * passed_s, self.effects.the(Well).full_e
+        charge, full_e = self.charge + self.rate * passed_s, self.effects.require_part(Well).full_e
         self.charge = np.minimum(charge, full_e(self.sensor))
         self.marks.fill(self.charge < charge)
-        kept = np.exp(-passed_s / self.effects.the(Leak).tau_s(self.sensor))
-        self.register = {name: value * kept for name, value in self.register.items()}
-        here = word.lanes[self.lanes]
+        remaining = np.exp(-passed_s / self.effects.require_part(Leak).tau_s(self.sensor))
+        self.register = {name: value * remaining for name, value in self.register.items()}
+        acting = word.lanes[self.lanes]
         if word.resets:
-            self.charge = np.where(here, 0.0, self.charge)
-            self.marks.empty(here)
+            self.charge = np.where(acting, 0.0, self.charge)
+            self.marks.empty(acting)
             return
         total = sum(self.charge if n == "PIX" else self.register[n] for n in word.op.sources)
-        gain, soft = self.effects.the(WordGain), self.effects.the(Soft)
+        gain, soft = self.effects.require_part(WordGain), self.effects.require_part(Soft)
         exact = -gain.gain(self.sensor) * total / word.op.operation.divisor
         nowhere = np.zeros(len(self.lanes), np.bool_)
         full, lost_e = self.marks.gathered(word.op, nowhere, nowhere)
@@ -161,5 +163,5 @@ class _Pixels:
             value = exact + sign * gain.mean_e(self.sensor)
             over_e = soft.lost_e(self.sensor, np.abs(value))
             value = value - np.copysign(over_e, value)
-            self.register[name] = np.where(here, value, self.register[name])
-            self.marks.write(name, here, full, lost_e + over_e)
+            self.register[name] = np.where(acting, value, self.register[name])
+            self.marks.write(name, acting, full, lost_e + over_e)

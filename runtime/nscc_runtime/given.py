@@ -40,9 +40,9 @@ SensorLike = Sensor | Mapping[str, float] | str | os.PathLike[str] | None
 
 def container_of(call: str, program: object) -> Container:
     """The words of a program; WrongArgument for anything else."""
-    found = _container(program)
-    if found is not None:
-        return found
+    container = _container(program)
+    if container is not None:
+        return container
     if isinstance(program, str | os.PathLike):
         path = os.fspath(program)
         load = "load" if str(path).lower().endswith(".icw") else "compile"
@@ -80,10 +80,10 @@ def laid_of(
             helps=(f"the order is {call}(program, light)",),
         )
     values = _array(call, light)
-    found = light_of_array(
+    placed_light = light_of_array(
         values, slot_us=slot_us, rows=target.rows, cols=target.cols, name="the array"
     )
-    return (PlacedLight(found, Placement("crop", array, array, array)),)
+    return (PlacedLight(placed_light, Placement("crop", array, array, array)),)
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
@@ -105,7 +105,7 @@ def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
 
 def changes_of(call: str, values: Mapping[str, float]) -> list[str]:
     """Numbers of a sensor by name, as `--sensor-set` takes them; WrongArgument for others."""
-    return [f"{name} = {number(call, str(name), each)!r}" for name, each in values.items()]
+    return [f"{name} = {number(call, str(name), value)!r}" for name, value in values.items()]
 
 
 def number(call: str, name: str, value: object) -> float:
@@ -116,8 +116,8 @@ def number(call: str, name: str, value: object) -> float:
 
 
 def _container(value: object) -> Container | None:
-    found = value if isinstance(value, Container) else getattr(value, "container", None)
-    return found if isinstance(found, Container) else None
+    container = value if isinstance(value, Container) else getattr(value, "container", None)
+    return container if isinstance(container, Container) else None
 
 
 def _array(call: str, light: object) -> NDArray[Any]:

@@ -21,12 +21,12 @@ def _loops() -> Finding:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
     from nscc_runtime.emulator.loops import expose_block
 
-    kept = expose_block.is_compiled()
+    was_compiled = expose_block.is_compiled()
     try:
         expose_block.load()
     except (ImportError, OSError, RuntimeError, AttributeError) as error:
         return Finding(WRONG, f"the emulator's loops do not compile: {error}")
-    if not kept and not expose_block.is_kept():
+    if not was_compiled and not expose_block.is_kept():
         text = expose_block.compiling("the emulator's loops")
         return Finding(ABSENT, f"the emulator's loops are not kept: {text}")
     return Finding(GOOD, "the emulator's loops are compiled for this processor")
@@ -47,7 +47,7 @@ def described(text: str) -> str:
 
 
 def _compiler() -> Finding:
-    found = compiler()
-    if found is None:
+    compiler_path = compiler()
+    if compiler_path is None:
         return Finding(ABSENT, "C++ compiler: `nscc device serve` compiles the firmware with it")
-    return Finding(GOOD, f"C++ compiler: {found} (nscc device serve runs the firmware)")
+    return Finding(GOOD, f"C++ compiler: {compiler_path} (nscc device serve runs the firmware)")

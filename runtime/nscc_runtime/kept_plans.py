@@ -73,30 +73,32 @@ class Statistics:
         return cls(light, _sizes(light.sum_e, open_part), _course(light))
 
     def resembles(
-        self, other: Statistics, *, saturating: bool = True, least: float = _LESS
+        self, other_statistics: Statistics, *, saturating: bool = True, least: float = _LESS
     ) -> bool:
-        """Whether the other scene's light is of this kind and no stronger: no more saturates unless
-        pixels that may are simulated (`saturating`), and of its mean `least` is left.
+        """Whether the other scene's light is of this kind and no stronger.
+
+        It may saturate more pixels only with `saturating`, that is, if saturation is simulated. Its
+        mean is at least `least` times that of this scene.
         """
-        mine, others = self.sizes.tolist(), other.sizes.tolist()
-        pairs = [*zip(mine, others, strict=True)]
+        own_sizes, other_sizes = self.sizes.tolist(), other_statistics.sizes.tolist()
+        pairs = [*zip(own_sizes, other_sizes, strict=True)]
         return (
-            all(size < _WITHOUT_END for size in (*mine, *others))
-            and all(its >= least * own for own, its in pairs[:EIGHTH])
+            all(size < _WITHOUT_END for size in (*own_sizes, *other_sizes))
+            and all(other_size >= least * own_size for own_size, other_size in pairs[:EIGHTH])
             and all(
                 # Of what saturates a little more light may lose much more.
-                its <= own * (_MORE if saturating or kind not in _STEEP else 1.0)
-                for kind, (own, its) in enumerate(pairs)
+                other_size <= own_size * (_MORE if saturating or kind not in _STEEP else 1.0)
+                for kind, (own_size, other_size) in enumerate(pairs)
             )
-            and _alike(self.light, other.light)
-            and bool(np.abs(other.course - self.course).max(initial=0.0) <= _SHIFTED)
+            and _alike(self.light, other_statistics.light)
+            and bool(np.abs(other_statistics.course - self.course).max(initial=0.0) <= _SHIFTED)
         )
 
-    def covers(self, other: Statistics, plan: Plan) -> bool:
+    def covers(self, other_statistics: Statistics, plan: Plan) -> bool:
         """Whether a plan that was made for this scene will do for another one."""
         follows = plan.allowed is None or plan.allowed.follows
         least = _LESS_OF_PART if follows else _LESS
-        return self.resembles(other, saturating=not plan.drops_saturation, least=least)
+        return self.resembles(other_statistics, saturating=not plan.drops_saturation, least=least)
 
 
 def _course(light: Light) -> Values:
@@ -114,41 +116,43 @@ def _sizes(total: Values, open_part: NDArray[np.float32]) -> Values:
     """See `Statistics.sizes`."""
     (rows, cols), columns = total.shape, np.empty((KINDS, total.shape[1]))
     sizes_of(
-        pixels=Pixels(rows=rows, cols=cols), total=total, part=open_part,
-        lit=np.empty(ROWS * cols), found=columns,
+        pixels=Pixels(rows=rows, cols=cols), total=total, open_fraction=open_part,
+        lit=np.empty(ROWS * cols), column_sums=columns,
     )  # fmt: skip
-    found: Values = columns.sum(axis=1)
+    sizes: Values = columns.sum(axis=1)
     for first in (0, OPEN):
-        found[first : first + LARGEST] /= rows * cols
-        found[first + SQUARE] **= 0.5
-        found[first + EIGHTH] **= 0.125
-        found[first + LARGEST] = columns[first + LARGEST].max()
-    found[STEPS] = (found[STEPS] / max(rows * (cols - 1) + cols * (rows - 1), 1)) ** 0.5
-    return found
+        sizes[first : first + LARGEST] /= rows * cols
+        sizes[first + SQUARE] **= 0.5
+        sizes[first + EIGHTH] **= 0.125
+        sizes[first + LARGEST] = columns[first + LARGEST].max()
+    sizes[STEPS] = (sizes[STEPS] / max(rows * (cols - 1) + cols * (rows - 1), 1)) ** 0.5
+    return sizes
 
 
-def _alike(one: Light, other: Light) -> bool:
+def _alike(light: Light, other_light: Light) -> bool:
     """Whether frames of these lights fall in the same slots."""
-    if one.shape != other.shape or (one.motion is None) != (other.motion is None):
+    if light.shape != other_light.shape or (light.motion is None) != (other_light.motion is None):
         return False
-    return one.timing == other.timing and (
-        one.motion is None or other.motion is None or _alike(one.motion, other.motion)
+    return light.timing == other_light.timing and (
+        light.motion is None
+        or other_light.motion is None
+        or _alike(light.motion, other_light.motion)
     )
 
 
 @dataclass(frozen=True, eq=False)
-class _Kept:
+class _KeptPlan:
     """A plan, or one that is being made, with what its scene is like; `scenes`: how many of that
     kind there were so far."""
 
     statistics: Statistics
-    made: Future[Plan]
+    future: Future[Plan]
     scenes: int
 
     @cached_property
     def again(self) -> Plan:
         """The plan as that of another scene."""
-        return replace(self.made.result(), reused=True)
+        return replace(self.future.result(), reused=True)
 
 
 class KeptPlans:
@@ -160,7 +164,7 @@ class KeptPlans:
     """
 
     def __init__(self) -> None:
-        self._last: dict[Hashable, _Kept] = {}
+        self._last: dict[Hashable, _KeptPlan] = {}
         self._expected: set[int] = set()
         self._changed = Condition()
 
@@ -179,33 +183,35 @@ class KeptPlans:
     def plan(
         self,
         turn: Turn,
-        asked: Hashable,
+        request: Hashable,
         statistics: Statistics,
         make: Callable[[int], Plan],
         serves: Callable[[Plan], bool],
     ) -> Plan:
-        """The plan of a scene: that of the last one that was planned for what is `asked`, if it
-        covers this one and `serves` it, else what `make` gives for so many frames as are expected
-        of this kind. These are at first as many as the turn says, and later as many as there were
-        of the last kind: where no two scenes are alike, measuring does not pay.
+        """Return the plan of a scene: the last plan for the same `request` if it covers this scene
+        and `serves` it, else the result of `make(frames)`.
+
+        `frames` is the expected number of frames with light of this kind: `turn.frames` at first,
+        later the number of scenes of the last kind. If no two scenes are alike, measuring does not
+        pay.
         """
         with self._changed:
             self._changed.wait_for(lambda: turn.number <= min(self._expected, default=turn.number))
         mine: Future[Plan] = Future()
         try:
-            last, scenes, frames = self._last.get(asked), 1, turn.frames
+            last, scenes, frames = self._last.get(request), 1, turn.frames
             if last is not None:
                 frames = min(turn.frames, last.scenes)
             # Most scenes that differ are told apart before the last plan is there.
             alike = last is not None and last.statistics.resembles(statistics)
-            if last is not None and alike and last.made.exception() is None:
+            if last is not None and alike and last.future.exception() is None:
                 scenes, earlier = last.scenes + 1, last.again
                 frames = min(turn.frames, scenes)
                 covers = earlier.measured and last.statistics.covers(statistics, earlier)
                 if covers and serves(earlier):
-                    self._last[asked] = replace(last, scenes=scenes)
+                    self._last[request] = replace(last, scenes=scenes)
                     return earlier
-            self._last[asked] = _Kept(statistics, mine, scenes)
+            self._last[request] = _KeptPlan(statistics, mine, scenes)
         finally:
             self.passed(turn.number)
         try:

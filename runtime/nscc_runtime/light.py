@@ -119,7 +119,7 @@ class Light:
     def timing(self) -> Hashable:
         """A key that is equal for two lights whose frames fall into the same slots."""
         arrays = self.row_start, self.frame_index, self.weight
-        return len(self.frames), *(each.tobytes() for each in arrays)
+        return len(self.frames), *(array.tobytes() for array in arrays)
 
     def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
         """Return the electrons of one slot.
@@ -195,11 +195,11 @@ class Light:
         """
         rows, index, weight = [0], [], []
         for begin, end in pairwise([*starts, self.slots]):
-            part = slice(int(self.row_start[begin]), int(self.row_start[end]))
-            found, place = np.unique(self.frame_index[part], return_inverse=True)
-            index.append(found)
-            weight.append(np.bincount(place, self.weight[part], len(found)))
-            rows.append(rows[-1] + len(found))
+            entries = slice(int(self.row_start[begin]), int(self.row_start[end]))
+            frame_numbers, place = np.unique(self.frame_index[entries], return_inverse=True)
+            index.append(frame_numbers)
+            weight.append(np.bincount(place, self.weight[entries], len(frame_numbers)))
+            rows.append(rows[-1] + len(frame_numbers))
         return replace(
             self,
             row_start=np.array(rows, np.int64),
@@ -234,8 +234,8 @@ class Light:
         """
         slots: dict[tuple[bytes, bytes], list[int]] = {}
         for n in range(self.slots):
-            part = slice(int(self.row_start[n]), int(self.row_start[n + 1]))
-            key = (self.frame_index[part].tobytes(), self.weight[part].tobytes())
+            entries = slice(int(self.row_start[n]), int(self.row_start[n + 1]))
+            key = (self.frame_index[entries].tobytes(), self.weight[entries].tobytes())
             slots.setdefault(key, []).append(n)
         total = np.zeros(self.shape, np.float64)
         for alike in slots.values():
@@ -267,7 +267,8 @@ class Light:
                 count=count, pixels=total.size, even=bool((weight == weight[0]).all()), most=_MOST_E
             ),
             frames=np.require(self.frames, np.float32, ["C", "A"]).reshape(count, -1),
-            weight=weight, part=np.empty(BLOCK, np.float32), out=total.reshape(-1), capped=capped,
+            weight=weight, total_32=np.empty(BLOCK, np.float32), out=total.reshape(-1),
+            capped=capped,
         )  # fmt: skip
         return total, bool(capped[0])
 
@@ -315,8 +316,8 @@ class Light:
     @cached_property
     def even(self) -> bool:
         """Whether all slots have the same light of one frame."""
-        one = len(self.frames) == 1 and self.one_each
-        return one and bool(np.all(self.weight == self.weight[0]))
+        one_frame = len(self.frames) == 1 and self.one_each
+        return one_frame and bool(np.all(self.weight == self.weight[0]))
 
     @cached_property
     def _transposed(self) -> Any:

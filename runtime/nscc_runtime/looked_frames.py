@@ -1,6 +1,6 @@
-"""Frames of programs that look, one after the other: kept states go on from each to the next.
+"""Consecutive frames of programs that look: kept states go on from each frame to the next.
 
-They are exposed by their ways, or by the reference where these lack an effect.
+The compiled loop over paths exposes them, or the reference if the loop lacks an effect.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import told_by
-from nscc_runtime.looking.ways import Ways
+from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.pool import threads_of
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.reference.capture import scene_of
@@ -28,18 +28,25 @@ from nscc_runtime.reference.looks import LookingReference
 
 Planes = Mapping[str, NDArray[np.bool_]]
 
-ways_of = OfContainer(Ways)
-"""The ways of a program on a sensor."""
+looking_program_of = OfContainer(LookingProgram)
+"""A program whose pixels look, on a sensor, by (container, sensor)."""
 
 
-def next_planes(container: Container, loaded: Planes, left: Planes) -> dict[str, NDArray[np.bool_]]:
-    """The registers with which a frame starts after one that has `left` these planes: kept states
-    go on, the codes that were `loaded` stay."""
+def next_planes(
+    container: Container, loaded: Planes, final_planes: Planes
+) -> dict[str, NDArray[np.bool_]]:
+    """Return the registers at the start of the next frame: kept states from the `final_planes` of
+    this one, everything else as `loaded`."""
     machine = container.machine
     assert machine is not None
     names = (state.name for state in machine.states if state.is_kept)
-    kept = {register for name in names for register in container.state_planes[name].registers}
-    return {**loaded, **{name: plane for name, plane in left.items() if name in kept}}
+    kept_registers = {
+        register for name in names for register in container.state_planes[name].registers
+    }
+    return {
+        **loaded,
+        **{name: plane for name, plane in final_planes.items() if name in kept_registers},
+    }
 
 
 Exposing = Callable[[Scene, Planes, tuple[int, int], int, range | None], Executed]
@@ -67,12 +74,16 @@ def told_frame(
     return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
-def exposer(ways: Ways, effects: Selection, threads: int = 1, by_words: bool = False) -> Exposing:
-    """What exposes (scene, loaded, seeds, frame, rows) with these effects: the ways, or the
-    reference where they lack an effect or `by_words` asks for it."""
-    if by_words or ways.lacks(effects):
-        return LookingReference(ways.container, ways.sensor, effects, threads).expose
-    return lambda scene, loaded, seeds, frame, rows: ways.expose(
+def exposer(
+    looking_program: LookingProgram, effects: Selection, threads: int = 1, by_words: bool = False
+) -> Exposing:
+    """Return a function that exposes (scene, loaded, seeds, frame, rows) with these effects: the
+    compiled loop, or the reference if the loop lacks an effect or with `by_words`."""
+    if by_words or looking_program.lacks(effects):
+        return LookingReference(
+            looking_program.container, looking_program.sensor, effects, threads
+        ).expose
+    return lambda scene, loaded, seeds, frame, rows: looking_program.expose(
         scene, loaded, effects, seeds, frame, rows, threads
     )
 
@@ -88,5 +99,5 @@ def frames(
     check(container, light)
     check_adc(container.target)
     scene, threads = scene_of(container, light), threads_of(threads)
-    expose = exposer(ways_of(container, sensor), effects, threads, by_words)
+    expose = exposer(looking_program_of(container, sensor), effects, threads, by_words)
     return film(expose, container, scene, sensor, effects, (seed, device_seed), count)

@@ -45,27 +45,27 @@ def told_by(
     machine = container.machine
     assert machine is not None
     assert container.pixel_codes is not None
-    found = {
+    state_values = {
         state.name: container.state_planes[state.name].read(planes, frame.frame.shape[1:])
         for state in machine.states
         if state.read
     }
     behaviour = container.table.shutter_of_code[container.pixel_codes]
-    slots, open_us = open_times(machine, behaviour, found)
-    told: list[NDArray[np.integer]] = [behaviour, *found.values()]
-    states = {f"states_{name}": each for name, each in found.items()}
-    light = light_of(frame, told, open_us, container, sensor, effects)
+    slots, open_us = open_times(machine, behaviour, state_values)
+    outcomes: list[NDArray[np.integer]] = [behaviour, *state_values.values()]
+    states = {f"states_{name}": values for name, values in state_values.items()}
+    light = light_of(frame, outcomes, open_us, container, sensor, effects)
     return {**states, OPEN: slots, **light}
 
 
-def open_us_of(container: Container, told: Mapping[str, NDArray[Any]]) -> Values:
+def open_us_of(container: Container, told_arrays: Mapping[str, NDArray[Any]]) -> Values:
     """How long each bucket of a pixel was open, in microseconds (buckets, rows, cols), from what
     `told_by` says of a frame; -1 where the states are those of no pixel."""
     assert container.machine is not None
     assert container.pixel_codes is not None
     behaviour = container.table.shutter_of_code[container.pixel_codes]
     prefix = "states_"
-    states = {k.removeprefix(prefix): v for k, v in told.items() if k.startswith(prefix)}
+    states = {k.removeprefix(prefix): v for k, v in told_arrays.items() if k.startswith(prefix)}
     return open_times(container.machine, behaviour, states)[1]
 
 
@@ -79,15 +79,15 @@ def open_times(
     ends = np.column_stack([machine.behaviour[last], machine.values[last][:, read]])
     pixels: list[NDArray[np.integer]] = [behaviour]
     pixels += [states[machine.states[k].name] for k in read]
-    row, there = row_of(ends, pixels)
-    slots = np.where(there[..., None], machine.open_slots[last][row], -1)
-    us = np.where(there[..., None], machine.open_us[last][row], -1.0)
+    row, is_known = row_of(ends, pixels)
+    slots = np.where(is_known[..., None], machine.open_slots[last][row], -1)
+    us = np.where(is_known[..., None], machine.open_us[last][row], -1.0)
     return np.moveaxis(slots.astype(np.int64), -1, 0), np.moveaxis(us, -1, 0)
 
 
 def light_of(
     frame: Frame,
-    told: Sequence[NDArray[np.integer]],
+    outcomes: Sequence[NDArray[np.integer]],
     open_us: Values,
     container: Container,
     sensor: Sensor,
@@ -95,9 +95,9 @@ def light_of(
 ) -> dict[str, Values]:
     """The light and its standard deviation, by key, each (buckets, rows, cols).
 
-    `frame` is one frame, `told` (rows, cols) what each pixel tells of its end, its behaviour and
-    the states that are read, `open_us` (buckets, rows, cols)
-    is -1 where no pixel ends so. `effects` are those of the chip: all, or what an emulator had on.
+    `frame` is one frame. `outcomes` (rows, cols): the behaviour of each pixel and the states that
+    are read. `open_us` (buckets, rows, cols): -1 if no pixel can end in these states. `effects`:
+    those of the chip (all), or those that the emulator simulated.
     Of a pixel that never opened, or whose time is unknown, both are NaN; the deviation is NaN, too,
     where the words that acted in a pixel are unknown.
     """
@@ -109,33 +109,34 @@ def light_of(
         deviation = np.where(frame.saturated, np.inf, np.nan)
         return {LIGHT: read_e / open_s, DEVIATION: np.where(np.isnan(open_s), np.nan, deviation)}
     ends, by_end = response
-    row, _ = row_of(ends.told, told)
+    row, _ = row_of(ends.outcomes, outcomes)
     seen_s, bias_e, variance_e2 = (
-        np.moveaxis(each[row], -1, 0) for each in (by_end.seen_s, by_end.bias_e, by_end.variance_e2)
+        np.moveaxis(values[row], -1, 0)
+        for values in (by_end.seen_s, by_end.bias_e, by_end.variance_e2)
     )
     light = np.full(open_s.shape, np.nan)
-    seen = ~np.isnan(open_s) & (seen_s > 0)
-    np.divide(_unbent(read_e, sensor, effects) - bias_e, seen_s, out=light, where=seen)
+    is_seen = ~np.isnan(open_s) & (seen_s > 0)
+    np.divide(_unbent(read_e, sensor, effects) - bias_e, seen_s, out=light, where=is_seen)
     electrons = np.maximum(light, 0.0) * open_s
     variance_e2 = (variance_e2 + converter_e2(sensor, effects)) * (open_s / seen_s) ** 2
-    if effects.part(CountedLight) is not None:
+    if effects.find_part(CountedLight) is not None:
         variance_e2 += electrons
     variance_e2 += (gain_spread(sensor, effects) * electrons) ** 2
     deviation = np.where(frame.saturated, np.inf, np.sqrt(variance_e2) / open_s)
-    deviation[~seen] = np.nan
+    deviation[~is_seen] = np.nan
     return {LIGHT: light, DEVIATION: deviation}
 
 
 def _unbent(read_e: Values, sensor: Sensor, effects: Selection) -> Values:
-    """What two registers were to hold, one after the other, that saturate softly."""
-    soft = effects.part(Soft)
+    """Undo the soft saturation of two registers in a row."""
+    soft = effects.find_part(Soft)
     if soft is None:
         return read_e
     meant = np.linspace(0.0, 2.0 * soft.linear_e(sensor), 4097)
-    held = meant
+    register_e = meant
     for _ in range(2):
-        held = held - soft.lost_e(sensor, held)
-    unbent = np.interp(read_e, held, meant)
+        register_e = register_e - soft.lost_e(sensor, register_e)
+    unbent = np.interp(read_e, register_e, meant)
     return np.where(read_e > soft.linear_e(sensor), unbent, read_e)
 
 

@@ -48,7 +48,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime import machine_code
-from nscc_runtime.loop_given import WRITTEN, Parameter, Together, parameter_of, told
+from nscc_runtime.loop_given import WRITTEN, ArrayGroup, Parameter, numba_kinds, parameter_of
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -96,17 +96,17 @@ def record(cls: type[_T]) -> type[_T]:
 
 def compiled(function: _F) -> _F:
     """A function that compiled loops may call."""
-    return cast(_F, _Part(cast(FunctionType, function), _jitted))
+    return cast(_F, _LoopFunction(cast(FunctionType, function), _jitted))
 
 
 def inlined(function: _F) -> _F:
     """The same, made part of each loop that calls it: LLVM makes vectors of no other calls."""
-    return cast(_F, _Part(cast(FunctionType, function), partial(_jitted, forceinline=True)))
+    return cast(_F, _LoopFunction(cast(FunctionType, function), partial(_jitted, forceinline=True)))
 
 
 def table(make: Callable[[], _T]) -> _T:
     """An array of constants that loops read by the global name it is given; made when compiled."""
-    return cast(_T, _Part(cast(FunctionType, make), lambda function: function()))
+    return cast(_T, _LoopFunction(cast(FunctionType, make), lambda function: function()))
 
 
 def loop(function: Callable[_P, None]) -> Loop[_P]:
@@ -142,12 +142,12 @@ class Loop(Generic[_P]):
     def is_kept(self) -> bool:
         """Whether a file holds the machine code, for other runs too."""
         file = object_file(self.module)
-        return machine_code.kept(file.name, file.folders) is not None
+        return machine_code.read_object_file(file.name, file.folders) is not None
 
-    def compiling(self, what: str) -> str:
-        """Return a line which says that `what` is compiled, and whether it is kept."""
+    def compiling(self, subject: str) -> str:
+        """Return a line which says that `subject` is compiled, and whether it is kept."""
         if machine_code.can_keep(object_file(self.module).folders):
-            return f"compiling {what} for this processor: once, some seconds"
+            return f"compiling {subject} for this processor: once, some seconds"
         return ("compiling loops: some seconds in every run, because no cache folder can be "
                 "written; XDG_CACHE_HOME names one")  # fmt: skip
 
@@ -156,17 +156,22 @@ class Loop(Generic[_P]):
         object_file(self.module).linked  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def parameters(self) -> dict[str, Parameter | Together]:
+    def parameters(self) -> dict[str, Parameter | ArrayGroup]:
         """What it is given, in order."""
         hints = get_type_hints(self.function, include_extras=True)
-        found = [parameter_of(name, hints[name]) for name in hints if name != "return"]
-        axes = {name for each in found for part in each.parts for name, _ in part.axes or ()}
-        return {each.name: each.sized(axes) for each in found}
+        parameters = [parameter_of(name, hints[name]) for name in hints if name != "return"]
+        axes = {
+            name
+            for parameter in parameters
+            for array in parameter.arrays
+            for name, _ in array.axes or ()
+        }
+        return {parameter.name: parameter.sized(axes) for parameter in parameters}
 
     @property
     def takes(self) -> int:
         """How many addresses its machine code takes."""
-        return sum(len(each.parts) for each in self.parameters.values())
+        return sum(len(parameter.arrays) for parameter in self.parameters.values())
 
     @cached_property
     def entry(self) -> Callable[..., None]:
@@ -177,16 +182,20 @@ class Loop(Generic[_P]):
 class Bound:
     """A loop that has been given some of its parameters; see `Loop.bound`."""
 
-    def __init__(self, whole: Loop[Any], values: dict[str, Any]) -> None:
-        self._loop = whole
+    def __init__(self, bound_loop: Loop[Any], values: dict[str, Any]) -> None:
+        self._loop = bound_loop
         self._values = values  # what is given lives as long as its address
         self._axes: dict[str, int] = {}
-        self._open = {name: each for name, each in whole.parameters.items() if name not in values}
-        if len(values) + len(self._open) != len(whole.parameters):
-            raise TypeError(f"{whole.name}: {_unlike(whole.parameters, values)}")
-        self._addresses: dict[str, Sequence[int]] = dict.fromkeys(whole.parameters, ())
+        self._open = {
+            name: parameter
+            for name, parameter in bound_loop.parameters.items()
+            if name not in values
+        }
+        if len(values) + len(self._open) != len(bound_loop.parameters):
+            raise TypeError(f"{bound_loop.name}: {_unlike(bound_loop.parameters, values)}")
+        self._addresses: dict[str, Sequence[int]] = dict.fromkeys(bound_loop.parameters, ())
         for name, value in values.items():
-            self._addresses[name] = whole.parameters[name].addresses(value, self._axes)
+            self._addresses[name] = bound_loop.parameters[name].addresses(value, self._axes)
 
     def __call__(self, **values: Any) -> None:
         """Run the loop with the rest of its parameters; see `Loop.__call__`."""
@@ -195,7 +204,13 @@ class Bound:
         addresses, axes = self._addresses.copy(), self._axes.copy()
         for name, parameter in self._open.items():
             addresses[name] = parameter.addresses(values[name], axes)
-        self._loop.entry(*[address for each in addresses.values() for address in each])
+        self._loop.entry(
+            *[
+                address
+                for parameter_addresses in addresses.values()
+                for address in parameter_addresses
+            ]
+        )
 
 
 @dataclass(frozen=True)
@@ -216,8 +231,11 @@ class ObjectFile:
             from nscc_runtime.loop_types import signature
 
             return machine_code.build(
-                (_for_numba(each.function), signature(map(told, each.parameters.values())))
-                for each in self.loops
+                (
+                    _for_numba(module_loop.function),
+                    signature(map(numba_kinds, module_loop.parameters.values())),
+                )
+                for module_loop in self.loops
             )
 
         return machine_code.object_code(self.name, self.folders, build)
@@ -231,11 +249,11 @@ class ObjectFile:
     def name(self) -> str:
         """The file's name."""
         known: dict[FunctionType, str] = {}
-        for each in self.loops:
-            _depend(each.function, known)
-        parts = [repr([*each.parameters.values()]) for each in self.loops]
+        for module_loop in self.loops:
+            _depend(module_loop.function, known)
+        parameter_texts = [repr([*module_loop.parameters.values()]) for module_loop in self.loops]
         stem = "-".join(self.module.split(".")[-2:])
-        return machine_code.name(stem, [*known.values(), *parts])
+        return machine_code.name(stem, [*known.values(), *parameter_texts])
 
     @property
     def folders(self) -> tuple[Path, ...]:
@@ -252,18 +270,18 @@ def object_file(module: str) -> ObjectFile:
 
 
 @dataclass(frozen=True, eq=False)
-class _Part:
+class _LoopFunction:
     """A function or a table for loops: what numba knows of it is made when it is needed."""
 
     function: FunctionType
     for_loops: Callable[[FunctionType], Any]
 
     @cached_property
-    def made(self) -> Any:
+    def for_numba(self) -> Any:
         return self.for_loops(self.function)
 
     def __call__(self, *values: Any) -> Any:
-        return self.made(*values)
+        return self.for_numba(*values)
 
 
 def _jitted(function: FunctionType, **options: Any) -> Any:
@@ -275,10 +293,12 @@ def _jitted(function: FunctionType, **options: Any) -> Any:
 def _for_numba(function: FunctionType) -> FunctionType:
     """A function whose globals are what numba knows."""
     names, code = function.__globals__, function.__code__
-    made = {
-        name: value.made for name in code.co_names if isinstance(value := names.get(name), _Part)
+    loop_globals = {
+        name: value.for_numba
+        for name in code.co_names
+        if isinstance(value := names.get(name), _LoopFunction)
     }
-    return FunctionType(code, {**names, **made}, function.__name__)
+    return FunctionType(code, {**names, **loop_globals}, function.__name__)
 
 
 def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
@@ -292,7 +312,7 @@ def _depend(function: FunctionType, known: dict[FunctionType, str]) -> None:
         texts += [code.co_code.hex(), repr((plain, code.co_names, code.co_varnames))]
         for name in code.co_names:
             value = function.__globals__.get(name)
-            if isinstance(value, _Part):
+            if isinstance(value, _LoopFunction):
                 value = value.function
             if isinstance(value, FunctionType):
                 _depend(value, known)
@@ -310,7 +330,12 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
             yield from _codes(constant)
 
 
-def _unlike(wanted: Iterable[str], given: Iterable[str]) -> str:
+def _unlike(names_expected: Iterable[str], names_given: Iterable[str]) -> str:
     """Which names are missing, and which are not known."""
-    parts = {"lacks": {*wanted} - {*given}, "does not take": {*given} - {*wanted}}
-    return "; ".join(f"{word} {', '.join(sorted(names))}" for word, names in parts.items() if names)
+    names_by_problem = {
+        "lacks": {*names_expected} - {*names_given},
+        "does not take": {*names_given} - {*names_expected},
+    }
+    return "; ".join(
+        f"{word} {', '.join(sorted(names))}" for word, names in names_by_problem.items() if names
+    )

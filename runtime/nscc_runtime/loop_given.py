@@ -48,7 +48,7 @@ class Parameter:
         )
 
     @property
-    def parts(self) -> tuple[Parameter, ...]:
+    def arrays(self) -> tuple[Parameter, ...]:
         """Itself: what has an address of its own."""
         return (self,)
 
@@ -83,9 +83,9 @@ class Parameter:
             shape = value.shape
             if len(shape) != len(self.axes):
                 raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
-            for length, (axis, more) in zip(shape, self.axes):  # noqa: B905  # as long: checked
-                if axes.setdefault(axis, length - more) != length - more:
-                    raise self._unequal(axis, length - more, axes)
+            for length, (axis, extra) in zip(shape, self.axes):  # noqa: B905  # as long: checked
+                if axes.setdefault(axis, length - extra) != length - extra:
+                    raise self._unequal(axis, length - extra, axes)
         return ctypes.c_void_p.from_address(id(value) + _DATA).value or 0
 
     def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
@@ -93,15 +93,15 @@ class Parameter:
 
 
 @dataclass(frozen=True)
-class Together:
+class ArrayGroup:
     """Arrays that a loop is given as one, a NamedTuple. To machine code its fields come one by one:
     so LLVM passes a tuple's members."""
 
     name: str
     kind: type[tuple[Any, ...]]
-    parts: tuple[Parameter, ...]
+    arrays: tuple[Parameter, ...]
 
-    def sized(self, _axes: set[str]) -> Together:
+    def sized(self, _axes: set[str]) -> ArrayGroup:
         """See `Parameter.sized`: arrays have no lengths to tell."""
         return self
 
@@ -111,31 +111,33 @@ class Together:
             raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
         return [
             address
-            for part, each in zip(self.parts, value, strict=True)
-            for address in part.addresses(each, axes)
+            for parameter, array in zip(self.arrays, value, strict=True)
+            for address in parameter.addresses(array, axes)
         ]
 
 
-def parameter_of(name: str, hint: Any) -> Parameter | Together:
+def parameter_of(name: str, hint: Any) -> Parameter | ArrayGroup:
     """A parameter from its annotation."""
     if not (isinstance(hint, type) and issubclass(hint, tuple)):
         return Parameter.of(name, hint)
     fields = get_type_hints(hint, include_extras=True).items()
-    return Together(name, hint, tuple(Parameter.of(f"{name}.{n}", each) for n, each in fields))
+    return ArrayGroup(
+        name, hint, tuple(Parameter.of(f"{name}.{n}", field_hint) for n, field_hint in fields)
+    )
 
 
-def told(
-    parameter: Parameter | Together,
+def numba_kinds(
+    parameter: Parameter | ArrayGroup,
 ) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
     """What numba is told of a parameter; see `nscc_runtime.loop_types.signature`."""
-    together = parameter.kind if isinstance(parameter, Together) else None
-    return together, [(part.kind, part.record is not None) for part in parameter.parts]
+    together = parameter.kind if isinstance(parameter, ArrayGroup) else None
+    return together, [(array.kind, array.record is not None) for array in parameter.arrays]
 
 
 def _axis(text: str) -> tuple[str, int]:
     """An axis as declared: `slots`, or `slots+1`."""
-    name, _, more = text.partition("+")
-    return name, int(more or 0)
+    name, _, extra = text.partition("+")
+    return name, int(extra or 0)
 
 
 def _kind(value: Any) -> str:

@@ -32,15 +32,15 @@ extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 def signature(parameters: Iterable[tuple[type | None, list[tuple[np.dtype[Any], bool]]]]) -> Any:
     """The types of a loop, for numba: of each parameter the NamedTuple that it is, or None, and of
     its parts, or itself, the kind, and whether it is one record."""
-    found = []
-    for together, parts in parameters:
-        kinds = [_type(*part) for part in parts]
-        found.append(kinds[0] if together is None else types.NamedTuple(kinds, together))
-    return types.void(*found)
+    parameter_types = []
+    for together, arrays in parameters:
+        kinds = [_type(*array) for array in arrays]
+        parameter_types.append(kinds[0] if together is None else types.NamedTuple(kinds, together))
+    return types.void(*parameter_types)
 
 
 def _type(kind: np.dtype[Any], is_record: bool) -> Any:
-    found = numba.from_dtype(kind)
+    numba_type = numba.from_dtype(kind)
     if is_record:
-        return found
-    return Records(found) if kind.names else types.CPointer(found)
+        return numba_type
+    return Records(numba_type) if kind.names else types.CPointer(numba_type)

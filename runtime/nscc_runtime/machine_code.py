@@ -45,9 +45,9 @@ def can_keep(places: Sequence[Path]) -> bool:
 
 def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
     """The object file `name`: read from the first place that has it whole, else built and kept."""
-    found = kept(name, places)
-    if found is not None:
-        return found
+    stored = read_object_file(name, places)
+    if stored is not None:
+        return stored
     begin = perf_counter()
     code = build()
     _COMPILE_S.append(perf_counter() - begin)
@@ -60,7 +60,7 @@ def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -
     return code
 
 
-def kept(name: str, places: Sequence[Path]) -> bytes | None:
+def read_object_file(name: str, places: Sequence[Path]) -> bytes | None:
     """The object file `name`, None where no place has it whole."""
     for place in places:
         try:
@@ -77,28 +77,28 @@ def build(loops: Iterable[tuple[Callable[..., None], Any]]) -> bytes:
     import llvmlite.binding as llvm
     import numba
 
-    whole, entries = llvm.parse_assembly(""), set()
+    linked_module, entries = llvm.parse_assembly(""), set()
     for function, signature in loops:
         entry = function.__name__
-        made = numba.cfunc(signature, error_model="numpy")(function)
+        cfunc = numba.cfunc(signature, error_model="numpy")(function)
         module = llvm.parse_assembly(
-            _own_root(made.inspect_llvm()).replace(made.native_name, entry)
+            _own_root(cfunc.inspect_llvm()).replace(cfunc.native_name, entry)
         )
         # With everything else private, LLVM sees that nothing here can raise, and drops the
         # functions of numba and Python for it: what is left runs without either.
-        for part in module.functions:
-            if not part.is_declaration and part.name != entry:
-                part.linkage = "internal"
-        whole.link_in(module)
+        for llvm_function in module.functions:
+            if not llvm_function.is_declaration and llvm_function.name != entry:
+                llvm_function.linkage = "internal"
+        linked_module.link_in(module)
         entries.add(entry)
     machine = _machine(llvm)
     passes = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=2))
-    passes.getModulePassManager().run(whole, passes)
-    needed = re.findall(r"^declare .*?@([\w.]+)\(", str(whole), re.MULTILINE)
+    passes.getModulePassManager().run(linked_module, passes)
+    needed = re.findall(r"^declare .*?@([\w.]+)\(", str(linked_module), re.MULTILINE)
     foreign = sorted(name for name in needed if not name.startswith("llvm."))
     if foreign:
         raise RuntimeError(f"the compiled loops call {', '.join(foreign)}")
-    return bytes(machine.emit_object(whole))
+    return bytes(machine.emit_object(linked_module))
 
 
 def load(code: bytes, parameters: Mapping[str, int]) -> dict[str, Callable[..., None]]:
@@ -126,14 +126,14 @@ def name(stem: str, sources: Iterable[str]) -> str:
     import llvmlite.binding as llvm
 
     digest = hashlib.sha256()
-    for part in (
+    for digest_input in (
         *sources,
         llvmlite.__version__,
         llvm.get_process_triple(),
         llvm.get_host_cpu_name(),
         llvm.get_host_cpu_features().flatten(),
     ):
-        digest.update(part.encode() + b"\0")
+        digest.update(digest_input.encode() + b"\0")
     return f"{stem}-{digest.hexdigest()[:16]}.o"
 
 

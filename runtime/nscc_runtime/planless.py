@@ -6,11 +6,11 @@ from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 
 
-def planless(what: str) -> Rejected:
-    """NS0750; `what` wants a plan."""
+def planless(subject: str) -> Rejected:
+    """Return NS0750: `subject` needs a plan."""
     return rejected(
         "NS0750",
-        f"{what} needs a plan, but a chip that receives planes of bits does not use plans",
+        f"{subject} needs a plan, but a chip that receives planes of bits does not use plans",
         notes=("such frames are simulated slot by slot, with every enabled effect",),
-        helps=(f"leave {what} out: the simulation makes no approximation",),
+        helps=(f"leave {subject} out: the simulation makes no approximation",),
     )

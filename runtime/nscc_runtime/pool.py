@@ -18,9 +18,9 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def threads_of(asked: int | None) -> int:
-    """So many threads as were asked for, by default one a processor."""
-    return processors() if asked is None else asked
+def threads_of(threads: int | None) -> int:
+    """Return `threads`, by default the number of processors."""
+    return processors() if threads is None else threads
 
 
 @cache
@@ -54,10 +54,10 @@ def in_parts(run: Callable[[int, int], None], count: int, threads: int, multiple
         return
     cuts = [min(blocks * i // threads * multiple, count) for i in range(threads + 1)]
     # One part is done here: a thread less to wake.
-    others = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]
+    futures = [_pool(threads).submit(run, begin, end) for begin, end in pairwise(cuts[1:])]
     run(cuts[0], cuts[1])
-    for other in others:
-        other.result()
+    for future in futures:
+        future.result()
 
 
 def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int) -> None:
@@ -65,11 +65,11 @@ def in_strips(run: Callable[[range], None], rows: range, most: int, threads: int
 
     All strips in work together have at most `most` rows, or one each.
     """
-    each = max(1, min(most // threads, -(-len(rows) // threads)))
-    strips = [rows[first : first + each] for first in range(0, len(rows), each)]
+    strip_rows = max(1, min(most // threads, -(-len(rows) // threads)))
+    strips = [rows[first : first + strip_rows] for first in range(0, len(rows), strip_rows)]
 
-    def some(begin: int, end: int) -> None:
+    def run_strips(begin: int, end: int) -> None:
         for strip in strips[begin:end]:
             run(strip)
 
-    in_parts(some, len(strips), threads)
+    in_parts(run_strips, len(strips), threads)

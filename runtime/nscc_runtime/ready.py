@@ -34,5 +34,5 @@ class OfContainer(Generic[P, T]):
             analyses: dict[Any, Any] = vars(container).setdefault(_ANALYSES, {})
             if (self, key) not in analyses:
                 analyses[self, key] = self._make(container, *key, **named)
-            made: T = analyses[self, key]
-            return made
+            analysis: T = analyses[self, key]
+            return analysis

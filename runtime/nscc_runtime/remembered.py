@@ -19,17 +19,17 @@ def remembered(method: Callable[Concatenate[S, P], R]) -> Callable[Concatenate[S
     name = f"remembered {method.__name__}"
 
     @wraps(method)
-    def found(self: S, /, *given: P.args, **named: P.kwargs) -> R:
+    def call(self: S, /, *arguments: P.args, **named: P.kwargs) -> R:
         try:
-            kept: dict[Hashable, R] = self.__dict__[name]
-            return kept[given]
+            results: dict[Hashable, R] = self.__dict__[name]
+            return results[arguments]
         except KeyError:
             pass
-        result = method(self, *given, **named)
-        self.__dict__.setdefault(name, {})[given] = result
+        result = method(self, *arguments, **named)
+        self.__dict__.setdefault(name, {})[arguments] = result
         return result
 
-    return found
+    return call
 
 
 class Recent:
@@ -41,10 +41,10 @@ class Recent:
 
     def of(self, key: Hashable, make: Callable[[], R]) -> R:
         """What `make` gives, or gave for this key. Threads may make it more than once."""
-        found = self._found.pop(key, None)
-        if found is None:
-            found = make()
-        self._found[key] = found
+        result = self._found.pop(key, None)
+        if result is None:
+            result = make()
+        self._found[key] = result
         for oldest in [*self._found][: -self._most]:
             self._found.pop(oldest, None)
-        return cast(R, found)
+        return cast(R, result)

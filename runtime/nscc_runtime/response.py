@@ -56,7 +56,7 @@ class ShutterResponse:
         seen_s = np.einsum("n,nlb->lb", slot_s, weights.slots)
         dark_e = mean_dark_e_per_s(sensor, effects) * seen_s
         bias_e, variance_e2 = dark_e, np.maximum(dark_e, 0.0)
-        words = effects.part(WordGain)
+        words = effects.find_part(WordGain)
         if words is not None:
             bias_e = bias_e + words.mean_e(sensor) * weights.error_sum
             variance_e2 = variance_e2 + (words.spread_e(sensor) * weights.error_sum) ** 2
@@ -95,14 +95,14 @@ def open_shutters(container: Container) -> NDArray[np.bool_]:
 @lru_cache
 def mean_dark_e_per_s(sensor: Sensor, effects: Selection) -> float:
     """The mean dark current of the pixels, electrons a second."""
-    dark = effects.part(CountedDark)
+    dark = effects.find_part(CountedDark)
     return 0.0 if dark is None else float(dark.per_s(sensor, 0, _PIXELS).mean())
 
 
 @lru_cache
 def gain_spread(sensor: Sensor, effects: Selection) -> float:
     """The relative standard deviation, over the pixels, of what they make of light."""
-    gain = effects.part(PixelGain)
+    gain = effects.find_part(PixelGain)
     return 0.0 if gain is None else float(gain.factor(sensor, 0, _PIXELS).std())
 
 
@@ -154,5 +154,5 @@ def response_of(container: Container, sensor: Sensor, effects: Selection | None 
         return plain
     # Nothing is told of light that never reaches the exposure.
     gain = np.where(response.seen_s > 0, response.gain(open_s), 1.0)
-    gain, zero_e = (each[lanes].transpose(2, 0, 1) for each in (gain, response.bias_e))
+    gain, zero_e = (values[lanes].transpose(2, 0, 1) for values in (gain, response.bias_e))
     return replace(plain, gain=gain, zero_e=zero_e)

@@ -22,7 +22,7 @@ from nscc_runtime.frame_file import Frame, Provenance
 from nscc_runtime.kept_plans import Statistics, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.planless import planless
-from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, Given, check_tolerance
+from nscc_runtime.planning.tolerance import DEFAULT, OPTION_MAX, ToleranceInput, check_tolerance
 from nscc_runtime.progress import Progress, unseen
 from nscc_runtime.ready import OfContainer
 from nscc_runtime.sensor import Sensor
@@ -53,8 +53,8 @@ class Request:
 
     effects: Selection
     planned: bool = True
-    tolerance: Given = DEFAULT
-    tolerance_max: Given | None = None
+    tolerance: ToleranceInput = DEFAULT
+    tolerance_max: ToleranceInput | None = None
     audit: bool = False
     plan: Plan | Path | None = None
     seed: int = 0
@@ -69,8 +69,8 @@ class Request:
         cls,
         *,
         effects: str | Selection | None = None,
-        tolerance: Given | None = None,
-        tolerance_max: Given | None = None,
+        tolerance: ToleranceInput | None = None,
+        tolerance_max: ToleranceInput | None = None,
         plan: Plan | Path | None = None,
         audit: bool = False,
         fidelity: Fidelity = "planned",
@@ -242,12 +242,12 @@ def _looking(
 ) -> Iterable[Frame]:
     """The frames of a program whose pixels look: kept states go on from one to the next."""
     from nscc_runtime.looked_frames import frames
-    from nscc_runtime.looking.way_loop import run_ways
+    from nscc_runtime.looking.path_loop import run_paths
     from nscc_runtime.noise.noise_loops import fill_normals
 
     noiseless = request.effects.noiseless
     if noiseless:
-        _say_compiling(listener, run_ways, "emulator")
+        _say_compiling(listener, run_paths, "emulator")
     else:
         _say_compiling(listener, fill_normals, "noise")
     return frames(

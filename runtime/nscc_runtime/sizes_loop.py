@@ -38,22 +38,24 @@ class Frames:
 
 
 @compiled
-def _gather(frames: Floats32, step: int, count: int, first: int, stop: int, part: Floats32) -> None:
-    """part[i] := what the frames, `step` apart, have at pixel first + i, one after the other."""
+def _gather(
+    frames: Floats32, step: int, count: int, first: int, stop: int, total_32: Floats32
+) -> None:
+    """total_32[i] := the sum of pixel first + i over all frames, which are `step` apart."""
     for i in range(stop - first):
-        part[i] = frames[first + i]
+        total_32[i] = frames[first + i]
     k = 1
     while k + 2 < count:
         at = k * step + first
         for i in range(stop - first):
-            total = part[i] + frames[at + i]
+            total = total_32[i] + frames[at + i]
             total += frames[at + step + i]
-            part[i] = total + frames[at + 2 * step + i]
+            total_32[i] = total + frames[at + 2 * step + i]
         k += 3
     for last in range(k, count):
         at = last * step + first
         for i in range(stop - first):
-            part[i] += frames[at + i]
+            total_32[i] += frames[at + i]
 
 
 @compiled
@@ -81,78 +83,100 @@ def sum_light(
     size: Frames,
     frames: Annotated[Floats32, "count pixels"],
     weight: Annotated[Floats, "count"],
-    part: Written[Floats32],
+    total_32: Written[Floats32],
     out: Written[Annotated[Floats, "pixels"]],
     capped: Written[Ints],
 ) -> None:
-    """out[p] := the sum over k of weight[k] * frames[k, p], at most `most`: of frames with one
-    weight in float32. `capped`: how many would be more. `part`: scratch for `BLOCK` pixels."""
+    """out[p] := the sum over k of weight[k] * frames[k, p], at most `most`; in float32 if all
+    weights are equal. `capped`: the number of pixels above `most`. `total_32`: scratch for `BLOCK`
+    pixels."""
     capped[0] = 0
     for first in range(0, size.pixels, BLOCK):
         stop = min(first + BLOCK, size.pixels)
         if size.even:
-            _gather(frames, size.pixels, size.count, first, stop, part)
+            _gather(frames, size.pixels, size.count, first, stop, total_32)
             for p in range(first, stop):
-                out[p] = float(part[p - first]) * weight[0]
+                out[p] = float(total_32[p - first]) * weight[0]
         else:
             _gather_weighted(frames, size.pixels, weight, size.count, first, stop, out)
-        more = 0
+        capped_pixels = 0
         for p in range(first, stop):
-            more += 1 if out[p] > size.most else 0
+            capped_pixels += 1 if out[p] > size.most else 0
             out[p] = size.most if out[p] > size.most else out[p]
-        capped[0] += more
+        capped[0] += capped_pixels
 
 
 @compiled
-def _powers(lit: Floats, cols: int, at: int, found: Floats) -> None:
+def _powers(lit: Floats, cols: int, at: int, column_sums: Floats) -> None:
     """Add `ROWS` rows: each column by itself, so that LLVM makes vectors."""
     b, c, d = cols, 2 * cols, 3 * cols
     for col in range(cols):
-        one, two, three, four = lit[col], lit[b + col], lit[c + col], lit[d + col]
-        found[at + MEAN * cols + col] += (one + two) + (three + four)
-        first, last = one if one > two else two, three if three > four else four
-        most, last = found[at + LARGEST * cols + col], first if first > last else last
-        found[at + LARGEST * cols + col] = last if last > most else most
-        one, two, three, four = one * one, two * two, three * three, four * four
-        found[at + SQUARE * cols + col] += (one + two) + (three + four)
-        one, two = one if one > _LEAST else _LEAST, two if two > _LEAST else _LEAST
-        three, four = three if three > _LEAST else _LEAST, four if four > _LEAST else _LEAST
-        one, two, three, four = one * one, two * two, three * three, four * four
-        found[at + EIGHTH * cols + col] += (one * one + two * two) + (three * three + four * four)
+        light_a, light_b, light_c, light_d = lit[col], lit[b + col], lit[c + col], lit[d + col]
+        column_sums[at + MEAN * cols + col] += (light_a + light_b) + (light_c + light_d)
+        first, last = (
+            light_a if light_a > light_b else light_b,
+            light_c if light_c > light_d else light_d,
+        )
+        most, last = column_sums[at + LARGEST * cols + col], first if first > last else last
+        column_sums[at + LARGEST * cols + col] = last if last > most else most
+        light_a, light_b, light_c, light_d = (
+            light_a * light_a,
+            light_b * light_b,
+            light_c * light_c,
+            light_d * light_d,
+        )
+        column_sums[at + SQUARE * cols + col] += (light_a + light_b) + (light_c + light_d)
+        light_a, light_b = (
+            light_a if light_a > _LEAST else _LEAST,
+            light_b if light_b > _LEAST else _LEAST,
+        )
+        light_c, light_d = (
+            light_c if light_c > _LEAST else _LEAST,
+            light_d if light_d > _LEAST else _LEAST,
+        )
+        light_a, light_b, light_c, light_d = (
+            light_a * light_a,
+            light_b * light_b,
+            light_c * light_c,
+            light_d * light_d,
+        )
+        column_sums[at + EIGHTH * cols + col] += (light_a * light_a + light_b * light_b) + (
+            light_c * light_c + light_d * light_d
+        )
 
 
 @compiled
-def _steps(total: Floats, first: int, cols: int, last: bool, found: Floats) -> None:
+def _steps(total: Floats, first: int, cols: int, last: bool, column_sums: Floats) -> None:
     """Add the squares of the steps to the right and, but of the last row, down."""
     if last:
         for col in range(cols - 1):
             right = total[first + col + 1] - total[first + col]
-            found[STEPS * cols + col] += right * right
+            column_sums[STEPS * cols + col] += right * right
         return
     for col in range(cols - 1):
         right = total[first + col + 1] - total[first + col]
         down = total[first + cols + col] - total[first + col]
-        found[STEPS * cols + col] += right * right + down * down
+        column_sums[STEPS * cols + col] += right * right + down * down
     down = total[first + 2 * cols - 1] - total[first + cols - 1]
-    found[STEPS * cols + cols - 1] += down * down
+    column_sums[STEPS * cols + cols - 1] += down * down
 
 
 @loop
 def sizes_of(
     pixels: Pixels,
     total: Annotated[Floats, "rows cols"],
-    part: Annotated[Floats32, "rows cols"],
+    open_fraction: Annotated[Floats32, "rows cols"],
     lit: Written[Floats],
-    found: Written[Annotated[Floats, "kinds cols"]],
+    column_sums: Written[Annotated[Floats, "kinds cols"]],
 ) -> None:
-    """found (9, cols) := for each column, of `total` its sum, the sums of its squares and of its
-    eighth powers, and the largest; these of `total` times `part`; the sum of squares of steps
-    between neighbours. Light is at most 1e36, whose powers have room. `lit`: scratch for `ROWS`
-    rows.
+    """column_sums (9, cols) := for each column the sum of `total`, of its squares and of its eighth
+    powers, and its largest value; the same of `total` times `open_fraction`; the sum of squared
+    steps between neighbours. Light is at most 1e36, so that its powers do not overflow. `lit`:
+    scratch for `ROWS` rows.
     """
     rows, cols = pixels.rows, pixels.cols
     for i in range(KINDS * cols):
-        found[i] = 0.0
+        column_sums[i] = 0.0
     for row in range(0, rows, ROWS):
         first, count = row * cols, min(ROWS, rows - row) * cols
         for opened in range(2):
@@ -160,10 +184,10 @@ def sizes_of(
                 lit[i] = 0.0
             if opened:
                 for i in range(count):
-                    lit[i] = total[first + i] * part[first + i]
+                    lit[i] = total[first + i] * open_fraction[first + i]
             else:
                 for i in range(count):
                     lit[i] = total[first + i]
-            _powers(lit, cols, OPEN * cols if opened else 0, found)
-        for each in range(row, min(row + ROWS, rows)):
-            _steps(total, each * cols, cols, each + 1 == rows, found)
+            _powers(lit, cols, OPEN * cols if opened else 0, column_sums)
+        for step_row in range(row, min(row + ROWS, rows)):
+            _steps(total, step_row * cols, cols, step_row + 1 == rows, column_sums)

@@ -52,7 +52,7 @@ from nscc_runtime.light import Light  # noqa: E402
 from nscc_runtime.planning.make import PlanRequest, make_plan  # noqa: E402
 from nscc_runtime.planning.plan import Plan  # noqa: E402
 from nscc_runtime.planning.scenes import planning_of  # noqa: E402
-from nscc_runtime.planning.tolerance import DEFAULT, Given  # noqa: E402
+from nscc_runtime.planning.tolerance import DEFAULT, ToleranceInput  # noqa: E402
 from nscc_runtime.scenes import load_scene  # noqa: E402
 from nscc_runtime.scenes.exposure import parse_exposure  # noqa: E402
 from nscc_runtime.sensor import default_sensor  # noqa: E402
@@ -65,8 +65,8 @@ FIXED = (
     ("class_b", "builtin:motion", "10000"), ("hdr_2x2", "builtin:hdr", "300000"),
     ("class_c", "builtin:flat:3000", None),
 )  # fmt: skip
-TOLERANCES: tuple[Given, ...] = (0.5, 5.0, 50.0, DEFAULT)
-NEXT: dict[Given, float] = {5.0: 0.95, 50.0: 0.60, DEFAULT: 0.60}
+TOLERANCES: tuple[ToleranceInput, ...] = (0.5, 5.0, 50.0, DEFAULT)
+NEXT: dict[ToleranceInput, float] = {5.0: 0.95, 50.0: 0.60, DEFAULT: 0.60}
 """Of a frame with all effects, in the median."""
 FIRST, WORST_FIRST, WORST_NEXT, REPEAT, WORST_REPEAT = 1.10, 1.30, 1.05, 0.65, 1.02
 REPEATS = 20
@@ -76,7 +76,7 @@ REPEATS = 20
 class Row:
     """One program, scene and tolerance."""
 
-    tolerance: Given
+    tolerance: ToleranceInput
     plan_ms: float
     first: float
     next: float
@@ -97,7 +97,7 @@ def least_s(runs: Sequence[Callable[[], object]], rounds: int) -> list[float]:
 
 
 def taken(
-    container: Container, light: Light, tolerance: Given, effects: str, **how: object
+    container: Container, light: Light, tolerance: ToleranceInput, effects: str, **how: object
 ) -> None:
     """A capture of light of which nothing is known."""
     capture(
@@ -107,7 +107,7 @@ def taken(
 
 
 def film(
-    container: Container, light: Light, tolerance: Given, effects: str
+    container: Container, light: Light, tolerance: ToleranceInput, effects: str
 ) -> Callable[[], object]:
     """Takes the next frame of a film of one scene, whose first is taken here."""
     plans, numbers = KeptPlans(), count()
@@ -120,7 +120,7 @@ def film(
 
 
 def row(
-    container: Container, light: Light, tolerance: Given, reference_s: float, rounds: int
+    container: Container, light: Light, tolerance: ToleranceInput, reference_s: float, rounds: int
 ) -> Row:
     """Measure one tolerance."""
     sensor = default_sensor(container.target)
@@ -225,7 +225,7 @@ def drawn(number: int, seed: int, folder: Path | None) -> None:
     )
 
 
-def _named(tolerance: Given) -> str:
+def _named(tolerance: ToleranceInput) -> str:
     return tolerance if isinstance(tolerance, str) else f"{tolerance:g}e"
 
 

@@ -22,7 +22,7 @@ from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames
-from nscc_runtime.looking.ways import Ways
+from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.sensor import default_sensor
 
 PROGRAMS, CHUNKS = 2000, 20
@@ -94,7 +94,7 @@ def check(text: str, container: Container, seed: int) -> None:
     kept_names = {state.name for state in container.machine.states if state.is_kept}
     scene, none, count = Light.of_clip(light), selected("none"), 2 if kept_names else 1
     taken = [*looking_frames(container, scene, sensor, none, device_seed=seed, count=count)]
-    assert not Ways(container, sensor).lacks(none), text
+    assert not LookingProgram(container, sensor).lacks(none), text
     for words, ways in zip(taken, frames(container, scene, sensor, none, count=count), strict=True):
         assert np.array_equal(words.exposure_e, ways.exposure_e), text
         alike = (np.array_equal(words.told[key], ways.told[key], True) for key in words.told)
@@ -122,7 +122,7 @@ def check(text: str, container: Container, seed: int) -> None:
 def check_with_effects(text: str, container: Container, scene: Light, seed: int) -> None:
     """With all effects ways give what the words give, to rounding."""
     sensor, every = default_sensor(container.target), selected("all")
-    assert not Ways(container, sensor).lacks(every), text
+    assert not LookingProgram(container, sensor).lacks(every), text
     options = {"seed": seed, "device_seed": seed, "count": 2}
     for words, ways in zip(
         looking_frames(container, scene, sensor, every, **options),

@@ -125,7 +125,7 @@ def test_a_plan_has_a_sun_in_a_dim_scene() -> None:
     )
     for plan in (dim, bright):
         assert "black_sun" not in plan.kept.on
-        assert "black_sun" in plan.execution.near.on
+        assert "black_sun" in plan.execution.near_effects.on
     assert (dim.slot_loop, bright.slot_loop) == ("none", "some")
     planned = nscc_runtime.capture(container, sun(3e9), sensor=sensor, plan=bright, audit=True)
     assert planned.audit.holds

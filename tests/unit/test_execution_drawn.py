@@ -24,8 +24,8 @@ def drawn(rates: np.ndarray, begin: int = 0, end: int | None = None) -> np.ndarr
             more=0, rate_cap=RATE_CAP,
         ),
         keys=np.array([STREAM], np.uint64), rates=rates[None], places=np.arange(len(rates)),
-        values=np.empty(BLOCK), scratch=np.empty(ROOM), few=np.empty(BLOCK),
-        few_at=np.empty(BLOCK, np.int64), away=away,
+        values=np.empty(BLOCK), scratch=np.empty(ROOM), pending_rates=np.empty(BLOCK),
+        pending_pixels=np.empty(BLOCK, np.int64), away=away,
     )  # fmt: skip
     return away[0] + rates
 

@@ -25,7 +25,7 @@ def program_of(name: str, **values: float) -> Program:
 @pytest.mark.parametrize("name", CASES)
 def test_registers_are_linear_up_to_the_light_that_is_said(name: str) -> None:
     program = program_of(name)
-    linear_e = everything().the(Soft).linear_e(program.sensor)
+    linear_e = everything().require_part(Soft).linear_e(program.sensor)
     light = np.random.default_rng(4).lognormal(0.0, 1.5, (program.container.slots, *SHAPE))
     assert program.reach.held is not None
     weights = program.reach.held[:, :, program.lanes].reshape(-1, len(light), *SHAPE)

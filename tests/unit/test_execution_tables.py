@@ -82,7 +82,7 @@ def test_noise_is_as_large_as_the_references(name: str, effect: str) -> None:
     container = case(name, rows=rows, cols=cols)
     quiet = {**QUIET, "analog_noise_lsb": 0.75, "analog_gain": 1.0, "leakage_tau_s": 1e6}
     sensor = sensor_of(container, **quiet)
-    (errors,) = named(effect).parts(Errors)
+    (errors,) = named(effect).parts_of_kind(Errors)
     sigma = errors.sigma_e(sensor)
     made = Program.of(container, sensor)
     dark = Light.of_clip(np.zeros((container.slots, rows, cols), np.float32))
@@ -115,7 +115,7 @@ def test_seen_slots_are_those_on_pix_at_a_read(name: str) -> None:
     tables = Program.of(container, sensor_of(container)).tables
     expected = [[brute_force(tables, lane, slot) > 0 for lane in range(len(container.encoding))]
                 for slot in range(container.slots)]  # fmt: skip
-    np.testing.assert_array_equal(tables.seen(), expected)
+    np.testing.assert_array_equal(tables.seen_slots(), expected)
 
 
 def brute_force(tables: Tables, lane: int, slot: int) -> float:

@@ -19,7 +19,7 @@ from nscc.words.container import Container
 from nscc_runtime import captures
 from nscc_runtime.effects import everything
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import ways_of
+from nscc_runtime.looked_frames import looking_program_of
 from nscc_runtime.planning.differences import Difference
 from nscc_runtime.planning.look_trial import LookTrial
 from nscc_runtime.planning.make import measured_again
@@ -134,7 +134,7 @@ def test_a_plan_is_its_json_and_serves_other_scenes(program: Container) -> None:
 
 
 def trial_on(program: Container, scene: Light) -> LookTrial:
-    ways = ways_of(program, default_sensor(program.target))
+    ways = looking_program_of(program, default_sensor(program.target))
     return LookTrial(frozenset(), ways, scene)
 
 

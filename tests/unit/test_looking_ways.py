@@ -20,8 +20,8 @@ from nscc_runtime.effects import CannotHave, registry, selected
 from nscc_runtime.effects.read import READ
 from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import frames
+from nscc_runtime.looking.looking_program import LookingProgram
 from nscc_runtime.looking.paths import Pathless, Paths
-from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.capture import scene_of
 from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.sensor import default_sensor
@@ -56,7 +56,7 @@ def clip(container: Container) -> Light:
 @pytest.mark.parametrize("effects", ["none", "shot,read,comparator_noise", "all"])
 def test_frames_are_those_of_the_words(program: Container, effects: str) -> None:
     light, sensor, chosen = clip(program), default_sensor(program.target), selected(effects)
-    assert not Ways(program, sensor).lacks(chosen)
+    assert not LookingProgram(program, sensor).lacks(chosen)
     options = {"seed": 3, "device_seed": 4, "count": 2}
     words = looking_frames(program, light, sensor, chosen, **options)
     ways = frames(program, light, sensor, chosen, **options, threads=2)
@@ -74,7 +74,7 @@ def test_frames_are_those_of_the_words(program: Container, effects: str) -> None
 
 
 def test_threads_and_rows_change_no_bit(program: Container) -> None:
-    ways, chosen = Ways(program, default_sensor(program.target)), selected("all")
+    ways, chosen = LookingProgram(program, default_sensor(program.target)), selected("all")
     scene, planes = scene_of(program, clip(program)), program.planes()
     whole, other = (ways.expose(scene, planes, chosen, (1, 2), 0, threads=n) for n in (1, 3))
     part = ways.expose(scene, planes, chosen, (1, 2), 0, range(5, 11))
@@ -140,7 +140,7 @@ def test_what_it_lacks_the_reference_makes(monkeypatch: pytest.MonkeyPatch) -> N
     slow = replace(READ, words=CannotHave("it is tried"))
     monkeypatch.setitem(registry._registered, "read", slow)
     chosen, sensor = selected("shot,read"), default_sensor(container.target)
-    (why,) = Ways(container, sensor).lacks(chosen)
+    (why,) = LookingProgram(container, sensor).lacks(chosen)
     assert why == "read: only the reference has it (it is tried)"
     light = clip(container)
     way = next(iter(frames(container, light, sensor, chosen, seed=1)))

@@ -317,7 +317,7 @@ def test_forced_plans_are_plans_too(mid: tuple[Container, Light, Sensor]) -> Non
     plan = made(*mid, 5.0, "all")
     assert all(each.forced == (each.kind != "after") or each.forced for each in plan.decisions[:-2])
     again = replace(plan, decisions=plan.decisions)
-    assert again.wanted == plan.wanted
+    assert again.requested_effects == plan.requested_effects
 
 
 def test_pixels_beside_lamps_are_predicted_with_what_they_get() -> None:

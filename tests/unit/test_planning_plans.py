@@ -276,9 +276,9 @@ def test_a_value_of_another_kind_is_noticed(at: tuple[Any, ...], junk: Any) -> N
 def test_what_a_plan_simulates() -> None:
     plan = plan_of("shot,full_well")
     assert plan.kept.on == {"shot", "full_well", "adc"}
-    assert plan.wanted.on == {"shot", "full_well", "adc"}
-    assert plan.execution.near.on == {"shot", "full_well", "adc"}
+    assert plan.requested_effects.on == {"shot", "full_well", "adc"}
+    assert plan.execution.near_effects.on == {"shot", "full_well", "adc"}
     free = replace(plan, decisions=tuple(replace(each, forced=False) for each in plan.decisions))
     assert free.kept.on == {"shot", "full_well", "adc"}
-    assert free.wanted.on == {*optional(), "adc"}
-    assert free.execution.near.on == {*optional(), "adc"} - {"register"}
+    assert free.requested_effects.on == {*optional(), "adc"}
+    assert free.execution.near_effects.on == {*optional(), "adc"} - {"register"}

@@ -32,9 +32,9 @@ def test_measuring_finds_prices_of_every_way() -> None:
     found = measure_prices.measure_prices()
     ways = {"planning", "sums", "words", "reference"}
     assert {e.name for e in found} > ways | {"shot", "dark", "read", "crosstalk"}
-    here = {each.name: each.here for each in found if each.name in ways}
+    here = {each.name: each.measured for each in found if each.name in ways}
     assert all(value > 0 for value in here.values())
-    assert all(each.here >= 0 and each.shipped for each in found if each.name not in ways)
+    assert all(each.measured >= 0 and each.shipped for each in found if each.name not in ways)
     assert not {e.name for e in found} & {"comparator_offset", "comparator_noise"}
     # A pixel through its words takes many times one by sums, whatever the machine.
     assert here["words"] > 5 * here["sums"]

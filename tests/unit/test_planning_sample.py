@@ -12,7 +12,7 @@ from reference_programs import sensor_of
 
 from nscc_runtime.effects import everything, selected
 from nscc_runtime.execution.frames import Execution, executed
-from nscc_runtime.execution.near import NO_PIXELS, NearSaturation
+from nscc_runtime.execution.near_saturation import NO_PIXELS, NearSaturation
 from nscc_runtime.execution.program import Program
 from nscc_runtime.planning import sample as module
 from nscc_runtime.planning.sample import Sample, chances, contrasts_of, drawn_by, sample_of
@@ -53,9 +53,9 @@ def test_means_over_the_sample_are_those_of_the_array(kind: str, near_count: int
     found = sample_of(total, near_at(places), WELL_E)
     assert found.weight.sum() == pytest.approx(total.size)
     assert np.all(found.weight > 0)
-    assert np.isin(found.places[found.near], places).all()
-    assert not np.isin(found.places[found.far], places).any()
-    assert found.weight[found.near].sum() == pytest.approx(near_count)
+    assert np.isin(found.places[found.near_pixels], places).all()
+    assert not np.isin(found.places[found.far_pixels], places).any()
+    assert found.weight[found.near_pixels].sum() == pytest.approx(near_count)
     assert found.near_part == pytest.approx(near_count / total.size)
     flat = total.reshape(-1)
     rest = np.setdiff1d(np.arange(total.size), places)
@@ -65,7 +65,7 @@ def test_means_over_the_sample_are_those_of_the_array(kind: str, near_count: int
         (1.0 * (code < 4), 0.25),
     ):  # fmt: skip
         # With the lamp, means that no even sample of this size gets right.
-        mean = found.weight[found.far] @ values[found.places[found.far]] / len(rest)
+        mean = found.weight[found.far_pixels] @ values[found.places[found.far_pixels]] / len(rest)
         assert mean == pytest.approx(values[rest].mean(), rel=most)
 
 
@@ -105,7 +105,7 @@ def test_pixels_near_saturation_are_measured_by_what_they_see_and_get() -> None:
     places = np.sort(rng.choice(128 * 160, 4000, replace=False))
     near = near_at(places, rng.random(4000) < 0.5)
     found = sample_of(scene("noise"), near, WELL_E)
-    measured = np.isin(near.places, found.places[found.near])
+    measured = np.isin(near.places, found.places[found.near_pixels])
     assert 40 <= measured.sum() <= module.near_sampled(4000, 128 * 160)
     assert module._SPILT // 2 < (measured & near.spilt).sum() <= module._SPILT
     own, seen_e = ~near.spilt, near.most_e
@@ -113,7 +113,7 @@ def test_pixels_near_saturation_are_measured_by_what_they_see_and_get() -> None:
         assert measured[seen_e == sure].all()
     at_well = np.abs(np.where(own, seen_e, 0.0) - WELL_E).argmin()
     assert measured[at_well]
-    assert found.drawn_near == (found.weight[found.near] > 1).sum() > 0
+    assert found.drawn_near == (found.weight[found.near_pixels] > 1).sum() > 0
     for stratum in (near.spilt, own):
         weight = found.weight[np.isin(found.places, near.places[stratum])]
         assert weight.sum() == pytest.approx(stratum.sum())
@@ -204,7 +204,7 @@ def test_measured_pixels_expose_what_they_expose_in_a_whole_frame(name: str, eff
 def test_pixels_near_saturation_by_sums_are_those_of_a_whole_frame(name: str) -> None:
     """On tiles of their own, where those at the border exchange nothing with others."""
     trial, kept = trial_of(name, 3000.0), selected("all,-full_well,-register")
-    places = trial.sample.places[trial.sample.near]
+    places = trial.sample.places[trial.sample.near_pixels]
     assert {0, 79} & set((places % 80).tolist())
     execution = Execution("sums", kept, kept, everything())
     scene = executed(trial.program, trial.light, execution, device_seed=5, threads=1)
@@ -232,9 +232,9 @@ def test_neighbours_of_suns_leave_draws_for_pixels_below_the_well() -> None:
     suns = rng.choice(total.size, 600, replace=False)
     total.reshape(-1)[suns] = 100 * WELL_E
     found = sample_of(total, near_at(np.sort(suns)), WELL_E)
-    bright = total.reshape(-1)[found.places[found.far]] == 0.9 * WELL_E
+    bright = total.reshape(-1)[found.places[found.far_pixels]] == 0.9 * WELL_E
     assert bright.sum() > 60
-    assert found.weight[found.far][bright].sum() == pytest.approx(2400, rel=0.25)
+    assert found.weight[found.far_pixels][bright].sum() == pytest.approx(2400, rel=0.25)
 
 
 def test_near_saturation_neighbours_of_lamps_are_found() -> None:

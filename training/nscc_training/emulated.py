@@ -131,7 +131,7 @@ def emulated_sensor(
     dense = np.geomspace(first, last, 2 + int(np.log(last / first) / np.log(_DENSE)))
     light_e = np.concatenate([[0.0], weak, dense])
     code, spread, full = _measured(container, tile, light_e, sensor, chosen, chips, torch_device)
-    exchange = chosen.part(Exchange)
+    exchange = chosen.find_part(Exchange)
     crosstalk = 0.0 if exchange is None else float(exchange.fraction(sensor))
     levels, codes, spreads, marked = map(torch.from_numpy, (light_e, code, spread, full))
     return EmulatedSensor(levels, codes, spreads, marked, crosstalk)

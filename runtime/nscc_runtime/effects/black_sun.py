@@ -9,7 +9,7 @@ from nscc_runtime.effects.parts import LitLevel
 from nscc_runtime.effects.views import Pixels, Values, Word
 
 
-def _found(_pixels: Pixels, charge: Values, _word: Word) -> Values:
+def _level_charge(_pixels: Pixels, charge: Values, _word: Word) -> Values:
     return charge
 
 
@@ -25,7 +25,7 @@ BLACK_SUN = Effect(
     applied="to PIX as a source, at the boundary of its reset",
     absent="no word reads the level of a reset at its boundary, or there is no charge",
     parameters=(FULL,),
-    reference={"level": _found},
+    reference={"level": _level_charge},
     size="rms and mean of what falls between a reset and the word that reads its level, which "
     "is subtracted; at most a full well",
     sums=(LitLevel(),),

@@ -132,26 +132,26 @@ class Effect:
         of light."""
         return self.cost_ns + self.light_ns * frames
 
-    def parts(self, kind: type[P]) -> list[P]:
+    def parts_of_kind(self, kind: type[P]) -> list[P]:
         """Return its parts of a kind in sums over slots."""
         if isinstance(self.sums, CannotHave):
             return []
-        return [part for part in self.sums if isinstance(part, kind)]
+        return [member for member in self.sums if isinstance(member, kind)]
 
     def lacks(self) -> list[str]:
         """Return the missing entries of the declaration, as texts."""
-        found = [
+        missing = [
             f"`{name}`, a text"
             for name in ("name", "title", "model", "size", "cost", "applied", "absent")
             if not (isinstance(getattr(self, name), str) and getattr(self, name).strip())
         ]
         if not re.fullmatch(r"[a-z][a-z0-9_]*", str(self.name)) or self.name in RESERVED:
-            found.append("a `name` of small letters, digits, `_`; auto, all and none are choices")
+            missing.append("a `name` of small letters, digits, `_`; auto, all and none are choices")
         if not (isinstance(self.stream, int) and 0 < self.stream < 1 << 32):
-            found.append("`stream`, a number from 1 to 2**32 - 1")
+            missing.append("`stream`, a number from 1 to 2**32 - 1")
         if self.kind not in get_args(Kind):
-            found.append(f"`kind`, one of {', '.join(get_args(Kind))}")
-        found += [
+            missing.append(f"`kind`, one of {', '.join(get_args(Kind))}")
+        missing += [
             f"`parameters`, each a parameter(..) under one of the headings {', '.join(HEADINGS)}"
             for row in self.parameters
             if not (isinstance(row, Parameter) and row.heading in HEADINGS)
@@ -159,30 +159,32 @@ class Effect:
         if not self.reference or not all(
             stage in STAGES and callable(call) for stage, call in self.reference.items()
         ):
-            found.append(f"`reference`, a function at one of the stages {', '.join(STAGES)}")
+            missing.append(f"`reference`, a function at one of the stages {', '.join(STAGES)}")
         if not isinstance(self.sums, tuple | CannotHave):
-            found.append("`sums`, its parts in sums over slots, or CannotHave(reason)")
+            missing.append("`sums`, its parts in sums over slots, or CannotHave(reason)")
         elif not isinstance(self.sums, CannotHave):
-            strange = [each for each in self.sums if not isinstance(each, Part)]
-            found += [
-                f"`sums` with known parts only, but {each!r:.60} is unknown" for each in strange
+            strange = [entry for entry in self.sums if not isinstance(entry, Part)]
+            missing += [
+                f"`sums` with known parts only, but {entry!r:.60} is unknown" for entry in strange
             ]
-            made = {getattr(part, "at", part.stage) for part in self.parts(Part)}
-            bare = {*self.reference} ^ made
+            part_stages = {
+                getattr(member, "at", member.stage) for member in self.parts_of_kind(Part)
+            }
+            bare = {*self.reference} ^ part_stages
             if not strange and bare:
                 text = "`sums` that match `reference`: one of them has no "
-                found.append(text + ", ".join(sorted(bare)))
+                missing.append(text + ", ".join(sorted(bare)))
         if not isinstance(self.words, InLoop | CannotHave):
-            found.append("`words`, InLoop(..) or CannotHave(reason)")
+            missing.append("`words`, InLoop(..) or CannotHave(reason)")
         if not isinstance(self.marks, Mapping) or not all(
             at in MARKED and MARKED[at][0] in self.reference and isinstance(mark, Mark)
             for at, mark in self.marks.items()
         ):
-            found.append(
+            missing.append(
                 f"`marks` of {', '.join(MARKED)} only, each a Mark(..) at a stage of `reference`"
             )
         for name in ("cost_ns", "light_ns"):
             cost = getattr(self, name)
             if not (isinstance(cost, int | float) and 0 <= cost < math.inf):
-                found.append(f"`{name}`, a number of 0 or more")
-        return found
+                missing.append(f"`{name}`, a number of 0 or more")
+        return missing

@@ -16,7 +16,7 @@ FULL = parameter(
 )  # fmt: skip
 
 
-def _held(pixels: Pixels, charge: Values) -> Values:
+def _clip_to_well(pixels: Pixels, charge: Values) -> Values:
     # NaN stays NaN.
     return np.asarray(np.minimum(charge, FULL(pixels.sensor)))
 
@@ -32,7 +32,7 @@ FULL_WELL = Effect(
     applied="to PIX whenever charge falls on it",
     absent="no pixel comes near it",
     parameters=(FULL,),
-    reference={"well": _held},
+    reference={"well": _clip_to_well},
     size="rms and mean of the charge that is lost, of pixels that come near the well",
     sums=(Well(FULL),),
     words=InLoop("holds", {"well": FULL}),

@@ -51,15 +51,15 @@ def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
 
 def draws_keys(record: Record, seed: int, source: int) -> dict[str, np.uint64]:
     """Return the keys of draws at words: of small errors by their source, and of other draws."""
-    found: dict[str, np.uint64] = {
-        part.at: base(seed, effect.stream, source)
+    keys_by_name: dict[str, np.uint64] = {
+        error_part.at: base(seed, effect.stream, source)
         for effect in registered()
-        for part in effect.parts(Errors)
+        for error_part in effect.parts_of_kind(Errors)
     }
     for effect, loop in _in_loops():
         if loop.draws_key is not None:
-            found[loop.draws_key] = base(seed, effect.stream, source)
-    return {name: each for name, each in found.items() if name in _names(record)}
+            keys_by_name[loop.draws_key] = base(seed, effect.stream, source)
+    return {name: draws_key for name, draws_key in keys_by_name.items() if name in _names(record)}
 
 
 def _names(record: Record) -> set[str]:

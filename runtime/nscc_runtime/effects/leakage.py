@@ -28,7 +28,7 @@ def leak_per_s(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
     return np.asarray(log_normal(SPREAD(sensor), z) / TAU(sensor))
 
 
-def _kept(pixels: Pixels, seconds: float) -> Values:
+def _remaining_fraction(pixels: Pixels, seconds: float) -> Values:
     return np.asarray(np.exp(-pixels.fixed(leak_per_s) * seconds))
 
 
@@ -43,7 +43,7 @@ LEAKAGE = Effect(
     cost="weights of age for each code; none a slot",
     applied="to every analog register at the end of each slot and before its readout",
     parameters=(TAU, SPREAD),
-    reference={"hold": _kept},
+    reference={"hold": _remaining_fraction},
     size="rms and mean of sum S E (1 - exp(-age / tau)), tau of each pixel, and of its counts",
     sums=(Leak(leak_per_s, TAU, SPREAD),),
     words=InLoop(

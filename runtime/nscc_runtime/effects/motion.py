@@ -10,7 +10,7 @@ from nscc_runtime.effects.views import Scene
 
 
 def _moving(scene: Scene) -> Scene:
-    light, previous = (each.motion or each for each in (scene.light, scene.previous))
+    light, previous = (still.motion or still for still in (scene.light, scene.previous))
     return replace(scene, light=light, previous=previous)
 
 

@@ -10,7 +10,7 @@ from nscc_runtime.effects.views import Pixels, Values, Word
 SIGMA = parameter("read_noise_e", "noise", 10.0, "e", 0, MOST_E, "of one read of PIX")
 
 
-def _found(pixels: Pixels, level: Values, word: Word) -> Values:
+def _add_read_noise(pixels: Pixels, level: Values, word: Word) -> Values:
     return level + SIGMA(pixels.sensor) * pixels.error("read", word)
 
 
@@ -25,7 +25,7 @@ READ = Effect(
     applied="to PIX as a source of an analog word",
     absent="this sensor has none",
     parameters=(SIGMA,),
-    reference={"reads": _found},
+    reference={"reads": _add_read_noise},
     size="rms = sigma sqrt(reads), reads weighted with their squared coefficients: a reset "
     "level that is subtracted k times counts k^2",
     sums=(Errors("reads", SIGMA),),

@@ -63,19 +63,19 @@ def _linear(sensor: Sensor) -> float:
     return KNEE(sensor) * _high(sensor)
 
 
-def _lost(sensor: Sensor, size: Values) -> Values:
+def _compute_loss_e(sensor: Sensor, size: Values) -> Values:
     over = np.maximum(size - _linear(sensor), 0.0)
     room = max(_high(sensor) - _linear(sensor), 1e-9)
     return np.asarray(over - room * np.tanh(over / room))
 
 
-def _much(sensor: Sensor) -> float:
+def _half_slope_loss_e(sensor: Sensor) -> float:
     """Return the loss of a register where it keeps half of an increment: tanh' = 1/2."""
     half = math.acosh(math.sqrt(2.0))
     return (half - math.tanh(half)) * (_high(sensor) - _linear(sensor))
 
 
-def _held(pixels: Pixels, value: Values) -> Values:
+def _soften(pixels: Pixels, value: Values) -> Values:
     return soft(value, pixels.sensor)
 
 
@@ -90,14 +90,14 @@ REGISTER = Effect(
     applied="to every result of a bus word",
     absent="no pixel comes near it",
     parameters=(LOWEST, HIGHEST, KNEE),
-    reference={"registers": _held},
+    reference={"registers": _soften},
     size="rms and mean of what is lost by the largest partial sums, of pixels that come near "
     "the knee; of those that noise alone takes there, what a frame loses to it",
-    sums=(Soft(_linear, _lost),),
+    sums=(Soft(_linear, _compute_loss_e),),
     words=InLoop(
         "bends",
         {"lowest": LOWEST, "highest": HIGHEST, "knee": KNEE},
         function=soft_in_loop,
     ),
-    marks={"registers": Mark(2, "register", _much)},
+    marks={"registers": Mark(2, "register", _half_slope_loss_e)},
 )

@@ -60,7 +60,7 @@ def register(effect: Effect) -> None:
         raise rejected(
             "NS0905",
             f"the effect {shown[:60]!a} cannot be used: it lacks {lacking[0]}",
-            notes=tuple(f"it also lacks {each}" for each in lacking[1:]),
+            notes=tuple(f"it also lacks {entry}" for entry in lacking[1:]),
             helps=("docs/emulator.md describes the declaration of an effect",),
         )
     _registered[effect.name] = effect
@@ -68,35 +68,49 @@ def register(effect: Effect) -> None:
 
 def _clashes(effect: Effect) -> list[str]:
     """Return the conflicts of a complete declaration with the registered effects."""
-    known = {row.name: row for other in _registered.values() for row in other.parameters}
-    found = [
+    known = {
+        row.name: row for other_effect in _registered.values() for row in other_effect.parameters
+    }
+    conflicts = [
         f"a name of its own for its parameter `{row.name}`"
         for row in effect.parameters
         if known.get(row.name, row) is not row
     ]
     if effect not in _OURS and isinstance(effect.words, InLoop):
-        found.append("`words` that is CannotHave: that loop is compiled, for the effects it knows")
-    bits = [mark.bit for each in (*_registered.values(), effect) for mark in each.marks.values()]
+        conflicts.append(
+            "`words` that is CannotHave: that loop is compiled, for the effects it knows"
+        )
+    bits = [
+        mark.bit
+        for known_effect in (*_registered.values(), effect)
+        for mark in known_effect.marks.values()
+    ]
     if not {*bits} <= {1 << k for k in range(8)} or len({*bits}) < len(bits):
-        found.append("`marks` with bits of their own: powers of two from 1 to 128")
+        conflicts.append("`marks` with bits of their own: powers of two from 1 to 128")
     if effect not in _OURS and effect.always:
-        found.append("`always` that is False: without effects the words are executed exactly")
-    for other in _registered.values():
-        if other.name == effect.name:
-            found.append(f"a name of its own: there is an effect `{other.name}`")
-        if other.stream == effect.stream:
-            found.append(f"a stream of its own: {other.stream} is that of `{other.name}`")
-        if {"codes"} & effect.reference.keys() & other.reference.keys():
-            found.append(f"`reference` without `codes`: it is that of `{other.name}`")
-        found += [
-            f"`marks` without `{at}`: it is that of `{other.name}`"
-            for at in effect.marks.keys() & other.marks.keys()
+        conflicts.append("`always` that is False: without effects the words are executed exactly")
+    for other_effect in _registered.values():
+        if other_effect.name == effect.name:
+            conflicts.append(f"a name of its own: there is an effect `{other_effect.name}`")
+        if other_effect.stream == effect.stream:
+            conflicts.append(
+                f"a stream of its own: {other_effect.stream} is that of `{other_effect.name}`"
+            )
+        if {"codes"} & effect.reference.keys() & other_effect.reference.keys():
+            conflicts.append(f"`reference` without `codes`: it is that of `{other_effect.name}`")
+        conflicts += [
+            f"`marks` without `{at}`: it is that of `{other_effect.name}`"
+            for at in effect.marks.keys() & other_effect.marks.keys()
         ]
-        for part in effect.parts(Part):
-            if other.parts(type(part)) and not isinstance(part, Errors | Converter):
-                kind = type(part).__name__
-                found.append(f"`sums` without {kind}: sums have one, that of `{other.name}`")
-    return found
+        for effect_part in effect.parts_of_kind(Part):
+            if other_effect.parts_of_kind(type(effect_part)) and not isinstance(
+                effect_part, Errors | Converter
+            ):
+                kind = type(effect_part).__name__
+                conflicts.append(
+                    f"`sums` without {kind}: sums have one, that of `{other_effect.name}`"
+                )
+    return conflicts
 
 
 def registered() -> tuple[Effect, ...]:
@@ -112,9 +126,9 @@ def registered() -> tuple[Effect, ...]:
 
 def in_loop(switch: str) -> Callable[..., float]:
     """Return the function that the loop over words calls for the effect with a switch."""
-    loops = (each.words for each in _OURS)
-    found = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
-    return next(function for function in found if function is not None)
+    loops = (effect.words for effect in _OURS)
+    functions = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
+    return next(function for function in functions if function is not None)
 
 
 def by_name() -> dict[str, Effect]:

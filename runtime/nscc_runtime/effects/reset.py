@@ -13,7 +13,7 @@ SIGMA = parameter(
 )  # fmt: skip
 
 
-def _left(pixels: Pixels, level: Values, word: Word) -> Values:
+def _add_reset_noise(pixels: Pixels, level: Values, word: Word) -> Values:
     return level + SIGMA(pixels.sensor) * pixels.error("reset", word)
 
 
@@ -28,7 +28,7 @@ RESET = Effect(
     applied="to PIX by every rpix",
     absent="this sensor has none",
     parameters=(SIGMA,),
-    reference={"resets": _left},
+    reference={"resets": _add_reset_noise},
     size="rms = sigma sqrt(resets), resets weighted with their squared coefficients",
     sums=(Errors("resets", SIGMA),),
     words=InLoop("reset_errors", {"reset_error": SIGMA}),

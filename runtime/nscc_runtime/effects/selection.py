@@ -45,7 +45,11 @@ class Selection:
 
     def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
         """Return the effects that act in the reference at a stage, with their functions."""
-        return [(each, each.reference[stage]) for each in self.effects if stage in each.reference]
+        return [
+            (effect, effect.reference[stage])
+            for effect in self.effects
+            if stage in effect.reference
+        ]
 
     def at(self, stage: str) -> list[Callable[..., Any]]:
         """Return the functions of the effects in the reference at a stage."""
@@ -53,14 +57,18 @@ class Selection:
 
     def marking(self, at: str) -> Mark | None:
         """Return the marks of a kind of the effects that are on (`nscc_runtime.effects.marks`)."""
-        return next((each.marks[at] for each in self.effects if at in each.marks), None)
+        return next((effect.marks[at] for effect in self.effects if at in effect.marks), None)
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
         """Return the effects with a part of a kind in sums over slots, and the parts."""
         # mypy considers a class not hashable.
-        parts = _parts(registered(), kind)  # type: ignore[arg-type]
-        return [each for each in parts if each[0].name in self.on]
+        effect_parts = _parts_of_kind(registered(), kind)  # type: ignore[arg-type]
+        return [
+            effect_and_part
+            for effect_and_part in effect_parts
+            if effect_and_part[0].name in self.on
+        ]
 
     @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
@@ -68,24 +76,24 @@ class Selection:
         return frozenset(effect.name for effect, _ in self.having(kind))
 
     @remembered
-    def part(self, kind: type[P]) -> P | None:
+    def find_part(self, kind: type[P]) -> P | None:
         """Return the part of a kind; None if no effect that is on has one."""
-        return next((part for _, part in self.having(kind)), None)
+        return next((effect_part for _, effect_part in self.having(kind)), None)
 
-    def the(self, kind: type[P]) -> P:
+    def require_part(self, kind: type[P]) -> P:
         """Return the part of a kind; ValueError if no effect that is on has one."""
-        found = self.part(kind)
-        if found is None:
+        effect_part = self.find_part(kind)
+        if effect_part is None:
             raise ValueError(f"no effect has a part {kind.__name__}")
-        return found
+        return effect_part
 
     def errors(self) -> list[tuple[Effect, Errors]]:
         """Return the effects with small errors: of reads, then of resets, then of words."""
-        return sorted(self.having(Errors), key=lambda each: each[1].at)
+        return sorted(self.having(Errors), key=lambda effect_and_part: effect_and_part[1].at)
 
     def converter_lsb(self, sensor: Sensor) -> float:
         """Return the standard deviation of a code before rounding."""
-        return hypot(*(part.sigma_lsb(sensor) for _, part in self.having(Converter)))
+        return hypot(*(converter.sigma_lsb(sensor) for _, converter in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
         """Return the selection without some effects. The same object is returned to all callers,
@@ -109,9 +117,11 @@ def _all_of(effects: tuple[Effect, ...]) -> Selection:
 
 
 @cache
-def _parts(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
+def _parts_of_kind(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
     """Return the parts of a kind of all these effects."""
-    return tuple((effect, part) for effect in effects for part in effect.parts(kind))
+    return tuple(
+        (effect, effect_part) for effect in effects for effect_part in effect.parts_of_kind(kind)
+    )
 
 
 def selected(text: str) -> Selection:
@@ -123,23 +133,25 @@ def selected(text: str) -> Selection:
 
 @lru_cache(64)
 def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
-    parts = [part.strip() for part in text.split(",") if part.strip()]
-    if not parts:
-        raise _wrong(
+    items = [item.strip() for item in text.split(",") if item.strip()]
+    if not items:
+        raise _invalid_selection(
             "--effects is empty", f"write one of {', '.join(RESERVED)}, or names of effects"
         )
-    auto = parts[0] == "auto"
-    on = set(optional()) if parts[0] in ("auto", "all") or parts[0][0] == "-" else set()
+    auto = items[0] == "auto"
+    on = set(optional()) if items[0] in ("auto", "all") or items[0][0] == "-" else set()
     forced: set[str] = set()
-    for index, part in enumerate(parts):
-        if part in RESERVED:
+    for index, item in enumerate(items):
+        if item in RESERVED:
             if index:
-                raise _wrong(f"--effects has `{part}` after its start", f"put `{part}` first")
+                raise _invalid_selection(
+                    f"--effects has `{item}` after its start", f"put `{item}` first"
+                )
             continue
-        add, name = part[0] != "-", part.lstrip("+-") if part[0] in "+-" else part
+        add, name = item[0] != "-", item.lstrip("+-") if item[0] in "+-" else item
         effect = named(name)
         if effect.always and not add:
-            raise _wrong(f"the effect `{name}` is always on", f"leave -{name} out")
+            raise _invalid_selection(f"the effect `{name}` is always on", f"leave -{name} out")
         if not effect.always:
             (on.add if add else on.discard)(name)
             forced.add(name)
@@ -148,19 +160,19 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
 
 def named(name: str) -> Effect:
     """Return an effect by name; NS0756 (status 2) for an unknown name."""
-    found = by_name().get(name)
-    if found is None:
-        raise _wrong(
+    effect = by_name().get(name)
+    if effect is None:
+        raise _invalid_selection(
             f"unknown effect {name[:60]!a}",
             *meant(name, (*by_name(), *RESERVED), "`nscc effects` lists the effects"),
         )
-    return found
+    return effect
 
 
-def _wrong(what: str, help_text: str) -> Rejected:
+def _invalid_selection(message: str, help_text: str) -> Rejected:
     return rejected(
         "NS0756",
-        what,
+        message,
         notes=(
             "--effects takes auto, all, none or names separated by commas; +NAME adds an "
             "effect, -NAME removes one",

@@ -172,11 +172,13 @@ def check_size(container: Container, light: Light) -> None:
     """Refuse light of another array or of other slots (NS0734)."""
     shape = light.shape if container.pixel_codes is None else container.pixel_codes.shape
     if light.shape != shape or light.slots != container.slots:
-        there, here = (" x ".join(map(str, each)) for each in (light.shape, shape))
+        light_size, array_size = (
+            " x ".join(map(str, array_shape)) for array_shape in (light.shape, shape)
+        )
         raise rejected(
             "NS0734",
-            f"the light has {there} pixels in {light.slots} slots, but the array has "
-            f"{here} pixels in {container.slots} slots",
+            f"the light has {light_size} pixels in {light.slots} slots, but the array has "
+            f"{array_size} pixels in {container.slots} slots",
             helps=("prepare the scene for the array and the slots of this program",),
             status=1,
         )

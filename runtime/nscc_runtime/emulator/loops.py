@@ -58,13 +58,13 @@ def _hash(seed: np.uint64, stream: int, counter: int) -> np.uint64:
 @compiled
 def _any_all(planes: Words, flag: int, words: int) -> int:
     """Whether no, some or every pixel of the plane that starts at `flag` is 1."""
-    some, every = _ZERO, _FULL
+    any_bits, all_bits = _ZERO, _FULL
     for i in range(words):
-        some |= planes[flag + i]
-        every &= planes[flag + i]
-    if some == _ZERO:
+        any_bits |= planes[flag + i]
+        all_bits &= planes[flag + i]
+    if any_bits == _ZERO:
         return _NONE
-    return _ALL if every == _FULL else _SOME
+    return _ALL if all_bits == _FULL else _SOME
 
 
 @compiled
@@ -354,10 +354,10 @@ def expose_block(
     for i in range(row_length):
         rows[exact + i] = 0.0
     for k in range(block.frames):
-        part, frame = frame_weight[k], k * pixels + first
-        if part != 0.0:
+        frame_weight_fraction, frame = frame_weight[k], k * pixels + first
+        if frame_weight_fraction != 0.0:
             for i in range(length):
-                rows[exact + i] += part * frames[frame + i]
+                rows[exact + i] += frame_weight_fraction * frames[frame + i]
     _start(planes, rows, words, flag_plane, pix_row, exact, seed, first)
     for i in range(row_length):
         rows[zero + i] = 0.0
@@ -383,9 +383,9 @@ def expose_block(
             for i in range(length):
                 rows[exact + i] = 0.0
             for k in range(start, stop):
-                frame, part = frame_index[k] * pixels + first, weight[k]
+                frame, frame_weight_fraction = frame_index[k] * pixels + first, weight[k]
                 for i in range(length):
-                    rows[exact + i] += frames[frame + i] * part
+                    rows[exact + i] += frames[frame + i] * frame_weight_fraction
             for i in range(length):
                 charge[i] = np.float32(rows[exact + i])
         for i in range(length):

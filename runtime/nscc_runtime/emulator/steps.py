@@ -131,12 +131,12 @@ class _Translator:
 
     def steps(self, op: Op) -> tuple[tuple[int, ...], ...]:
         """The steps of one word, padded to COLUMNS."""
-        found = self.known.get(op)
-        if found is None:
-            made = (tuple(int(value) for value in step) for step in self._translate(op))
-            found = tuple(step + (0,) * (COLUMNS - len(step)) for step in made)
-            self.known[op] = found
-        return found
+        known_steps = self.known.get(op)
+        if known_steps is None:
+            translated = (tuple(int(value) for value in step) for step in self._translate(op))
+            known_steps = tuple(step + (0,) * (COLUMNS - len(step)) for step in translated)
+            self.known[op] = known_steps
+        return known_steps
 
     def _translate(self, op: Op) -> list[tuple[int, ...]]:
         planes, rows = self.layout.planes, self.layout.rows

@@ -1,7 +1,7 @@
-"""What falls on a pixel in a run of slots: rates, counts spread by halving, neighbours' charge.
+"""The charge of a pixel in a run of slots: rates, halved counts, exchange with neighbours.
 
-Part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`). The rate of a site, a
-pixel or one beside it, in a run of slots is its scale times a difference of sums over the slots.
+Part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`). A site is a pixel or a
+neighbour of one. Its rate in a run of slots is its scale times a difference of cumulative sums.
 """
 
 from __future__ import annotations
@@ -37,8 +37,8 @@ class Sites(NamedTuple):
 
 
 class Away(NamedTuple):
-    """Counts that are given: how far they are `from_mean` (counted groups, pixels), and in which of
-    these rows each group's are, -1: in none."""
+    """Known counts: their deviations `from_mean` (counted groups, pixels), and in `row` the row of
+    each group there, or -1."""
 
     row: Annotated[Ints, "groups"]
     from_mean: Floats
@@ -61,32 +61,35 @@ def stream_key(base: np.uint64, frame: int, group: np.uint64) -> np.uint64:
 
 
 @compiled
-def _share(sums: Floats, row: int, first: int, stop: int) -> float:
+def _rate_between(sums: Floats, row: int, first: int, stop: int) -> float:
     """The rates of a group in the slots `first` .. `stop` - 1, from their sums up to each slot."""
-    found: float = sums[row + stop] - sums[row + first]
-    return found
+    rate: float = sums[row + stop] - sums[row + first]
+    return rate
 
 
 @compiled
-def _split(
+def _split_node(
     sizes: Sizes, counts: Counts, top: int, parent: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
     """Halve the count of a node."""
-    heap, stamps, slots, whole = counts.heap, counts.stamps, sizes.slots, sizes.whole
-    size, above = whole, parent
+    heap, stamps, slots, padded_slots = counts.heap, counts.stamps, sizes.slots, sizes.padded_slots
+    size, above = padded_slots, parent
     while above > 1:
         size //= 2
         above //= 2
-    start = parent * size - whole
+    start = parent * size - padded_slots
     middle, end = start + size // 2, min(start + size, slots)
     count = heap[top + parent]
     drawn = count
     if count <= 0.0:
         drawn = 0.0
     elif middle < slots:
-        left, right = _share(sums, row, start, middle), _share(sums, row, middle, end)
-        drawn = halved(stream, place, parent, count, left, right)
+        left_rate, right_rate = (
+            _rate_between(sums, row, start, middle),
+            _rate_between(sums, row, middle, end),
+        )
+        drawn = halved(stream, place, parent, count, left_rate, right_rate)
     heap[top + 2 * parent] = drawn
     heap[top + 2 * parent + 1] = count - drawn
     stamps[top + 2 * parent] = place
@@ -94,14 +97,14 @@ def _split(
 
 
 @compiled
-def _counted(
+def _count_between(
     sizes: Sizes, counts: Counts, top: int, first: int, stop: int, sums: Floats, row: int,
     stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
     """The count of a group in the slots `first` .. `stop` - 1. `heap` from `top` on keeps the
     counts of the nodes that were found for this pixel."""
     total = 0.0
-    low, high = first + sizes.whole, stop + sizes.whole
+    low, high = first + sizes.padded_slots, stop + sizes.padded_slots
     while low < high:
         for side in range(2):
             node = 0
@@ -116,7 +119,7 @@ def _counted(
                 while counts.stamps[top + (node >> depth)] != place:
                     depth += 1
                 while depth > 0:
-                    _split(sizes, counts, top, node >> depth, sums, row, stream, place)
+                    _split_node(sizes, counts, top, node >> depth, sums, row, stream, place)
                     depth -= 1
                 total += counts.heap[top + node]
         low //= 2
@@ -125,27 +128,29 @@ def _counted(
 
 
 @compiled
-def _between(
+def _charge_of_source(
     sizes: Sizes, numbers: Numbers, source: int, place: int, begin: int, stop: int,
-    sites: Sites, counts: Counts, kept: int,
+    sites: Sites, counts: Counts, heap_number: int,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 of one source (`LIT`, `DARK`) at a site, whose
-    counts are kept in heaps from number `kept` on. A group's count is drawn when it is first asked
-    for.
-    """
+    counts are kept in heaps from number `heap_number` on. A group's count is drawn when it is first
+    asked for."""
     total, sums, heap, stamps = 0.0, sites.sums, counts.heap, counts.stamps
     slots, count = sizes.slots, sizes.groups
     counted = source == DARK or sizes.counts_light == 1
-    site, kept = 2 * sites.number[place] + source, kept + source
+    site, heap_number = 2 * sites.number[place] + source, heap_number + source
     scale, row = sites.scales[site], sites.rows[site]
     for group in range(count):
-        inside, every = scale * _share(sums, row, begin, stop), scale * sums[row + slots]
+        inside, group_rate = (
+            scale * _rate_between(sums, row, begin, stop),
+            scale * sums[row + slots],
+        )
         if inside > 0.0 and not counted:
             total += inside
         elif inside > 0.0:
-            top = (kept * count + group) * 2 * sizes.whole
+            top = (heap_number * count + group) * 2 * sizes.padded_slots
             if stamps[top + 1] != place:
-                rate = every if every < numbers.rate_cap else numbers.rate_cap
+                rate = group_rate if group_rate < numbers.rate_cap else numbers.rate_cap
                 stream = counts.streams[2 * source * count + group]
                 heap[top + 1] = poisson_exact(uniform(stream, place), rate)
                 stamps[top + 1] = place
@@ -156,7 +161,7 @@ def _between(
                 total += heap[top + 1]
             else:
                 stream = counts.streams[(2 * source + 1) * count + group]
-                total += _counted(sizes, counts, top, begin, stop, sums, row, stream, place)
+                total += _count_between(sizes, counts, top, begin, stop, sums, row, stream, place)
         row += slots + 1
     return total
 
@@ -176,28 +181,30 @@ def streams_of(sizes: Sizes, keys: Keys, group_ids: Words, streams: Words) -> No
 @compiled
 def _heaps_at(sizes: Sizes, place: int) -> int:
     """Where a site's counts are kept: next to those of its neighbours, never in their place."""
-    if not sizes.exchanges or sizes.given:
+    if not sizes.exchanges or sizes.counts_known:
         return 0
     row, col = place // sizes.cols, place % sizes.cols
-    found: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
-    return found
+    heap_number: int = (row % 3) * sizes.kept_cols + col % sizes.kept_cols
+    return heap_number
 
 
 @compiled
-def _of_site(
+def _charge_of_site(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     counts: Counts,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 at a site."""
-    kept = 2 * _heaps_at(sizes, place)
-    total = _between(sizes, numbers, LIT, place, begin, stop, sites, counts, kept)
+    heap_number = 2 * _heaps_at(sizes, place)
+    total = _charge_of_source(sizes, numbers, LIT, place, begin, stop, sites, counts, heap_number)
     if sizes.counts_dark:
-        total += _between(sizes, numbers, DARK, place, begin, stop, sites, counts, kept)
+        total += _charge_of_source(
+            sizes, numbers, DARK, place, begin, stop, sites, counts, heap_number
+        )
     return total
 
 
 @compiled
-def _taken_evenly(
+def _charge_spread_evenly(
     sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
     away: Away,
 ) -> float:  # fmt: skip
@@ -207,17 +214,17 @@ def _taken_evenly(
     lit, dark, scale = sites.rows[site + LIT], sites.rows[site + DARK], sites.scales[site + LIT]
     pixels, total = sizes.rows * sizes.cols, 0.0
     for group in range(sizes.groups):
-        inside, every = _share(sums, lit, begin, stop), sums[lit + slots]
+        inside, group_rate = _rate_between(sums, lit, begin, stop), sums[lit + slots]
         total += scale * inside
         # Of rates beyond the cap, sums know no count.
-        known = scale * every < numbers.rate_cap
+        known = scale * group_rate < numbers.rate_cap
         if sizes.counts_dark:
-            in_time = _share(sums, dark, begin, stop)
+            in_time = _rate_between(sums, dark, begin, stop)
             total += sites.scales[site + DARK] * in_time
-            if every <= 0.0:
-                inside, every = in_time, sums[dark + slots]
+            if group_rate <= 0.0:
+                inside, group_rate = in_time, sums[dark + slots]
         if away.row[group] >= 0 and inside > 0.0 and known:
-            total += away.from_mean[away.row[group] * pixels + place] * (inside / every)
+            total += away.from_mean[away.row[group] * pixels + place] * (inside / group_rate)
         lit += slots + 1
         dark += slots + 1
     return total
@@ -231,20 +238,20 @@ def charge(
     """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
     if begin >= stop:
         return 0.0
-    own = _of_site(sizes, numbers, counts.places[0], begin, stop, sites, counts)
+    own_e = _charge_of_site(sizes, numbers, counts.places[0], begin, stop, sites, counts)
     if not sizes.exchanges:
-        return own
+        return own_e
     flow = 0.0
     for beside in range(1, SITES):
         place = counts.places[beside]
         if place < 0:
             continue
-        if sizes.given:
-            total = _taken_evenly(sizes, numbers, place, begin, stop, sites, away)
+        if sizes.counts_known:
+            total = _charge_spread_evenly(sizes, numbers, place, begin, stop, sites, away)
         else:
-            total = _of_site(sizes, numbers, place, begin, stop, sites, counts)
-        flow += total - own
-    return own + numbers.exchanged * flow
+            total = _charge_of_site(sizes, numbers, place, begin, stop, sites, counts)
+        flow += total - own_e
+    return own_e + numbers.exchanged * flow
 
 
 @compiled
@@ -253,14 +260,14 @@ def charge_evenly(
     counts: Counts,
 ) -> float:  # fmt: skip
     """As `charge`, the pixel's own counts spread as light is, too."""
-    own = _taken_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)
+    own_e = _charge_spread_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)
     flow = 0.0
     for beside in range(1, SITES if sizes.exchanges else 1):
         place = counts.places[beside]
         if place >= 0:
-            flow -= own
-            flow += _taken_evenly(sizes, numbers, place, begin, stop, sites, away)
-    return own + numbers.exchanged * flow
+            flow -= own_e
+            flow += _charge_spread_evenly(sizes, numbers, place, begin, stop, sites, away)
+    return own_e + numbers.exchanged * flow
 
 
 @compiled
@@ -272,9 +279,9 @@ def least_charge(
     site, mean = 2 * sites.number[place] + LIT, 0.0
     row = sites.rows[site]
     for _ in range(sizes.groups):
-        mean += _share(sites.sums, row, begin, stop)
+        mean += _rate_between(sites.sums, row, begin, stop)
         row += sizes.slots + 1
     mean *= sites.scales[site]
     least = mean - SURE * math.sqrt(mean)
-    kept = 1.0 - (SITES - 1) * numbers.exchanged if sizes.exchanges else 1.0
-    return kept * least if least > 0.0 else 0.0
+    kept_fraction = 1.0 - (SITES - 1) * numbers.exchanged if sizes.exchanges else 1.0
+    return kept_fraction * least if least > 0.0 else 0.0

@@ -41,18 +41,17 @@ _LEAK_SIGMAS = 4.0
 
 @dataclass(frozen=True, eq=False)
 class Chip:
-    """A program on some pixels of one chip under the effects in `kept`.
+    """A program on some pixels of one chip under the effects in `kept_effects`.
 
-    `wanted` also has the effects that are left out by choice: noise and patterns of words are
-    weighed as with all of these, so that leaving out what weighs them changes them least. Arrays
-    are made when they are asked for, and not to be written to.
-    """
+    `requested_effects` also has the effects that are left out by choice: noise and patterns of
+    words are weighed as with all of these, so that leaving out what weighs them changes them least.
+    Arrays are made when they are asked for, and not to be written to."""
 
     program: Program
     array: PixelArray
     device_seed: int
-    kept: Selection
-    wanted: Selection
+    kept_effects: Selection
+    requested_effects: Selection
 
     @property
     def device(self) -> Device:
@@ -62,13 +61,13 @@ class Chip:
     @property
     def factor(self) -> float:
         """The factor on the light of every pixel: the previous frame's is the same."""
-        echo = self.kept.part(Echo)
+        echo = self.kept_effects.find_part(Echo)
         return 1.0 + (0.0 if echo is None else echo.fraction(self.program.sensor))
 
     @cached_property
     def scale(self) -> Values:
         """The factor on the light of each pixel before it is counted."""
-        response = self.kept.part(Response)
+        response = self.kept_effects.find_part(Response)
         if response is not None:
             return self.factor * self.device.fixed(response.factor)
         return np.full(self.array.lanes.size, self.factor)
@@ -81,27 +80,29 @@ class Chip:
     @cached_property
     def exchanged(self) -> float:
         """The part of a pixel's charge that goes to each of its neighbours."""
-        exchange = self.kept.part(Exchange)
+        exchange = self.kept_effects.find_part(Exchange)
         return 0.0 if exchange is None else exchange.fraction(self.program.sensor)
 
     @cached_property
     def current(self) -> Values:
         """The dark current of each pixel, 0 where there is none."""
-        part = self.kept.part(CountedDark)
-        if part is None:
+        dark_part = self.kept_effects.find_part(CountedDark)
+        if dark_part is None:
             return np.zeros(self.array.lanes.size)
-        return self.device.fixed(part.per_s)
+        return self.device.fixed(dark_part.per_s)
 
     @cached_property
     def counted(self) -> tuple[int, ...]:
         """The groups of slots whose charge is counted: the open ones."""
-        return () if self.kept.part(Counted) is None else self.program.open_groups
+        return () if self.kept_effects.find_part(Counted) is None else self.program.open_groups
 
     @cached_property
     def dark_rates(self) -> Values:
         """The dark charge (counted groups, pixels)."""
         seconds = map(self.program.group_seconds, self.counted)
-        return np.array([self.current * each[self.array.flat_lanes] for each in seconds])
+        return np.array(
+            [self.current * lane_seconds[self.array.flat_lanes] for lane_seconds in seconds]
+        )
 
     @cached_property
     def leak_rates(self) -> tuple[float, ...]:
@@ -109,7 +110,7 @@ class Chip:
         pixel, at the Chebyshev nodes of what pixels have. Frames are short beside the time in which
         registers leak: a line between the sums leaves out the square of the spread of rate times
         age, a few parts in a million for the default sensor."""
-        leak, sensor = self.kept.part(Leak), self.program.sensor
+        leak, sensor = self.kept_effects.find_part(Leak), self.program.sensor
         if leak is None:
             return (0.0,)
         mean, spread = 1.0 / leak.tau_s(sensor), leak.spread(sensor)
@@ -125,7 +126,7 @@ class Chip:
     @cached_property
     def leak_weights(self) -> Values:
         """The weights (rates, pixels) with which these sums give that of each pixel."""
-        leak = self.kept.part(Leak)
+        leak = self.kept_effects.find_part(Leak)
         if leak is None or len(self.leak_rates) == 1:
             return np.ones((1, 1))
         low, high = self.leak_rates
@@ -135,9 +136,12 @@ class Chip:
     @cached_property
     def dark_e(self) -> Values | None:
         """What dark current adds to exposures (buckets, pixels), nothing saturated."""
-        if self.kept.part(CountedDark) is None:
+        if self.kept_effects.find_part(CountedDark) is None:
             return None
-        exchange, model = self.kept.part(Exchange), self.program.model(self.kept)
+        exchange, model = (
+            self.kept_effects.find_part(Exchange),
+            self.program.model(self.kept_effects),
+        )
 
         def make() -> Values:
             current = self.current
@@ -153,23 +157,25 @@ class Chip:
     @cached_property
     def patterns(self) -> Values:
         """The fixed errors (buckets, pixels) of the analog words."""
-        program, wanted = self.program, self.program.model(self.wanted)
+        program, full_model = self.program, self.program.model(self.requested_effects)
 
         def make() -> Values:
             total: Values | float = 0.0
             for rate, weights in zip(self.leak_rates, self.leak_weights, strict=True):
-                model = replace(wanted, leak_per_s=rate) if rate else wanted
+                model = replace(full_model, leak_per_s=rate) if rate else full_model
                 by_lane = program.tables.pattern(model).T
                 total = total + by_lane[:, self.array.flat_lanes] * weights
-            return np.ascontiguousarray(total * self.device.fixed(self.kept.the(WordGain).error_e))
+            return np.ascontiguousarray(
+                total * self.device.fixed(self.kept_effects.require_part(WordGain).error_e)
+            )
 
-        key = "patterns", self.device_seed, wanted, self.leak_rates
+        key = "patterns", self.device_seed, full_model, self.leak_rates
         return self.array.recent.of(key, make)
 
     @cached_property
     def own_weights(self) -> NDArray[np.float32]:
         """The mean weights (counted groups, buckets, pixels) of a pixel's own counts."""
-        program, model = self.program, self.program.model(self.kept)
+        program, model = self.program, self.program.model(self.kept_effects)
 
         def make() -> NDArray[np.float32]:
             means = program.mean_weights(model)
@@ -183,7 +189,7 @@ class Chip:
     def beside_weights(self) -> NDArray[np.float32]:
         """The weights (counted groups, 4, buckets, pixels) of the counts of the neighbours above,
         below, left and right, where pixels exchange counts."""
-        program, model = self.program, self.program.model(self.kept)
+        program, model = self.program, self.program.model(self.kept_effects)
         buckets = len(program.container.buckets)
         return self.array.recent.of(
             ("beside", model),
@@ -193,20 +199,25 @@ class Chip:
     @cached_property
     def sources(self) -> list[tuple[int, int]]:
         """What counts charge: the effect's stream, and the source."""
-        lit = [(effect.stream, LIGHT) for effect, _ in self.kept.having(CountedLight)]
-        dark = [(effect.stream, WITHOUT_LIGHT) for effect, _ in self.kept.having(CountedDark)]
+        lit = [(effect.stream, LIGHT) for effect, _ in self.kept_effects.having(CountedLight)]
+        dark = [
+            (effect.stream, WITHOUT_LIGHT) for effect, _ in self.kept_effects.having(CountedDark)
+        ]
         return lit + dark
 
     @cached_property
     def noise(self) -> tuple[list[tuple[int, int]], Values]:
         """The streams and draws of small errors, and the standard deviation (draws, buckets, lanes)
         of each."""
-        program, wanted = self.program, self.program.model(self.wanted)
+        program, full_model = self.program, self.program.model(self.requested_effects)
 
         def make() -> tuple[list[tuple[int, int]], Values]:
             draws, sigmas = [], []
-            for effect, part in self.kept.errors():
-                factor = part.sigma_e(program.sensor) * program.tables.noise(part.at, wanted)[0]
+            for effect, error_part in self.kept_effects.errors():
+                factor = (
+                    error_part.sigma_e(program.sensor)
+                    * program.tables.noise(error_part.at, full_model)[0]
+                )
                 for draw in range(factor.shape[2]):
                     if factor[:, :, draw].any():
                         draws.append((effect.stream, draw))
@@ -214,7 +225,7 @@ class Chip:
             shape = len(draws), len(program.container.buckets), len(program.container.encoding)
             return draws, np.ascontiguousarray(np.array(sigmas).reshape(shape))
 
-        return program.recent.of(("noise", wanted, self.kept.names(Errors)), make)
+        return program.recent.of(("noise", full_model, self.kept_effects.names(Errors)), make)
 
     @cached_property
     def saturation_e(self) -> Values:
@@ -222,26 +233,28 @@ class Chip:
         does: of what PIX sees, and of each kind of what registers hold
         (`nscc_runtime.execution.reach`)."""
         program, reach = self.program, self.program.reach
-        well, soft = self.kept.part(Well), self.kept.part(Soft)
-        kinds = 1 if reach.held is None else 1 + len(reach.held)
+        well, soft = self.kept_effects.find_part(Well), self.kept_effects.find_part(Soft)
+        kinds = 1 if reach.held_weights is None else 1 + len(reach.held_weights)
         least_e = np.full((kinds, len(program.container.encoding)), np.inf)
         if well is not None:
             least_e[0] = well.full_e(program.sensor)
-        if soft is not None and reach.held is None:
+        if soft is not None and reach.held_weights is None:
             np.minimum(least_e, reach.least_e, out=least_e)
         elif soft is not None:
             least_e[1:] = reach.least_e
         return least_e
 
     @remembered
-    def own(self, make: Callable[[Chip], T]) -> T:
+    def compute_once(self, make: Callable[[Chip], T]) -> T:
         """What else scenes have in common here, `make(self)`: made once."""
         return make(self)
 
 
-def chip_of(program: Program, device_seed: int, kept: Selection, wanted: Selection) -> Chip:
+def chip_of(
+    program: Program, device_seed: int, kept_effects: Selection, requested_effects: Selection
+) -> Chip:
     """The whole chip with these effects, kept with the program for a while."""
     return program.recent_chips.of(
-        (Chip, device_seed, kept.on, wanted.on),
-        lambda: Chip(program, program.array, device_seed, kept, wanted),
+        (Chip, device_seed, kept_effects.on, requested_effects.on),
+        lambda: Chip(program, program.array, device_seed, kept_effects, requested_effects),
     )

@@ -1,7 +1,7 @@
 """What is drawn for a block of pixels at a time: counts, and codes of the converter.
 
 Parts of the loops over the pixels of a frame. Numbers are keyed by the places of pixels on the
-chip; `scratch`, `few` and `few_at` are rooms that the loops lend.
+chip; `scratch`, `pending_rates` and `pending_pixels` are rooms that the loops lend.
 """
 
 from __future__ import annotations
@@ -57,44 +57,43 @@ def _exp_minus(x: float) -> float:
     p = p * r + 1.0
     p = p * r + 1.0
     power = np.int64((np.int64(n) + np.int64(1023)) << np.int64(52)).view(np.float64)
-    found: float = p * power
-    return found
+    exponential: float = p * power
+    return exponential
 
 
 @compiled
 def _searched(
-    count: int, few: Floats, places: Ints, rest: int, mass: int, found: int, scratch: Floats,
-    out: int,
+    count: int, pending_rates: Floats, places: Ints, remainder_at: int, mass_at: int, count_at: int,
+    scratch: Floats, out: int,
 ) -> None:  # fmt: skip
-    """scratch[out + places[j]] := `nscc_runtime.noise.poisson_law.search` for the rate few[j], at
-    most SEARCH_BELOW; `scratch` holds uniform numbers from `rest` on. Step by step for all at once;
-    those that have their count leave now and then.
-    """
+    """scratch[out + places[j]] := `nscc_runtime.noise.poisson_law.search` for the rate
+    pending_rates[j], at most SEARCH_BELOW; `scratch` holds uniform numbers from `remainder_at` on.
+    Step by step for all at once; those that have their count leave now and then."""
     for j in range(count):
-        start = _exp_minus(few[j])
-        scratch[mass + j] = start
-        scratch[rest + j] -= start
-        scratch[found + j] = 0.0
+        start = _exp_minus(pending_rates[j])
+        scratch[mass_at + j] = start
+        scratch[remainder_at + j] -= start
+        scratch[count_at + j] = 0.0
     step, together = 1, 4
     while count:
         end = min(step + together, MOST_COUNTED)
         for k in range(step, end):
             inverse = 1.0 / k
             for j in range(count):
-                next_mass = scratch[mass + j] * (few[j] * inverse)
-                left = scratch[rest + j]
-                scratch[mass + j] = next_mass
-                scratch[rest + j] = left - next_mass
-                scratch[found + j] += 1.0 if left > 0.0 and next_mass > _NOTHING else 0.0
+                next_mass = scratch[mass_at + j] * (pending_rates[j] * inverse)
+                remainder = scratch[remainder_at + j]
+                scratch[mass_at + j] = next_mass
+                scratch[remainder_at + j] = remainder - next_mass
+                scratch[count_at + j] += 1.0 if remainder > 0.0 and next_mass > _NOTHING else 0.0
         going = 0
         for j in range(count):
             place = places[j]
-            scratch[out + place] = scratch[found + j]
-            scratch[rest + going] = scratch[rest + j]
-            scratch[mass + going] = scratch[mass + j]
-            scratch[found + going] = scratch[found + j]
-            few[going], places[going] = few[j], place
-            on = scratch[rest + j] > 0.0 and scratch[mass + j] > _NOTHING
+            scratch[out + place] = scratch[count_at + j]
+            scratch[remainder_at + going] = scratch[remainder_at + j]
+            scratch[mass_at + going] = scratch[mass_at + j]
+            scratch[count_at + going] = scratch[count_at + j]
+            pending_rates[going], places[going] = pending_rates[j], place
+            on = scratch[remainder_at + j] > 0.0 and scratch[mass_at + j] > _NOTHING
             going += 1 if on else 0
         count = going if end < MOST_COUNTED else 0
         step, together = end, 2 * together
@@ -111,10 +110,10 @@ def _decided(count: int, rates: Floats, scratch: Floats, out: int) -> None:
         known = rate if rate > FORMULA_FROM else FORMULA_FROM
         known = known if known < SEARCH_BELOW else SEARCH_BELOW
         x = quantile(z, known)
-        whole, square = np.floor(x), z * z
+        lower_count, square = np.floor(x), z * z
         margin = MARGIN * (1.0 + abs(z) * square * square) / (known * math.sqrt(known))
-        sure = rate >= FORMULA_FROM and x - whole > margin and x - whole < 1.0 - margin
-        decided = (whole if whole > 0.0 else 0.0) if sure else _UNSURE
+        sure = rate >= FORMULA_FROM and x - lower_count > margin and x - lower_count < 1.0 - margin
+        decided = (lower_count if lower_count > 0.0 else 0.0) if sure else _UNSURE
         scratch[out + i] = 0.0 if rate >= SETTLED_ABOVE else decided
 
 
@@ -147,7 +146,7 @@ def drawn_normals(stream: np.uint64, places: Ints, first: int, count: int, out: 
 @compiled
 def counted(
     stream: np.uint64, top: float, places: Ints, first: int, stop: int, values: Floats,
-    scratch: Floats, few: Floats, few_at: Ints,
+    scratch: Floats, pending_rates: Floats, pending_pixels: Ints,
 ) -> None:  # fmt: skip
     """values[i] := a count of the rate values[i] at places[first + i], as
     `nscc_runtime.noise.poisson_law.poisson_fast` finds it from the same uniform number.
@@ -169,26 +168,28 @@ def counted(
     uniforms, normals, counts = BLOCK, 0, 2 * BLOCK
     for i in range(count):
         scratch[uniforms + i] = unit(bits(stream, places[first + i], FIRST_LANE))
-    asked = middle > count // _FEW
-    if asked or high:
+    uses_formula = middle > count // _FEW
+    if uses_formula or high:
         for i in range(count):
             scratch[normals + i] = float(normal_fast(scratch[uniforms + i]))
-    if asked:
+    if uses_formula:
         _decided(count, values, scratch, counts)
     else:
         for i in range(count):
             # exp(-rate) is not below 1 - rate, so where u is not above that the count is 0.
-            more = values[i] < SETTLED_ABOVE and scratch[uniforms + i] > 1.0 - values[i]
-            scratch[counts + i] = _UNSURE if more else 0.0
+            is_unsure = values[i] < SETTLED_ABOVE and scratch[uniforms + i] > 1.0 - values[i]
+            scratch[counts + i] = _UNSURE if is_unsure else 0.0
     unsure = 0
     for i in range(count):
-        few_at[unsure] = i
+        pending_pixels[unsure] = i
         unsure += 1 if scratch[counts + i] < 0.0 else 0
     for j in range(unsure):
-        rate = values[few_at[j]]
-        few[j] = rate if rate < SEARCH_BELOW else SEARCH_BELOW
-        scratch[uniforms + j] = scratch[uniforms + few_at[j]]
-    _searched(unsure, few, few_at, uniforms, 3 * BLOCK, 4 * BLOCK, scratch, counts)
+        rate = values[pending_pixels[j]]
+        pending_rates[j] = rate if rate < SEARCH_BELOW else SEARCH_BELOW
+        scratch[uniforms + j] = scratch[uniforms + pending_pixels[j]]
+    _searched(
+        unsure, pending_rates, pending_pixels, uniforms, 3 * BLOCK, 4 * BLOCK, scratch, counts
+    )
     if high:
         _raised(count, values, scratch, counts)
     for i in range(count):

@@ -124,15 +124,15 @@ class Turns:
     def flags(self) -> NDArray[np.uint8]:
         """`ACTS` and `SEEN` of each word: whether it acts, and whether what falls on PIX before it
         is read, by it or later, before PIX is reset."""
-        seen = self._then(self._turns & ~self._resets, 0)
-        return np.asarray(ACTS * self._acts + SEEN * seen, np.uint8)
+        is_read = self._then(self._turns & ~self._resets, 0)
+        return np.asarray(ACTS * self._acts + SEEN * is_read, np.uint8)
 
     def _then(self, kind: NDArray[np.bool_], after: int) -> NDArray[np.bool_]:
         """Whether the next turn, so many words after each or later, is of a kind; one of another
         lane is none."""
         if not self._count:
             return np.zeros(0, np.bool_)
-        here = np.where(self._turns, np.arange(self._count), self._count)
-        coming = np.minimum.accumulate(here[::-1])[::-1]
+        turn_index = np.where(self._turns, np.arange(self._count), self._count)
+        coming = np.minimum.accumulate(turn_index[::-1])[::-1]
         coming = np.append(coming, np.full(after, self._count))[after:]
         return np.asarray((coming < self._end) & kind[np.minimum(coming, self._count - 1)])

@@ -35,7 +35,7 @@ class Errors(NamedTuple):
     """Scratch: keys that were found, 0 at first; what draws lack; the errors of each word of a
     lane; of the draws that are made together, where they go, their keys, and themselves."""
 
-    found: Written[Words]
+    streams: Written[Words]
     missing: Written[Floats]
     drawn: Written[Floats]
     draws: Written[Ints]
@@ -45,12 +45,13 @@ class Errors(NamedTuple):
 
 @compiled
 def _stream_of(
-    sizes: Sizes, base: np.uint64, at: int, number: np.uint64, found: Words
+    sizes: Sizes, base: np.uint64, at: int, number: np.uint64, streams: Words
 ) -> np.uint64:
-    """The key of draw `number` in this frame, kept in found[at] from when it is first asked for."""
-    if found[at] == _UNKNOWN:
-        found[at] = stream_key(base, sizes.frame, number)
-    stream: np.uint64 = found[at]
+    """The key of draw `number` in this frame, kept in streams[at] from when it is first asked
+    for."""
+    if streams[at] == _UNKNOWN:
+        streams[at] = stream_key(base, sizes.frame, number)
+    stream: np.uint64 = streams[at]
     return stream
 
 
@@ -68,7 +69,7 @@ def draw_errors(
     row = kind * (buckets + sizes.words * sizes.numbered)
     count, first = 0, lanes.start[lane]
     for bucket in range(buckets):
-        stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), errors.found)
+        stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), errors.streams)
         errors.missing[bucket] = normal(uniform(stream, place))
     for e in range(first, lanes.start[lane + 1]):
         word = words[lanes.word[e]]
@@ -78,7 +79,9 @@ def draw_errors(
                 if kind == WORDS:
                     number = number * sizes.numbered + draw - 1
                 at = row + buckets + number
-                errors.keys[count] = _stream_of(sizes, of_part, at, np.uint64(number), errors.found)
+                errors.keys[count] = _stream_of(
+                    sizes, of_part, at, np.uint64(number), errors.streams
+                )
                 errors.draws[count] = (e - first) * sizes.draws + draw
                 count += 1
     # All draws together: LLVM makes vectors of them.

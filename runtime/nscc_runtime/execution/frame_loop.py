@@ -28,13 +28,14 @@ UP, DOWN, LEFT, RIGHT = range(4)
 
 @record
 class Counting:
-    """Which of all `pixels` are counted; `more`: beside what another source has left in `away`."""
+    """Which of all `pixels` are counted; `accumulates`: beside what another source has left in
+    `away`."""
 
     begin: int
     end: int
     pixels: int
     groups: int
-    more: int
+    accumulates: int
     rate_cap: float
 
 
@@ -46,14 +47,14 @@ def draw_counts(
     places: Annotated[Ints, "pixels"],
     values: Written[Floats],
     scratch: Written[Floats],
-    few: Written[Floats],
-    few_at: Written[Ints],
+    pending_rates: Written[Floats],
+    pending_pixels: Written[Ints],
     away: Written[Annotated[Floats, "groups pixels"]],
 ) -> None:
     """away[g, p] := how far a count of rates[g, p] is from its mean, or so much more.
 
-    `values`, `few`, `few_at`: scratch for `BLOCK` pixels; `scratch` for five times as many.
-    """
+    `values`, `pending_rates`, `pending_pixels`: scratch for `BLOCK` pixels; `scratch` for five
+    times as many."""
     for first in range(counting.begin, counting.end, BLOCK):
         stop = min(first + BLOCK, counting.end)
         for group in range(counting.groups):
@@ -61,12 +62,13 @@ def draw_counts(
             for i in range(stop - first):
                 values[i] = rates[at + i]
             counted(
-                keys[group], counting.rate_cap, places, first, stop, values, scratch, few, few_at
+                keys[group], counting.rate_cap, places, first, stop, values, scratch, pending_rates,
+                pending_pixels
             )  # fmt: skip
             for i in range(stop - first):
                 # No count is beyond the cap, and sums have that of light: it is no error there.
                 mean = rates[at + i] if rates[at + i] < counting.rate_cap else values[i]
-                before = away[at + i] if counting.more else 0.0
+                before = away[at + i] if counting.accumulates else 0.0
                 away[at + i] = before + (values[i] - mean)
 
 
@@ -93,7 +95,7 @@ class Adding:
 @compiled
 def _beside(
     adding: Adding, direction: int, group: int, bucket: int, first: int, stop: int,
-    own: Floats32, neighbours: Floats32, away: Floats, total: Floats,
+    own_weights: Floats32, neighbour_weights: Floats32, away: Floats, total: Floats,
 ) -> None:  # fmt: skip
     """total[b, i] += what neighbours in one direction give, less what goes to them."""
     rows, cols, pixels = adding.rows, adding.cols, adding.pixels
@@ -107,20 +109,20 @@ def _beside(
         step, begin = -1, first if first % cols else first + 1
     else:
         step, end = 1, stop if stop % cols else stop - 1
-    here = group * adding.pixels
-    mine = (group * adding.buckets + bucket) * pixels
-    other = ((group * 4 + direction) * adding.buckets + bucket) * pixels
+    group_start = group * adding.pixels
+    own_start = (group * adding.buckets + bucket) * pixels
+    neighbour_start = ((group * 4 + direction) * adding.buckets + bucket) * pixels
     at = bucket * BLOCK - first
     for p in range(begin, end):
-        given = own[mine + p] * away[here + p]
-        taken = neighbours[other + p] * away[here + p + step]
-        total[at + p] += adding.fraction * (taken - given)
+        given_e = own_weights[own_start + p] * away[group_start + p]
+        received_e = neighbour_weights[neighbour_start + p] * away[group_start + p + step]
+        total[at + p] += adding.fraction * (received_e - given_e)
 
 
 @compiled
 def _counted(
-    adding: Adding, first: int, stop: int, own: Floats32, neighbours: Floats32, away: Floats,
-    total: Floats,
+    adding: Adding, first: int, stop: int, own_weights: Floats32, neighbour_weights: Floats32, away:
+    Floats, total: Floats,
 ) -> None:  # fmt: skip
     """total[b, i] := what the groups' deviations make of the exposures at pixel first + i."""
     for bucket in range(adding.buckets):
@@ -128,12 +130,23 @@ def _counted(
         for p in range(first, stop):
             total[at + p] = 0.0
         for group in range(adding.groups):
-            mine = (group * adding.buckets + bucket) * adding.pixels
-            here = group * adding.pixels
+            own_start = (group * adding.buckets + bucket) * adding.pixels
+            group_start = group * adding.pixels
             for p in range(first, stop):
-                total[at + p] += own[mine + p] * away[here + p]
+                total[at + p] += own_weights[own_start + p] * away[group_start + p]
             for direction in range(4 if adding.exchanges else 0):
-                _beside(adding, direction, group, bucket, first, stop, own, neighbours, away, total)
+                _beside(
+                    adding,
+                    direction,
+                    group,
+                    bucket,
+                    first,
+                    stop,
+                    own_weights,
+                    neighbour_weights,
+                    away,
+                    total,
+                )
 
 
 @loop
@@ -144,8 +157,8 @@ def add_up(
     places: Annotated[Ints, "pixels"],
     expected: Annotated[Floats, "buckets pixels"],
     away: Annotated[Floats, "groups pixels"],
-    own: Annotated[Floats32, "groups buckets pixels"],
-    neighbours: Floats32,
+    own_weights: Annotated[Floats32, "groups buckets pixels"],
+    neighbour_weights: Floats32,
     sigma: Annotated[Floats, "sources buckets lane_count"],
     total: Written[Floats],
     drawn: Written[Floats],
@@ -153,21 +166,20 @@ def add_up(
 ) -> None:
     """Exposures of some rows of a frame from their means and from deviations of counts.
 
-    `own`: weights of a pixel's deviations; `neighbours` (groups, 4, buckets, pixels): those of its
-    neighbours', where these exchange counts. Scratch: `total` for `BLOCK` pixels a bucket, `drawn`
-    for `BLOCK`.
-    """
+    `own_weights`: weights of a pixel's deviations; `neighbour_weights` (groups, 4, buckets,
+    pixels): those of its neighbours', where these exchange counts. Scratch: `total` for `BLOCK`
+    pixels a bucket, `drawn` for `BLOCK`."""
     pixels, cols, end = adding.pixels, adding.cols, adding.end * adding.cols
     first = adding.begin * cols
     while first < end:
         # Rows one by one only where what is beside a pixel matters.
         last = (first // cols + 1) * cols if adding.exchanges else end
         stop = min(first + BLOCK, last)
-        _counted(adding, first, stop, own, neighbours, away, total)
+        _counted(adding, first, stop, own_weights, neighbour_weights, away, total)
         for bucket in range(adding.buckets):
-            at, here = bucket * BLOCK, bucket * pixels + first
+            at, pixel_start = bucket * BLOCK, bucket * pixels + first
             for i in range(stop - first):
-                total[at + i] += expected[here + i]
+                total[at + i] += expected[pixel_start + i]
         for source in range(adding.sources):
             drawn_normals(noise_keys[source], places, first, stop - first, drawn)
             for bucket in range(adding.buckets):
@@ -176,9 +188,9 @@ def add_up(
                 for i in range(stop - first):
                     total[at + i] += sigma[size + lanes[first + i]] * drawn[i]
         for bucket in range(adding.buckets):
-            at, here = bucket * BLOCK, bucket * pixels + first
+            at, pixel_start = bucket * BLOCK, bucket * pixels + first
             for i in range(stop - first):
-                exposure[here + i] = total[at + i] + 0.0
+                exposure[pixel_start + i] = total[at + i] + 0.0
         first = stop
 
 

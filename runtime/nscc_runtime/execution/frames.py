@@ -19,10 +19,10 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.parts import Counted, Saturates
 from nscc_runtime.emulator.capture import check_size
 from nscc_runtime.execution.chip import Chip, chip_of
-from nscc_runtime.execution.near import near_saturation
-from nscc_runtime.execution.pixels import Given, Running, Wired
+from nscc_runtime.execution.near_saturation import near_saturation
+from nscc_runtime.execution.pixels import KnownCounts, Running, Wired
 from nscc_runtime.execution.program import Program
-from nscc_runtime.execution.summed import Readout, SummedScene
+from nscc_runtime.execution.summed import LoopConverter, SummedScene
 from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
@@ -43,12 +43,12 @@ class Execution:
     path : {"sums", "words", "reference"}
         Weighted sums over slots, where pixels near saturation run through their words; all pixels
         through their words; or the reference, slot by slot.
-    kept : Selection
+    kept_effects : Selection
         The effects that are simulated.
-    near : Selection
+    near_effects : Selection
         Those of pixels near saturation, on the path "sums". No pixel runs through its words where
-        `kept` has nothing that saturates.
-    wanted : Selection
+        `kept_effects` has nothing that saturates.
+    requested_effects : Selection
         All effects that the user did not force off: they decide which pixels are near saturation,
         and weigh the noise of words.
     exact : bool
@@ -57,9 +57,9 @@ class Execution:
     """
 
     path: Path
-    kept: Selection
-    near: Selection
-    wanted: Selection
+    kept_effects: Selection
+    near_effects: Selection
+    requested_effects: Selection
     exact: bool = False
 
 
@@ -82,7 +82,9 @@ class ExecutedScene:
     def chip(self) -> Chip:
         """What the chip does to any scene under these effects."""
         execution = self.execution
-        return chip_of(self.program, self.device_seed, execution.kept, execution.wanted)
+        return chip_of(
+            self.program, self.device_seed, execution.kept_effects, execution.requested_effects
+        )
 
     def expose(self, seed: int, frame: int) -> Exposure:
         """Frame number `frame`, before the converter."""
@@ -115,7 +117,7 @@ class ExecutedScene:
             numbers = range(first, min(first + step, count))
             for number, exposure in zip(numbers, on_torch.expose(seed, numbers), strict=True):
                 marked = np.zeros(exposure.shape, np.uint8)
-                if self._near is not None:
+                if self._near_saturation is not None:
                     self._run_near(exposure, marked, self.summed.away(seed, number), seed, number)
                 yield self._read_out(exposure, marked, seed, number)
 
@@ -132,7 +134,7 @@ class ExecutedScene:
         away = self.summed.away(seed, frame)
         exposure = self.summed.expose(seed, frame, away)
         marked = np.zeros(exposure.shape, np.uint8)
-        if self._near is not None:
+        if self._near_saturation is not None:
             self._run_near(exposure, marked, away, seed, frame)
         return exposure, marked
 
@@ -141,21 +143,25 @@ class ExecutedScene:
     ) -> None:
         """Have pixels near saturation run through their words; sums have their neighbours'
         counts."""
-        assert self._near is not None
-        running, places = self._near, self._near.chosen
-        given = Given(self.chip.counted, away) if counts_agree(self.execution) else None
-        exposure[:, places], marked[:, places] = running.expose(seed, frame, given)
+        assert self._near_saturation is not None
+        running, places = self._near_saturation, self._near_saturation.chosen
+        known_counts = (
+            KnownCounts(self.chip.counted, away) if counts_agree(self.execution) else None
+        )
+        exposure[:, places], marked[:, places] = running.expose(seed, frame, known_counts)
 
     @cached_property
-    def _near(self) -> Running | None:
-        near = near_pixels(self.program, self.light, self.device_seed, self.execution)
-        if not len(near):
+    def _near_saturation(self) -> Running | None:
+        near_places = near_pixels(self.program, self.light, self.device_seed, self.execution)
+        if not len(near_places):
             return None
-        return Running(self._wired(self.execution.near), self.light, near, self.threads)
+        return Running(
+            self._wired(self.execution.near_effects), self.light, near_places, self.threads
+        )
 
     @cached_property
     def _all_by_words(self) -> Running:
-        wired = self._wired(self.execution.kept)
+        wired = self._wired(self.execution.kept_effects)
         return Running(wired, self.light, self.program.array.places, self.threads)
 
     def _wired(self, effects: Selection) -> Wired:
@@ -167,33 +173,37 @@ class ExecutedScene:
         return Exposure(exposure.reshape(shape), valid.reshape(shape), marked.reshape(shape))
 
     def _read_out(self, exposure: Values, marked: Marked, seed: int, frame: int) -> Frame:
-        readout = self.chip.own(Readout.of)
+        readout = self.chip.compute_once(LoopConverter.of)
         if readout is None:
             return self._converted(self._exposure(exposure, marked), seed, frame)
         return readout.frame(exposure, marked, self.light.shape, (seed, frame), self.threads)
 
     def _converted(self, exposure: Exposure, seed: int, frame: int) -> Frame:
         target, seeds = self.program.container.target, (seed, self.device_seed)
-        kept = self.execution.kept
-        return converted(exposure, target, self.program.sensor, kept, seeds, frame)
+        kept_effects = self.execution.kept_effects
+        return converted(exposure, target, self.program.sensor, kept_effects, seeds, frame)
 
     @cached_property
     def _reference(self) -> Reference:
-        return Reference.of(self.program.container, self.program.sensor, self.execution.kept)
+        return Reference.of(
+            self.program.container, self.program.sensor, self.execution.kept_effects
+        )
 
 
 def near_pixels(
     program: Program, light: Light, device_seed: int, execution: Execution
 ) -> NDArray[np.int64]:
     """The places of the pixels near saturation that run through their words under an execution."""
-    if execution.path != "sums" or not execution.kept.names(Saturates):
+    if execution.path != "sums" or not execution.kept_effects.names(Saturates):
         return np.empty(0, np.int64)
-    return near_saturation(program, light, device_seed, execution.wanted).places
+    return near_saturation(program, light, device_seed, execution.requested_effects).places
 
 
 def counts_agree(execution: Execution) -> bool:
     """Whether pixels near saturation can take the counts of sums."""
-    counted = (effects.names(Counted) for effects in (execution.kept, execution.near))
+    counted = (
+        effects.names(Counted) for effects in (execution.kept_effects, execution.near_effects)
+    )
     return not execution.exact and len({*counted}) == 1
 
 

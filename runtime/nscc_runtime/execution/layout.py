@@ -54,11 +54,11 @@ class Sizes:
     """Numbers that words have."""
     stale: int
     """Whether words read what registers held when the frame began."""
-    whole: int
+    padded_slots: int
     """The least power of two that is not below the number of slots."""
     kept_cols: int
     """Columns of the three rows of sites whose counts are kept."""
-    given: int
+    counts_known: int
     """Whether counts are given: neighbours' ones, and a pixel's own in slots that words see a part
     of, are spread as light is; else drawn and halved."""
     frame: int
@@ -188,19 +188,19 @@ class Fixed(NamedTuple):
         return cls(np.empty(block), np.empty(block), np.empty(block))
 
 
-class Held(NamedTuple):
+class RegisterContents(NamedTuple):
     """What the registers of a block hold, PIX after them and IN last: the `value`, the time
-    `since_s` when it holds that, how much was `lost` on the way, and what is `full` of it
+    `since_s` when it holds that, how much was `lost_e` on the way, and what is `full` of it
     (`nscc_runtime.execution.word_loop`). `level`: the reset level of PIX."""
 
     value: Written[Floats]
     since_s: Written[Floats]
-    lost: Written[Floats]
+    lost_e: Written[Floats]
     full: Written[Ints]
     level: Written[Floats]
 
     @classmethod
-    def of(cls, registers: int, block: int) -> Held:
+    def of(cls, registers: int, block: int) -> RegisterContents:
         """Room for a block."""
         count = (registers + 2) * block
         return cls(
@@ -211,11 +211,11 @@ class Held(NamedTuple):
 
 class Result(NamedTuple):
     """What a word makes of its sources at each pixel that runs it: their sum, what was lost on the
-    way, and what is full in it. `some`: the pixels of the block that do."""
+    way, and what is full in it. `pixels`: the pixels of the block that do."""
 
-    some: Written[Ints]
+    pixels: Written[Ints]
     total: Written[Floats]
-    lost: Written[Floats]
+    lost_e: Written[Floats]
     full: Written[Ints]
 
     @classmethod

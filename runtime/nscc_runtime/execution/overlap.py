@@ -35,22 +35,27 @@ class Overlap:
     ----------
     seconds : float64, shape (N, lanes, buckets)
         The slots' lengths times their weights.
-    parts : float64, shape (N, lanes)
+    inverse_seconds : float64, shape (N, lanes)
         Where the group has slots, as one over the seconds that all of these take.
     """
 
     seconds: Values
-    parts: Values
+    inverse_seconds: Values
 
-    def between(self, mine: NDArray[np.int32], other: NDArray[np.int32]) -> Weights:
-        """The weights (buckets, pairs) in pixels of the lanes `mine` of neighbours' counts."""
+    def between(
+        self, pixel_lanes: NDArray[np.int32], neighbour_lanes: NDArray[np.int32]
+    ) -> Weights:
+        """The weights (buckets, pairs) in pixels of the lanes `pixel_lanes` of neighbours'
+        counts."""
         if self._table is not None:
-            return self._table[:, mine, other]
-        weights = np.empty((self.seconds.shape[2], mine.size), np.float32)
-        for first in range(0, mine.size, _CHUNK):
+            return self._table[:, pixel_lanes, neighbour_lanes]
+        weights = np.empty((self.seconds.shape[2], pixel_lanes.size), np.float32)
+        for first in range(0, pixel_lanes.size, _CHUNK):
             chunk = slice(first, first + _CHUNK)
             weights[:, chunk] = np.einsum(
-                "npb,np->bp", self.seconds[:, mine[chunk]], self.parts[:, other[chunk]]
+                "npb,np->bp",
+                self.seconds[:, pixel_lanes[chunk]],
+                self.inverse_seconds[:, neighbour_lanes[chunk]],
             )
         return weights
 
@@ -60,16 +65,20 @@ class Overlap:
         _, lanes, buckets = self.seconds.shape
         if lanes**2 > _MOST_PAIRS:
             return None
-        by_bucket = (self.seconds[:, :, bucket].T @ self.parts for bucket in range(buckets))
+        by_bucket = (
+            self.seconds[:, :, bucket].T @ self.inverse_seconds for bucket in range(buckets)
+        )
         return np.stack([*by_bucket]).astype(np.float32)
 
 
 def weights_beside(overlaps: Sequence[Overlap], buckets: int, lanes: NDArray[np.int32]) -> Weights:
     """The weights (groups, 4, buckets, pixels) of the counts of the neighbours above, below, left
     and right in the exposures of pixels with these lanes (rows, cols); 0 where there is none."""
-    found = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
+    all_weights = np.zeros((len(overlaps), len(NEIGHBOURS), buckets, *lanes.shape), np.float32)
     for number, overlap in enumerate(overlaps):
         for side, (to, source) in enumerate(NEIGHBOURS):
             weights = overlap.between(lanes[to].reshape(-1), lanes[source].reshape(-1))
-            found[(number, side, slice(None), *to)] = weights.reshape(buckets, *lanes[to].shape)
-    return found.reshape(*found.shape[:3], lanes.size)
+            all_weights[(number, side, slice(None), *to)] = weights.reshape(
+                buckets, *lanes[to].shape
+            )
+    return all_weights.reshape(*all_weights.shape[:3], lanes.size)

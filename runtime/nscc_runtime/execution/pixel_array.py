@@ -37,7 +37,7 @@ class PixelArray:
     places: Places
 
     @classmethod
-    def whole(cls, lanes: NDArray[np.integer]) -> PixelArray:
+    def of_chip(cls, lanes: NDArray[np.integer]) -> PixelArray:
         """All pixels of a chip with these lanes (rows, cols)."""
         lanes_32 = np.require(lanes, np.int32, ["C", "A"])
         return cls(lanes_32, np.arange(lanes_32.size, dtype=np.int64))

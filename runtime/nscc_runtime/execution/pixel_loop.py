@@ -33,12 +33,12 @@ from nscc_runtime.execution.layout import (
     ACTS,
     SEEN,
     Fixed,
-    Held,
     Keys,
     Numbers,
     OnDevice,
     Program,
     Readouts,
+    RegisterContents,
     Result,
     Sizes,
     Switches,
@@ -73,16 +73,16 @@ def _surround(sizes: Sizes, place: int, places: Ints) -> None:
 @compiled
 def _begin(
     switches: Switches, sizes: Sizes, numbers: Numbers, device: OnDevice, start_keys: Words,
-    place: int, fixed: Fixed, held: Held,
+    place: int, fixed: Fixed, contents: RegisterContents,
 ) -> None:  # fmt: skip
     """What is fixed of a pixel, and what its registers hold when a frame begins: PIX is first among
     the keys."""
-    begin(switches, 1, held, 0)
+    begin(switches, 1, contents, 0)
     if sizes.stale:
         for register in range(switches.registers):
             start = uniform(start_keys[register + 1], place) / 2.0
-            held.value[register] = start * numbers.register_start
-        held.value[switches.registers] = uniform(start_keys[0], place) / 2.0 * numbers.pix_start
+            contents.value[register] = start * numbers.register_start
+        contents.value[switches.registers] = uniform(start_keys[0], place) / 2.0 * numbers.pix_start
     if switches.word_errors:
         z = normal(uniform(device.pattern, place))
         fixed.pattern[0] = numbers.bias + numbers.pattern * z
@@ -96,7 +96,7 @@ def _of_slot(
     sizes: Sizes, numbers: Numbers, n: int, sites: Sites, away: Away, counts: Counts
 ) -> float:
     """The charge of one slot, of which words see a part."""
-    if sizes.given:
+    if sizes.counts_known:
         return charge_evenly(sizes, numbers, n, n + 1, sites, away, counts)
     return charge(sizes, numbers, n, n + 1, sites, away, counts)
 
@@ -104,43 +104,43 @@ def _of_slot(
 @compiled
 def _fallen(
     switches: Switches, sizes: Sizes, numbers: Numbers, at: int, stop: int, gone: float,
-    of_slot: float, sites: Sites, away: Away, counts: Counts, held: float,
+    of_slot: float, sites: Sites, away: Away, counts: Counts, pix_e: float,
 ) -> float:  # fmt: skip
     """The charge of the slots `at` .. `stop` - 1 less a part `gone` of the first, whose charge is
-    `of_slot`; or so much that PIX, which holds `held`, is full with it for sure."""
+    `of_slot`; or so much that PIX, which holds `pix_e`, is full with it for sure."""
     first = at if gone == 0.0 else at + 1
     if switches.holds:
         least = least_charge(sizes, numbers, counts.places[0], first, stop, sites)
-        if held + least > numbers.well:
+        if pix_e + least > numbers.well:
             return 2.0 * numbers.well
-    if sizes.given:
+    if sizes.counts_known:
         # The whole run of slots is seldom a part of a group: nothing has to be halved.
         first = at
-    found = charge(sizes, numbers, first, stop, sites, away, counts)
+    charge_e = charge(sizes, numbers, first, stop, sites, away, counts)
     if gone == 0.0:
-        return found
-    found += (0.0 if sizes.given else of_slot) - gone * of_slot
-    return found if found > 0.0 else 0.0
+        return charge_e
+    charge_e += (0.0 if sizes.counts_known else of_slot) - gone * of_slot
+    return charge_e if charge_e > 0.0 else 0.0
 
 
 @compiled
 def _execute(
-    switches: Switches, numbers: Numbers, word: Word, program: Program, fixed: Fixed, held: Held,
-    result: Result, drawn: Floats, first: int,
+    switches: Switches, numbers: Numbers, word: Word, program: Program, fixed: Fixed, contents:
+    RegisterContents, result: Result, drawn: Floats, first: int,
 ) -> None:  # fmt: skip
     """Run one word, whose errors are drawn[first] and following."""
     if word.resets:
-        reset(switches, numbers, word, 1, 1, held, result, drawn, first)
+        reset(switches, numbers, word, 1, 1, contents, result, drawn, first)
         return
-    add(switches, numbers, word, 1, 1, program, fixed, held, result, drawn, first)
-    write(switches, numbers, word, 1, 1, program, fixed, held, result, drawn, first + 1, 1)
+    add(switches, numbers, word, 1, 1, program, fixed, contents, result, drawn, first)
+    write(switches, numbers, word, 1, 1, program, fixed, contents, result, drawn, first + 1, 1)
 
 
 @compiled
 def _run(
     switches: Switches, sizes: Sizes, numbers: Numbers, lane: int, slot_us: Floats, lanes: Lanes,
     program: Program, sites: Sites, away: Away, counts: Counts, drawn: Floats, fixed: Fixed,
-    held: Held, result: Result,
+    contents: RegisterContents, result: Result,
 ) -> None:  # fmt: skip
     """Run a pixel through its words, the charge of the slots falling meanwhile."""
     slots, pix, first = sizes.slots, switches.registers, lanes.start[lane]
@@ -152,29 +152,29 @@ def _run(
         word = program.words[lanes.word[e]]
         # Of charge that nothing reads before PIX is reset, or the frame ends, nothing is asked; nor
         # of what falls on a PIX that is full.
-        seen = lanes.flags[e] & SEEN > 0
+        is_read = lanes.flags[e] & SEEN > 0
         if at < word.begins:
-            if seen and not held.full[pix] & ADDED:
+            if is_read and not contents.full[pix] & ADDED:
                 if gone > 0.0 and single != at:
                     single = at
                     of_single = _of_slot(sizes, numbers, at, sites, away, counts)
                 charge_e = _fallen(
                     switches, sizes, numbers, at, word.begins, gone, of_single, sites, away,
-                    counts, held.value[pix],
+                    counts, contents.value[pix],
                 )  # fmt: skip
-                fill(switches, numbers, held, pix, charge_e)
+                fill(switches, numbers, contents, pix, charge_e)
             at, gone = word.begins, 0.0
         if switches.slow_words:
             slot = at if at < slots else slots - 1
             now = word.end_us / slot_us[slot]
-            if seen and not held.full[pix] & ADDED and now > gone:
+            if is_read and not contents.full[pix] & ADDED and now > gone:
                 if single != slot:
                     single = slot
                     of_single = _of_slot(sizes, numbers, slot, sites, away, counts)
-                fill(switches, numbers, held, pix, (now - gone) * of_single)
+                fill(switches, numbers, contents, pix, (now - gone) * of_single)
             gone = now
         _execute(
-            switches, numbers, word, program, fixed, held, result, drawn,
+            switches, numbers, word, program, fixed, contents, result, drawn,
             (e - first) * sizes.draws,
         )  # fmt: skip
 
@@ -198,7 +198,7 @@ def run_pixels(
     counts: Counts,
     errors: Errors,
     fixed: Fixed,
-    held: Held,
+    contents: RegisterContents,
     result: Result,
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
@@ -231,11 +231,11 @@ def run_pixels(
                 sizes, buckets, keys.sum_words, keys.part_words, place, lane, lanes, words, WORDS,
                 errors,
             )  # fmt: skip
-        _begin(switches, sizes, numbers, device, start_keys, place, fixed, held)
+        _begin(switches, sizes, numbers, device, start_keys, place, fixed, contents)
         _run(
             switches, sizes, numbers, lane, slot_us, lanes, program, sites, away,
-            counts, errors.drawn, fixed, held, result,
+            counts, errors.drawn, fixed, contents, result,
         )  # fmt: skip
         read_out(
-            switches, numbers, 1, 1, readouts, fixed, held, sizes.pixels, i, out, marked
+            switches, numbers, 1, 1, readouts, fixed, contents, sizes.pixels, i, out, marked
         )  # fmt: skip

@@ -38,17 +38,17 @@ from nscc_runtime.execution.entries import (
 from nscc_runtime.execution.error_loop import ERRORS, Errors, Lanes
 from nscc_runtime.execution.layout import (
     Fixed,
-    Held,
     Keys,
     Numbers,
     OnDevice,
     Program,
+    RegisterContents,
     Result,
     Sizes,
 )
 from nscc_runtime.execution.pixel_loop import run_pixels
 from nscc_runtime.execution.site_loop import Laying
-from nscc_runtime.execution.sites import Times, needed, sites_of
+from nscc_runtime.execution.sites import Times, needed_places, sites_of
 from nscc_runtime.light import Light
 from nscc_runtime.loop import Bound
 from nscc_runtime.noise import key
@@ -69,7 +69,7 @@ _MOST_KEYS = 16
 
 
 @dataclass(frozen=True, eq=False)
-class Pixels:
+class LaneWords:
     """A program's words by lane, for `nscc_runtime.execution.pixel_loop.run_pixels`; the `groups`
     (lanes, N) of its slots, and what keys call these."""
 
@@ -80,7 +80,7 @@ class Pixels:
     group_ids: NDArray[np.uint64]
 
     @classmethod
-    def of(cls, reference: Reference) -> Pixels:
+    def of(cls, reference: Reference) -> LaneWords:
         """Lay out the words of a program made ready for the reference."""
         container = reference.container
         lanes, buckets = len(container.encoding), len(container.buckets)
@@ -98,8 +98,8 @@ class Pixels:
         lane, word = np.nonzero((acts | drawn).T)
         program = program_of(container, reference.words, range(container.slots))
         turns = Turns(program.words[word], acts[word, lane], _starts(lane, lanes))
-        needed = ~turns.unread | drawn[word, lane]
-        lane, word = lane[needed], word[needed]
+        needed_places = ~turns.unread | drawn[word, lane]
+        lane, word = lane[needed_places], word[needed_places]
         start = _starts(lane, lanes)
         # Of long frames each of these is among the largest that planning has: one at a time.
         weights = np.ascontiguousarray(draws[word, :, lane])
@@ -148,7 +148,7 @@ class Pixels:
 
 
 @dataclass(frozen=True, eq=False)
-class Given:
+class KnownCounts:
     """Counts that are drawn already: how far `away` (groups, pixels) from their means, in these
     groups of slots."""
 
@@ -162,7 +162,7 @@ class Wired:
     common. ValueError for effects that the loop cannot have.
     """
 
-    words: Pixels
+    words: LaneWords
     effects: Selection
     device_seed: int
 
@@ -210,13 +210,13 @@ class Wired:
             readouts=readouts_of(container),
         )
 
-    def sizes(self, pixels: int, frame: int, given: bool) -> Sizes:
+    def sizes(self, pixels: int, frame: int, counts_known: bool) -> Sizes:
         """Of so many pixels of a frame."""
         common, cols = self._sizes, self.words.lanes.of_pixel.shape[1]
         if pixels <= cols:
             # So few seldom have neighbours in common.
             common = common | {"kept_cols": min(3, cols)}
-        return Sizes(pixels=pixels, frame=frame, given=given, **common)
+        return Sizes(pixels=pixels, frame=frame, counts_known=counts_known, **common)
 
     @cached_property
     def _sizes(self) -> dict[str, int]:
@@ -225,9 +225,9 @@ class Wired:
         container = words.reference.container
         rows, cols = words.lanes.of_pixel.shape
         groups = len(words.group_ids)
-        whole = 1 << (container.slots - 1).bit_length()
+        padded_slots = 1 << (container.slots - 1).bit_length()
         # Counts of a site and their stamps, of light and dark.
-        each = 16 * groups * 2 * 2 * whole
+        site_bytes = 16 * groups * 2 * 2 * padded_slots
         return {
             "slots": container.slots,
             "rows": rows,
@@ -237,17 +237,17 @@ class Wired:
             "numbered": most_destinations(container.target),
             "words": words.numbers,
             "stale": words.stale,
-            "whole": whole,
-            "kept_cols": cols if 3 * cols * each <= _MOST_KEPT else min(3, cols),
+            "padded_slots": padded_slots,
+            "kept_cols": cols if 3 * cols * site_bytes <= _MOST_KEPT else min(3, cols),
             **switches(Sizes, self.effects),
         }
 
     def scratch(self, sizes: Sizes) -> dict[str, Any]:
         """What the loop wants beside what it is given."""
         container = self.words.reference.container
-        groups, room = sizes.groups, 2 * sizes.whole * sizes.groups
+        groups, room = sizes.groups, 2 * sizes.padded_slots * sizes.groups
         counts = bool(self.effects.names(Counted))
-        sites = 3 * sizes.kept_cols if sizes.exchanges and counts and not sizes.given else 1
+        sites = 3 * sizes.kept_cols if sizes.exchanges and counts and not sizes.counts_known else 1
         buckets = len(container.buckets)
         most = self.words.most_words * sizes.draws
         return {
@@ -258,7 +258,7 @@ class Wired:
                 places=np.empty(SITES, np.int64),
             ),
             "errors": Errors(
-                found=np.zeros(ERRORS * (buckets + sizes.words * sizes.numbered), np.uint64),
+                streams=np.zeros(ERRORS * (buckets + sizes.words * sizes.numbered), np.uint64),
                 missing=np.empty(buckets),
                 drawn=np.empty(most),
                 draws=np.empty(most, np.int64),
@@ -266,7 +266,7 @@ class Wired:
                 normals=np.empty(most),
             ),
             "fixed": Fixed.of(1),
-            "held": Held.of(len(container.target.analog_registers), 1),
+            "contents": RegisterContents.of(len(container.target.analog_registers), 1),
             "result": Result.of(1),
         }
 
@@ -286,30 +286,32 @@ class Running:
     threads: int
 
     def expose(
-        self, seed: int, frame: int, given: Given | None = None
+        self, seed: int, frame: int, known_counts: KnownCounts | None = None
     ) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
         """Electrons (buckets, pixels) of frame number `frame`, and what cut them off.
 
-        With counts `given`, those of neighbours are these, spread over the slots as their light is;
-        else they are drawn, and halved from node to node, as the reference does.
-        """
+        With counts `known_counts`, those of neighbours are these, spread over the slots as their
+        light is; else they are drawn, and halved from node to node, as the reference does."""
         wired, words = self.wired, self.wired.words
         shape = len(words.reference.container.buckets), len(self.chosen)
         out, marked = np.empty(shape), np.empty(shape, np.uint8)
-        names = () if given is None else given.groups
+        names = () if known_counts is None else known_counts.groups
         of_group = [names.index(i) if i in names else -1 for i in words.group_ids.tolist()]
         common: dict[str, Any] = {
             "keys": _keys(registered(), seed),
             "away": Away(
-                np.array(of_group, np.int64), np.zeros(1) if given is None else given.away
+                np.array(of_group, np.int64),
+                np.zeros(1) if known_counts is None else known_counts.away,
             ),
         }
-        for part in self._parts:
-            sites = self._sites(part)
+        for pixel_slice in self._pixel_slices:
+            sites = self._sites(pixel_slice)
 
-            def fill(begin: int, end: int, first: int = part.start, sites: Sites = sites) -> None:
+            def fill(
+                begin: int, end: int, first: int = pixel_slice.start, sites: Sites = sites
+            ) -> None:
                 begin, end = first + begin, first + end
-                sizes = wired.sizes(end - begin, frame, given is not None)
+                sizes = wired.sizes(end - begin, frame, known_counts is not None)
                 exposure = np.empty((shape[0], end - begin))
                 bits = np.empty(exposure.shape, np.uint8)
                 wired.loop(
@@ -318,7 +320,7 @@ class Running:
                 )  # fmt: skip
                 out[:, begin:end], marked[:, begin:end] = exposure, bits
 
-            in_parts(fill, part.stop - part.start, self.threads, _FEWEST)
+            in_parts(fill, pixel_slice.stop - pixel_slice.start, self.threads, _FEWEST)
         return out, marked
 
     @cached_property
@@ -327,19 +329,19 @@ class Running:
 
     @cached_property
     def _source(self) -> Light:
-        return (self.wired.effects.part(Moving) and self.light.motion) or self.light
+        return (self.wired.effects.find_part(Moving) and self.light.motion) or self.light
 
     @cached_property
     def _places(self) -> NDArray[np.int64]:
         """The places whose charge matters."""
         return self._needed(slice(None))
 
-    def _needed(self, part: slice) -> NDArray[np.int64]:
-        beside = self.wired.effects.part(Exchange) is not None
-        return needed(self._chosen[part], self.light.shape, beside)
+    def _needed(self, pixel_slice: slice) -> NDArray[np.int64]:
+        beside = self.wired.effects.find_part(Exchange) is not None
+        return needed_places(self._chosen[pixel_slice], self.light.shape, beside)
 
     @cached_property
-    def _parts(self) -> list[slice]:
+    def _pixel_slices(self) -> list[slice]:
         """The pixels whose light is laid out together."""
         words = self.wired.words
         slots, groups = words.reference.container.slots, len(words.group_ids)
@@ -347,17 +349,20 @@ class Running:
         if self._source.even:
             tables = min(sites, len(words.lanes.start))
         bytes_, count = 16 * tables * groups * (slots + 1), len(self._chosen)
-        each = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
-        return [slice(first, min(first + each, count)) for first in range(0, count, each)]
+        slice_pixels = max(1, count // max(1, -(-bytes_ // _MOST_LIGHT)))
+        return [
+            slice(first, min(first + slice_pixels, count))
+            for first in range(0, count, slice_pixels)
+        ]
 
-    def _sites(self, part: slice) -> Sites:
+    def _sites(self, pixel_slice: slice) -> Sites:
         """Their light, laid out."""
-        if len(self._parts) == 1:
-            return self._kept
-        return self.wired.laid_out(self._source, self._needed(part), self.threads)
+        if len(self._pixel_slices) == 1:
+            return self._all_sites
+        return self.wired.laid_out(self._source, self._needed(pixel_slice), self.threads)
 
     @cached_property
-    def _kept(self) -> Sites:
+    def _all_sites(self) -> Sites:
         return self.wired.laid_out(self._source, self._places, self.threads)
 
 
@@ -369,15 +374,15 @@ def _starts(lane: NDArray[np.int64], lanes: int) -> NDArray[np.int64]:
 @lru_cache(_MOST_KEYS)
 def _keys(effects: tuple[Effect, ...], seed: int) -> Keys:
     """Keys that a frame's follow from, of all `effects` that there are."""
-    found = {}
+    keys_by_name = {}
     for effect in effects:
         for kind, source, name in (
             (CountedLight, LIGHT, "light"), (CountedDark, WITHOUT_LIGHT, "dark"),
         ):  # fmt: skip
-            if effect.parts(kind):
-                found[f"count_{name}"] = base(seed, effect.stream, source)
-                found[f"thin_{name}"] = base(seed, effect.stream, THINNED + source)
-        for part in effect.parts(SmallErrors):
-            found[f"sum_{part.at}"] = base(seed, effect.stream, SUM)
-            found[f"part_{part.at}"] = base(seed, effect.stream, PART)
-    return Keys(**found)
+            if effect.parts_of_kind(kind):
+                keys_by_name[f"count_{name}"] = base(seed, effect.stream, source)
+                keys_by_name[f"thin_{name}"] = base(seed, effect.stream, THINNED + source)
+        for error_part in effect.parts_of_kind(SmallErrors):
+            keys_by_name[f"sum_{error_part.at}"] = base(seed, effect.stream, SUM)
+            keys_by_name[f"part_{error_part.at}"] = base(seed, effect.stream, PART)
+    return Keys(**keys_by_name)

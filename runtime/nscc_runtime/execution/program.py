@@ -15,7 +15,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.emulator.capture import check_program
 from nscc_runtime.execution.overlap import Overlap
 from nscc_runtime.execution.pixel_array import PixelArray
-from nscc_runtime.execution.pixels import Pixels, Wired
+from nscc_runtime.execution.pixels import LaneWords, Wired
 from nscc_runtime.execution.reach import Reach, reach_of
 from nscc_runtime.execution.sums import Weights
 from nscc_runtime.execution.tables import Tables
@@ -54,7 +54,7 @@ class Program:
     @cached_property
     def array(self) -> PixelArray:
         """All pixels of the chip."""
-        return PixelArray.whole(self.reference.groups.lane)
+        return PixelArray.of_chip(self.reference.groups.lane)
 
     @property
     def lanes(self) -> NDArray[np.int32]:
@@ -67,20 +67,20 @@ class Program:
         return self.model(everything())
 
     @remembered
-    def model(self, kept: Selection) -> Model:
+    def model(self, kept_effects: Selection) -> Model:
         """The weights under some effects, at the mean leakage."""
-        return Model.of(kept, self.sensor)
+        return Model.of(kept_effects, self.sensor)
 
     @cached_property
-    def pixels(self) -> Pixels:
+    def pixels(self) -> LaneWords:
         """The words as they act, for the loop over single pixels, where digital registers decay."""
-        return Pixels.of(self.reference)
+        return LaneWords.of(self.reference)
 
     def reference_at(self, array: PixelArray, effects: Selection) -> Reference:
         """The reference for some pixels of the chip, under some effects."""
-        whole = Reference.of(self.container, self.sensor, effects)
+        whole_chip = Reference.of(self.container, self.sensor, effects)
         lane = array.lanes.astype(np.intp)
-        return replace(whole, groups=Groups(whole.groups.of_slot, lane, array.places))
+        return replace(whole_chip, groups=Groups(whole_chip.groups.of_slot, lane, array.places))
 
     def wired(self, effects: Selection, device_seed: int) -> Wired:
         """The words of single pixels of a chip that have these effects, for the compiled loop."""
@@ -90,25 +90,29 @@ class Program:
         )
 
     @cached_property
-    def _fresh_pixels(self) -> Pixels:
-        return Pixels.of(replace(self.reference, words=self.tables.fresh))
+    def _fresh_pixels(self) -> LaneWords:
+        return LaneWords.of(replace(self.reference, words=self.tables.fresh))
 
-    def words(self, kept: Selection) -> Pixels:
+    def words(self, kept_effects: Selection) -> LaneWords:
         """The words for the loop over single pixels, under some effects."""
-        faded = self.model(kept).decay or not self.tables.decays
+        faded = self.model(kept_effects).decay or not self.tables.decays
         return self.pixels if faded else self._fresh_pixels
 
     @cached_property
     def reach(self) -> Reach:
         """How far registers go with every effect on."""
-        every = everything()
-        return reach_of(self.tables, every, every.the(Soft).linear_e(self.sensor))
+        all_effects = everything()
+        return reach_of(
+            self.tables, all_effects, all_effects.require_part(Soft).linear_e(self.sensor)
+        )
 
     @cached_property
     def open_part(self) -> NDArray[np.float32]:
         """The part (rows, cols) of the frame whose light each pixel sees."""
-        part = self.slot_s @ self.tables.seen() / max(float(self.slot_s.sum()), 1e-300)
-        return np.asarray(part[self.array.lanes], np.float32)
+        open_fraction = (
+            self.slot_s @ self.tables.seen_slots() / max(float(self.slot_s.sum()), 1e-300)
+        )
+        return np.asarray(open_fraction[self.array.lanes], np.float32)
 
     @cached_property
     def group_ids(self) -> NDArray[np.int64]:
@@ -175,7 +179,10 @@ class Program:
             ]
             buckets = range(len(self.container.buckets))
             counted = [self.members(group) for group in groups]
-            return Weights(counted + [each[:, :, bucket] for bucket in buckets for each in slots])
+            return Weights(
+                counted
+                + [slot_weights[:, :, bucket] for bucket in buckets for slot_weights in slots]
+            )
 
         return self.recent.of(key, make)
 
@@ -184,20 +191,22 @@ class Program:
 
         def make() -> list[Overlap]:
             seconds = self.tables.weights(model).slots * self.slot_s[:, None, None]
-            found = []
+            group_overlaps = []
             for group in self.open_groups:
                 members, time_s = self.members(group), self.group_seconds(group)
-                parts = np.divide(members, time_s, out=np.zeros_like(members), where=time_s > 0)
-                found.append(Overlap(seconds, parts))
-            return found
+                inverse_seconds = np.divide(
+                    members, time_s, out=np.zeros_like(members), where=time_s > 0
+                )
+                group_overlaps.append(Overlap(seconds, inverse_seconds))
+            return group_overlaps
 
         return self.recent.of((Overlap, model), make)
 
     @cached_property
     def recent(self) -> Recent:
         """Weights that were last computed for some models."""
-        much = self.container.slots * len(self.container.encoding) > _MUCH
-        return Recent(_RECENT_CHIPS if much else _RECENT_MODELS)
+        is_large = self.container.slots * len(self.container.encoding) > _MUCH
+        return Recent(_RECENT_CHIPS if is_large else _RECENT_MODELS)
 
     @cached_property
     def recent_chips(self) -> Recent:

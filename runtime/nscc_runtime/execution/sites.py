@@ -24,7 +24,9 @@ _MOST_KEPT = 1 << 21
 """Numbers of the slots of all lanes that are kept from scene to scene."""
 
 
-def needed(chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool) -> NDArray[np.int64]:
+def needed_places(
+    chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool
+) -> NDArray[np.int64]:
     """Places of an array, row * cols + col, in order, each once; with those `beside` them."""
     if beside and len(chosen) * _SPARSE < shape[0] * shape[1]:
         row, col = np.divmod(chosen, shape[1])
@@ -33,13 +35,13 @@ def needed(chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool) -> N
         return np.unique(rows * shape[1] + cols)
     inside = np.zeros(shape, np.bool_)
     inside.reshape(-1)[chosen] = True
-    found = inside.copy()
+    is_needed = inside.copy()
     if beside:
-        found[1:] |= inside[:-1]
-        found[:-1] |= inside[1:]
-        found[:, 1:] |= inside[:, :-1]
-        found[:, :-1] |= inside[:, 1:]
-    return np.flatnonzero(found)
+        is_needed[1:] |= inside[:-1]
+        is_needed[:-1] |= inside[1:]
+        is_needed[:, 1:] |= inside[:, :-1]
+        is_needed[:, :-1] |= inside[:, 1:]
+    return np.flatnonzero(is_needed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +54,7 @@ class Times:
     slot_s: NDArray[np.float64]
 
     @cached_property
-    def every(self) -> tuple[NDArray[np.float64], NDArray[np.int64]] | None:
+    def all_tables(self) -> tuple[NDArray[np.float64], NDArray[np.int64]] | None:
         """See `tables`, of all lanes; None: too large to be kept."""
         lanes, slots = self.of_slot.shape
         if 2 * lanes * self.groups * (slots + 1) > _MOST_KEPT:
@@ -88,18 +90,18 @@ def sites_of(
     """
     count, even, groups = len(places), light.even, times.groups
     row = groups * (light.slots + 1)
-    kept = times.every
-    if kept is None:
-        kept = times.tables(np.unique(lanes.reshape(-1)[places]))
-    sums, of_lane = kept
+    tables = times.all_tables
+    if tables is None:
+        tables = times.tables(np.unique(lanes.reshape(-1)[places]))
+    sums, of_lane = tables
     if not even:
         # Each site has its own light; of lanes only seconds are left.
         seconds = sums[len(sums) // 2 :] if switches["counts_dark"] else sums[:0]
-        own = np.empty((count + len(seconds), groups, light.slots + 1))
-        own[count:] = seconds
+        site_sums = np.empty((count + len(seconds), groups, light.slots + 1))
+        site_sums[count:] = seconds
         of_lane = of_lane + (count - len(sums) // 2) * row
-        sums = own
-    found = Sites(
+        sums = site_sums
+    sites = Sites(
         np.empty(lanes.shape, np.int32), np.empty((count, 2), np.int64), np.empty((count, 2)), sums
     )
     arrays: dict[str, Any] = {
@@ -108,15 +110,15 @@ def sites_of(
         "row_start": np.require(light.row_start, np.int64, ["C", "A"]),
         "frame_index": np.require(light.frame_index, np.int32, ["C", "A"]),
         "weight": np.require(light.weight, np.float64, ["C", "A"]), "of_lane": of_lane,
-        "sites": found,
+        "sites": sites,
     }  # fmt: skip
-    given: dict[str, Any] = {
+    laying_sizes: dict[str, Any] = {
         "pixels": lanes.size, "slots": light.slots, "groups": groups, "even": even, **switches
     }  # fmt: skip
 
     def fill(begin: int, end: int) -> None:
-        laying = Laying(begin=begin, end=end, **given)
+        laying = Laying(begin=begin, end=end, **laying_sizes)
         lay_out(laying=laying, numbers=numbers, device=device, **arrays)
 
     in_parts(fill, count, threads, _FEWEST)
-    return found
+    return sites

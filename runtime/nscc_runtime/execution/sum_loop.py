@@ -49,19 +49,19 @@ class SceneSizes:
 
 @inlined
 def _moved(
-    frames: Floats32, share: Floats32, frame: int, p: int, up: int, down: int, left: int,
-    right: int, c: np.float32,
+    frames: Floats32, share: Floats32, frame: int, p: int, up_step: int, down_step: int, left_step:
+    int, right_step: int, c: np.float32,
 ) -> np.float32:  # fmt: skip
     """The light of pixel p of a frame once its neighbours, so many places away, have exchanged."""
-    own = share[p] * frames[frame + p]
+    own_light = share[p] * frames[frame + p]
     four = (
-        share[p + up] * frames[frame + p + up]
-        + share[p + down] * frames[frame + p + down]
-        + share[p + left] * frames[frame + p + left]
-        + share[p + right] * frames[frame + p + right]
+        share[p + up_step] * frames[frame + p + up_step]
+        + share[p + down_step] * frames[frame + p + down_step]
+        + share[p + left_step] * frames[frame + p + left_step]
+        + share[p + right_step] * frames[frame + p + right_step]
     )
-    found: np.float32 = own + c * (four - np.float32(4.0) * own)
-    return found
+    exchanged: np.float32 = own_light + c * (four - np.float32(4.0) * own_light)
+    return exchanged
 
 
 @compiled
@@ -74,15 +74,17 @@ def _smear(
     """
     cols, c = sizes.cols, np.float32(sizes.fraction)
     row = first // cols
-    up = -cols if row > 0 else 0
-    down = cols if row + 1 < sizes.rows else 0
+    up_step = -cols if row > 0 else 0
+    down_step = cols if row + 1 < sizes.rows else 0
     # Those inside have all neighbours: no branch, so LLVM makes vectors.
     for p in range(first + 1, stop - 1):
-        lit[at + p - first] = _moved(frames, share, frame, p, up, down, -1, 1, c)
-    left, right = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
-    lit[at] = _moved(frames, share, frame, first, up, down, left, right, c)
-    left, right = -1 if (stop - 1) % cols else 0, 1 if stop % cols else 0
-    lit[at + stop - 1 - first] = _moved(frames, share, frame, stop - 1, up, down, left, right, c)
+        lit[at + p - first] = _moved(frames, share, frame, p, up_step, down_step, -1, 1, c)
+    left_step, right_step = -1 if first % cols else 0, 1 if first + 1 < (row + 1) * cols else 0
+    lit[at] = _moved(frames, share, frame, first, up_step, down_step, left_step, right_step, c)
+    left_step, right_step = -1 if (stop - 1) % cols else 0, 1 if stop % cols else 0
+    lit[at + stop - 1 - first] = _moved(
+        frames, share, frame, stop - 1, up_step, down_step, left_step, right_step, c
+    )
 
 
 @compiled
@@ -110,11 +112,11 @@ def _gather_smeared(
 ) -> None:  # fmt: skip
     """As `_gather`, of frames k .. k + count - 1 once neighbours have exchanged their light."""
     pixels = sizes.rows * sizes.cols
-    for near in range(0, count, TOGETHER):
-        together = min(TOGETHER, count - near)
-        for each in range(together):
-            frame = (k + near + each) * pixels
-            _smear(sizes, frames, share, frame, first, stop, lit, each * BLOCK)
+    for first_frame in range(0, count, TOGETHER):
+        together = min(TOGETHER, count - first_frame)
+        for index in range(together):
+            frame = (k + first_frame + index) * pixels
+            _smear(sizes, frames, share, frame, first, stop, lit, index * BLOCK)
         _gather(lit, -first, BLOCK, together, first, stop, gathered)
 
 
@@ -128,10 +130,10 @@ def _add_alike(
     pixels, count, lane_count = sizes.rows * sizes.cols, sizes.count, sizes.lane_count
     for smeared in range(2):
         begin, end = sizes.smeared * smeared, sizes.sums if smeared else sizes.smeared
-        some = 0
+        any_lit = 0
         for j in range(begin, end):
-            some |= lit_sums[j * count + k]
-        if not some:
+            any_lit |= lit_sums[j * count + k]
+        if not any_lit:
             continue
         for i in range(stop - first):
             gathered[i] = 0.0

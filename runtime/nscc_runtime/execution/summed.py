@@ -70,16 +70,18 @@ class SummedScene:
     @cached_property
     def source(self) -> Light:
         """The scene's light, with or without motion inside its slots."""
-        return (self.chip.kept.part(Moving) and self.light.motion) or self.light
+        return (self.chip.kept_effects.find_part(Moving) and self.light.motion) or self.light
 
     @cached_property
     def _sums(self) -> tuple[Values, Values]:
         """All sums over the scene in one go: the light (counted groups, pixels) of each group of
         slots that is counted, and of each bucket (buckets, pixels)."""
-        chip, kept = self.chip, self.chip.kept
-        lit = len(chip.counted) if kept.part(CountedLight) is not None else 0
-        model = chip.program.model(kept)
-        of_light = (kept.names(part) for part in (Moving, Echo, Response, Exchange))
+        chip, kept_effects = self.chip, self.chip.kept_effects
+        lit = len(chip.counted) if kept_effects.find_part(CountedLight) is not None else 0
+        model = chip.program.model(kept_effects)
+        of_light = (
+            kept_effects.names(part_type) for part_type in (Moving, Echo, Response, Exchange)
+        )
         key = chip.array, lit, model, chip.leak_rates, frozenset[str]().union(*of_light)
         if key not in self.known:
             self.known[key] = self._added_up(lit, model)
@@ -89,7 +91,7 @@ class SummedScene:
         chip = self.chip
         groups = chip.counted if lit else ()
         weights = chip.program.sum_weights(model, chip.leak_rates, groups)
-        exchanges = chip.kept.part(Exchange) is not None
+        exchanges = chip.kept_effects.find_part(Exchange) is not None
         sums = scene_sums(
             self.source, chip.array.flat_lanes, (chip.scale, chip.scale_32), weights,
             lit if exchanges else len(weights.slots), chip.exchanged, self.threads,
@@ -108,7 +110,7 @@ class SummedScene:
         exposure, dark_e = self._sums[1], self.chip.dark_e
         if dark_e is not None:
             exposure = exposure + dark_e
-        if self.chip.kept.part(WordGain) is not None:
+        if self.chip.kept_effects.find_part(WordGain) is not None:
             exposure = exposure + self.chip.patterns
         return np.ascontiguousarray(exposure)
 
@@ -129,15 +131,16 @@ class SummedScene:
         sources = [*zip(keys, self.rates, strict=bool(groups))]
 
         def run(begin: int, end: int) -> None:
-            values, scratch, few = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
+            values, scratch, pending_rates = np.empty(BLOCK), np.empty(ROOM), np.empty(BLOCK)
             for number, (of_groups, rates) in enumerate(sources):
                 draw_counts(
                     counting=Counting(
                         begin=begin, end=end, pixels=array.lanes.size, groups=len(groups),
-                        more=int(number > 0), rate_cap=RATE_CAP,
+                        accumulates=int(number > 0), rate_cap=RATE_CAP,
                     ),
                     keys=of_groups, rates=rates, places=array.places, away=away, values=values,
-                    scratch=scratch, few=few, few_at=np.empty(BLOCK, np.int64),
+                    scratch=scratch, pending_rates=pending_rates,
+                    pending_pixels=np.empty(BLOCK, np.int64),
                 )  # fmt: skip
 
         in_parts(run, array.lanes.size, self.threads, BLOCK)
@@ -157,7 +160,7 @@ class SummedScene:
             "sources": len(draws), "exchanges": bool(chip.sources) and chip.exchanged > 0,
             "fraction": chip.exchanged,
         }  # fmt: skip
-        adding = chip.own(_adding)
+        adding = chip.compute_once(_adding)
 
         def run(begin: int, end: int) -> None:
             adding(
@@ -183,43 +186,43 @@ def _adding(chip: Chip) -> Bound:
     return add_up.bound(
         lanes=chip.array.flat_lanes,
         places=chip.array.places,
-        own=chip.own_weights,
-        neighbours=chip.beside_weights if chip.exchanged > 0 else np.zeros(1, np.float32),
+        own_weights=chip.own_weights,
+        neighbour_weights=chip.beside_weights if chip.exchanged > 0 else np.zeros(1, np.float32),
         sigma=chip.noise[1],
     )
 
 
 @dataclass(frozen=True, eq=False)
-class Readout:
-    """The converter as the loop knows it: `given` are its figures, `stream` is that of its noise,
+class LoopConverter:
+    """The converter as the loop knows it: `figures` are its figures, `stream` is that of its noise,
     0 where it has none.
     """
 
-    given: dict[str, Any]
+    figures: dict[str, Any]
     stream: int
     places: NDArray[np.int64]
 
     @classmethod
-    def of(cls, chip: Chip) -> Readout | None:
+    def of(cls, chip: Chip) -> LoopConverter | None:
         """None where an effect that is kept does something else after the exposure."""
-        kept, sensor = chip.kept, chip.program.sensor
+        kept_effects, sensor = chip.kept_effects, chip.program.sensor
         target = chip.program.container.target
-        converters, codes = kept.having(Converter), kept.having(Codes)
+        converters, codes = kept_effects.having(Converter), kept_effects.having(Codes)
         known = {effect.name for effect, _ in (*converters, *codes)}
-        if not _after(kept) <= known:
+        if not _after(kept_effects) <= known:
             return None
-        mark = kept.marking("codes")
+        mark = kept_effects.marking("codes")
         ((_, code),) = codes
-        given = {
+        figures = {
             "noisy": len(converters),
             "last_bit": mark.bit if mark else 0,
             "electrons_per_code": code.electrons(sensor),
             "offset": code.offset(sensor),
             "top": float(target.top_code),
-            "readout_noise": kept.converter_lsb(sensor),
+            "readout_noise": kept_effects.converter_lsb(sensor),
         }
         stream = converters[0][0].stream if converters else 0
-        return cls(given, stream, chip.array.places)
+        return cls(figures, stream, chip.array.places)
 
     def frame(
         self, values: Values, marked: NDArray[np.uint8], shape: tuple[int, int],
@@ -234,7 +237,7 @@ class Readout:
         def run(begin: int, end: int) -> None:
             convert(
                 reading=Reading(
-                    begin=begin, end=end, pixels=pixels, buckets=buckets, **self.given
+                    begin=begin, end=end, pixels=pixels, buckets=buckets, **self.figures
                 ),
                 keys=np.array(keys, np.uint64),
                 places=self.places,
@@ -246,12 +249,15 @@ class Readout:
             )  # fmt: skip
 
         in_parts(run, pixels, threads, BLOCK)
-        whole = buckets, *shape
+        frame_shape = buckets, *shape
         return Frame(
-            frame.reshape(whole), values.reshape(whole), valid.reshape(whole), marked.reshape(whole)
+            frame.reshape(frame_shape),
+            values.reshape(frame_shape),
+            valid.reshape(frame_shape),
+            marked.reshape(frame_shape),
         )
 
 
-def _after(kept: Selection) -> set[str]:
+def _after(kept_effects: Selection) -> set[str]:
     """The effects that act after the exposure."""
-    return {effect.name for at in ("converter", "codes") for effect, _ in kept.acting(at)}
+    return {effect.name for at in ("converter", "codes") for effect, _ in kept_effects.acting(at)}

@@ -22,7 +22,7 @@ _MOST_KEPT = 1 << 21
 
 
 @dataclass(frozen=True, eq=False)
-class OfFrames:
+class FrameWeights:
     """Weights (J, T, lanes) of the frames of all lights with one timing, as
     `nscc_runtime.execution.sum_loop.scene_sums` takes them."""
 
@@ -31,7 +31,7 @@ class OfFrames:
     frame_weight: NDArray[np.float64]
 
     @classmethod
-    def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> OfFrames:
+    def of(cls, light: Light, slots: Sequence[NDArray[np.float64]]) -> FrameWeights:
         """Of weights (N, lanes) of slots, for the frames of a light."""
         flat = np.stack(slots, axis=1).reshape(len(slots[0]), -1)
         by_frame = light.on_frames(flat).reshape(-1, len(slots), slots[0].shape[1])
@@ -46,17 +46,17 @@ class OfFrames:
     def alike(self) -> NDArray[np.int64]:
         """With how many after it each frame has all weights in common, itself included."""
         count = self.weights.shape[1]
-        other = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
-        ends = np.append(np.flatnonzero(other) + 1, count)
+        differs = (self.weights[:, 1:] != self.weights[:, :-1]).any(axis=(0, 2))
+        ends = np.append(np.flatnonzero(differs) + 1, count)
         frame = np.arange(count)
         return np.asarray(ends[np.searchsorted(ends, frame, side="right")] - frame, np.int64)
 
     @cached_property
     def most_part(self) -> NDArray[np.float64]:
         """The most (lanes,) of a frame's light that any of them is."""
-        found, whole = np.zeros(self.weights.shape), self.frame_weight[:, None]
-        np.divide(self.weights, whole, out=found, where=whole > 0)
-        return np.asarray(found.max(axis=(0, 1)))
+        fractions, frame_weight = np.zeros(self.weights.shape), self.frame_weight[:, None]
+        np.divide(self.weights, frame_weight, out=fractions, where=frame_weight > 0)
+        return np.asarray(fractions.max(axis=(0, 1)))
 
 
 class Weights:
@@ -67,31 +67,31 @@ class Weights:
 
     def __init__(self, slots: Iterable[NDArray[np.float64]]) -> None:
         self.slots = [*slots]
-        self._last: OfFrames | None = None
+        self._last: FrameWeights | None = None
 
     @property
     def lanes(self) -> int:
         """How many lanes they have."""
         return len(self.slots[0][0])
 
-    def of_frames(self, light: Light) -> OfFrames:
+    def of_frames(self, light: Light) -> FrameWeights:
         """Those of a light's frames."""
         last = self._last  # threads may make it anew
         if last is None or last.timing != light.timing:
-            last = OfFrames.of(light, self.slots)
+            last = FrameWeights.of(light, self.slots)
             if last.weights.size <= _MOST_KEPT:
                 self._last = last
         return last
 
-    def parts(self, light: Light) -> Iterator[tuple[slice, OfFrames]]:
+    def batches(self, light: Light) -> Iterator[tuple[slice, FrameWeights]]:
         """The same, so many at once as memory has room for."""
         room = max(1, _MOST_ENTRIES // max(1, len(light.frames) * self.lanes))
         if room >= len(self.slots):
             yield slice(0, len(self.slots)), self.of_frames(light)
             return
         for first in range(0, len(self.slots), room):
-            part = slice(first, min(first + room, len(self.slots)))
-            yield part, OfFrames.of(light, self.slots[part])
+            batch = slice(first, min(first + room, len(self.slots)))
+            yield batch, FrameWeights.of(light, self.slots[batch])
 
 
 def scene_sums(
@@ -114,7 +114,7 @@ def scene_sums(
         raise ValueError("a lane that the weights do not have")
     out = np.empty((count, *shape))
     frames = np.require(light.ended, np.float32, ["C", "A"])
-    for part, of_frames in weights.parts(light):
+    for batch, of_frames in weights.batches(light):
         arrays: dict[str, Any] = {
             "frames": frames,
             "scale": np.require(scale[0].reshape(shape), np.float64, ["C", "A"]),
@@ -123,13 +123,13 @@ def scene_sums(
             "table": of_frames.weights,
             "lit_sums": of_frames.lit_sums,
             "alike": of_frames.alike,
-            "out": out[part],
+            "out": out[batch],
         }
         sums, _, lane_count = of_frames.weights.shape
         sizes = {
             "rows": shape[0], "cols": shape[1], "count": len(frames), "sums": sums,
             "lane_count": lane_count, "fraction": fraction,
-            "smeared": min(max(smeared - part.start, 0), sums),
+            "smeared": min(max(smeared - batch.start, 0), sums),
         }  # fmt: skip
 
         def run(

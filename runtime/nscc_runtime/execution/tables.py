@@ -77,11 +77,11 @@ class Tables:
         errors.
         """
         lanes, buckets = len(self.container.encoding), len(self.container.buckets)
-        found = self.numbered(at, full)
+        coefficients = self.numbered(at, full)
         drawn = self.program.draws[at]
         factor = np.zeros((lanes, buckets, buckets))
         square = np.zeros((lanes, buckets))
-        for number, weight in found.items():
+        for number, weight in coefficients.items():
             square += weight * weight
             if number in drawn:
                 factor += weight[:, :, None] * drawn[number][:, None, :]
@@ -93,19 +93,19 @@ class Tables:
         return self.weights(full).error_sum
 
     @remembered
-    def seen(self) -> NDArray[np.bool_]:
+    def seen_slots(self) -> NDArray[np.bool_]:
         """The slots (N, lanes) whose charge is on PIX at some read: no register holds more."""
         container = self.container
-        found = np.zeros((container.slots, len(container.encoding)), np.bool_)
+        is_seen = np.zeros((container.slots, len(container.encoding)), np.bool_)
         live = np.zeros(len(container.encoding), np.bool_)
         later = container.slots
         for word in reversed(self.decayed):
             if word.boundary < later:
-                found[word.boundary : later] = live
+                is_seen[word.boundary : later] = live
                 later = word.boundary
             if word.resets:
                 live = live & ~word.lanes
             elif "PIX" in word.op.sources:
                 live = live | word.lanes
-        found[:later] = live
-        return found
+        is_seen[:later] = live
+        return is_seen

@@ -38,8 +38,8 @@ class OnTorch:
     def together(self) -> int:
         """How many frames are worth exposing at once."""
         groups, buckets = self.summed.chip.own_weights.shape[:2]
-        each = 8 * len(self._places) * (_ROOMS * max(1, groups) + 4 * buckets)
-        return int(max(1, _MOST_BYTES // each))
+        frame_bytes = 8 * len(self._places) * (_ROOMS * max(1, groups) + 4 * buckets)
+        return int(max(1, _MOST_BYTES // frame_bytes))
 
     def expose(self, seed: int, frames: range) -> NDArray[np.float64]:
         """Exposures (frames, buckets, pixels)."""
@@ -62,19 +62,24 @@ class OnTorch:
                 count_key(seed, stream, source, frame, group)
                 for frame in frames for group in groups
             ]  # fmt: skip
-            each, rate = key_tensor(keys, self.device).reshape(shape[:2]), self._tensor(rates)
-            away += poisson(each, self._places, rate, RATE_CAP) - rate
-        own, (rows, cols) = self.summed.chip.own_weights, self.summed.chip.array.shape
-        each = away.reshape(*away.shape[:2], 1, rows, cols)
-        mine = self._tensor(own).reshape(*own.shape[:2], rows, cols) * each
-        total = mine.sum(dim=1)
+            stream_keys, rate = (
+                key_tensor(keys, self.device).reshape(shape[:2]),
+                self._tensor(rates),
+            )
+            away += poisson(stream_keys, self._places, rate, RATE_CAP) - rate
+        own_weights, (rows, cols) = self.summed.chip.own_weights, self.summed.chip.array.shape
+        deviation = away.reshape(*away.shape[:2], 1, rows, cols)
+        own_e = self._tensor(own_weights).reshape(*own_weights.shape[:2], rows, cols) * deviation
+        total = own_e.sum(dim=1)
         if groups and self.summed.chip.exchanged > 0:
             beside, fraction = self.summed.chip.beside_weights, self.summed.chip.exchanged
             for direction, pixels in enumerate(NEIGHBOURS):
-                here, there = ((..., *some) for some in pixels)
-                weight = self._tensor(beside[:, direction]).reshape(*own.shape[:2], rows, cols)
-                taken = weight[here] * each[there] - mine[here]
-                total[here] += fraction * taken.sum(dim=1)
+                pixel_index, neighbour_index = ((..., *index) for index in pixels)
+                weight = self._tensor(beside[:, direction]).reshape(
+                    *own_weights.shape[:2], rows, cols
+                )
+                received = weight[pixel_index] * deviation[neighbour_index] - own_e[pixel_index]
+                total[pixel_index] += fraction * received.sum(dim=1)
         return total.reshape(*total.shape[:2], -1)
 
     def _tensor(self, values: NDArray[np.floating]) -> torch.Tensor:

@@ -20,11 +20,12 @@ from nscc_runtime.response import ShutterResponse
 
 @dataclass(frozen=True, eq=False)
 class Ends:
-    """The ends of a program's frames as a pixel tells them: int64 (ends, 1 + states) `told`, its
-    behaviour and the states that are read; and the bus and reset `words` of one path that leads to
-    each, whose lanes are the ends."""
+    """The ways in which a frame of a pixel can end.
 
-    told: NDArray[np.int64]
+    `outcomes` int64 (ends, 1 + states): the behaviour and the states that are read. `words`: the
+    bus and reset words of one path to each end; their lanes are the ends."""
+
+    outcomes: NDArray[np.int64]
     words: tuple[AnalogWord, ...]
 
 
@@ -50,28 +51,28 @@ def ends_of(container: Container, paths: Paths) -> Ends:
     assert machine is not None
     bits = start_bits(container)
     nodes = int(machine.first[1])
-    first = paths.begins({name: each != 0 for name, each in bits.items()}, (nodes,))
+    first = paths.begins({name: plane_bits != 0 for name, plane_bits in bits.items()}, (nodes,))
     count = len(next(iter(paths.endings.values()))) if paths.endings else 1
-    planes = {name: each.astype(np.bool_) for name, each in paths.endings.items()}
+    planes = {name: plane_bits.astype(np.bool_) for name, plane_bits in paths.endings.items()}
     states = [
         container.state_planes[state.name].read(planes, (count,))
         for state in machine.states
         if state.read
     ]
-    found: dict[tuple[int, ...], list[int]] = {}
+    path_by_outcome: dict[tuple[int, ...], list[int]] = {}
     by_first = {segment: _paths_from(paths, segment) for segment in set(first.tolist())}
     for behaviour, segment in zip(machine.behaviour[:nodes].tolist(), first.tolist(), strict=True):
         for ending, path in by_first[segment].items():
-            told = (behaviour, *(int(values[ending]) for values in states))
-            found.setdefault(told, path)
-    return Ends(np.array([*found], np.int64), _words(paths, [*found.values()]))
+            outcome = (behaviour, *(int(values[ending]) for values in states))
+            path_by_outcome.setdefault(outcome, path)
+    return Ends(np.array([*path_by_outcome], np.int64), _words(paths, [*path_by_outcome.values()]))
 
 
 def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
     """The segments of one path from a segment to each ending that it leads to."""
     if first < 0:
         return {-1 - first: []}
-    before, found = {first: -1}, {}
+    before, path_by_ending = {first: -1}, {}
     # Answers lead to later segments only.
     for segment in range(first, len(paths.following)):
         if segment not in before:
@@ -79,12 +80,12 @@ def _paths_from(paths: Paths, first: int) -> Mapping[int, list[int]]:
         for leads in paths.following[segment].tolist():
             if leads >= 0:
                 before.setdefault(leads, segment)
-            elif -1 - leads not in found:
+            elif -1 - leads not in path_by_ending:
                 path = [segment]
                 while before[path[-1]] >= 0:
                     path.append(before[path[-1]])
-                found[-1 - leads] = path
-    return found
+                path_by_ending[-1 - leads] = path
+    return path_by_ending
 
 
 def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
@@ -106,14 +107,14 @@ def row_of(
     """Which of `rows` (R, K) has the values of these K arrays, element by element, and where there
     is one."""
     number = np.zeros(len(rows), np.int64)
-    found = np.zeros(columns[0].shape, np.int64)
-    there = np.ones(found.shape, np.bool_)
+    row_number = np.zeros(columns[0].shape, np.int64)
+    is_present = np.ones(row_number.shape, np.bool_)
     for column, values in zip(rows.T, columns, strict=True):
         low, span = int(column.min()), int(np.ptp(column)) + 1
         known, number = np.unique(number * span + column - low, return_inverse=True)
-        there &= (values >= low) & (values < low + span)
-        wanted = found * span + values - low
-        found = np.minimum(np.searchsorted(known, wanted), len(known) - 1)
-        there &= known[found] == wanted
+        is_present &= (values >= low) & (values < low + span)
+        combined = row_number * span + values - low
+        row_number = np.minimum(np.searchsorted(known, combined), len(known) - 1)
+        is_present &= known[row_number] == combined
     first = np.unique(number, return_index=True)[1]
-    return first[found], there
+    return first[row_number], is_present

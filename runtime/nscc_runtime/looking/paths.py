@@ -58,7 +58,7 @@ class Paths:
         """Those of a container with a machine; a digital register reads 0 when no word wrote it for
         more than `retention_us`. Raises Pathless."""
         starts = _starts(container)
-        walk = _Walk(container, starts, retention_us)
+        walk = _PathReplay(container, starts, retention_us)
         words = walk.run()
         return _alive(container, words, walk, starts)
 
@@ -75,12 +75,12 @@ class Paths:
         """Where pixels of a `shape` with these bits begin; ValueError for bits that no code and
         kept state has."""
         numbers, first = self._packed
-        wanted = _packed({name: loaded[name] for name in self.starts}, shape)
+        loaded_numbers = _packed({name: loaded[name] for name in self.starts}, shape)
         if len(numbers) == 1:
             at = np.zeros(shape, np.intp)
         else:
-            at = np.minimum(np.searchsorted(numbers, wanted), len(numbers) - 1)
-        if not np.array_equal(numbers[at], wanted):
+            at = np.minimum(np.searchsorted(numbers, loaded_numbers), len(numbers) - 1)
+        if not np.array_equal(numbers[at], loaded_numbers):
             raise ValueError("bits that no code and no kept state has")
         return first[at]
 
@@ -121,17 +121,17 @@ def start_bits(container: Container) -> dict[str, Bits]:
     nodes = np.arange(machine.first[1])
     encoding = container.encoding[machine.behaviour[nodes]]
     column = {name: i for i, name in enumerate(container.target.digital_registers)}
-    found = {name: encoding[:, column[name]] for name in container.code_registers}
+    bits_by_register = {name: encoding[:, column[name]] for name in container.code_registers}
     for k, state in enumerate(machine.states):
         if state.is_kept:
             planes = container.state_planes[state.name]
             rows = dict(zip(planes.values, planes.bits, strict=True))
             bits = np.array([rows[value] for value in machine.values[nodes, k].tolist()])
-            found |= zip(planes.registers, bits.reshape(len(nodes), -1).T, strict=True)
-    return {name: found[name].astype(np.int8) for name in sorted(found)}
+            bits_by_register |= zip(planes.registers, bits.reshape(len(nodes), -1).T, strict=True)
+    return {name: bits_by_register[name].astype(np.int8) for name in sorted(bits_by_register)}
 
 
-class _Walk:
+class _PathReplay:
     """All ways at once: one lane for each that differs by now."""
 
     def __init__(
@@ -164,11 +164,11 @@ class _Walk:
                 self.registers.run(word.op)
         return tuple(words)
 
-    def told(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
+    def distinct_endings(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
         """The endings that differ in what is told: bits (endings,) by register, and the ending of
         each lane."""
         planes = self.container.state_planes.values()
-        names = sorted({register for each in planes for register in each.registers})
+        names = sorted({register for state_planes in planes for register in state_planes.registers})
         bits = np.array([self.registers.bits[name] for name in names], np.int8)
         bits = bits.reshape(len(names), self.registers.pixels)
         if (bits == UNKNOWN).any():
@@ -189,13 +189,13 @@ class _Walk:
         if word.compares:
             self._answered(acts)
 
-    def _answered(self, asked: Bits) -> None:
+    def _answered(self, is_asked: Bits) -> None:
         """Every lane goes on with 0, and with 1 where it was asked."""
-        if (asked == UNKNOWN).any():
+        if (is_asked == UNKNOWN).any():
             raise Pathless("a comparison is made where FLAG is unknown")
-        whole = np.arange(len(asked))
-        lanes = np.concatenate([whole, whole[asked == 1]])
-        answer = np.repeat([0, 1], [len(whole), len(lanes) - len(whole)])
+        all_lanes = np.arange(len(is_asked))
+        lanes = np.concatenate([all_lanes, all_lanes[is_asked == 1]])
+        answer = np.repeat([0, 1], [len(all_lanes), len(lanes) - len(all_lanes)])
         self.registers.choose(lanes)
         self.registers.write("FLAG", answer)
         before = self.segment[lanes]
@@ -209,7 +209,10 @@ class _Walk:
 
 
 def _alive(
-    container: Container, words: tuple[RunningWord, ...], walk: _Walk, starts: Mapping[str, Bits]
+    container: Container,
+    words: tuple[RunningWord, ...],
+    walk: _PathReplay,
+    starts: Mapping[str, Bits],
 ) -> Paths:
     """The paths, without what makes no difference: from the frame's end backwards."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
@@ -218,7 +221,7 @@ def _alive(
         _together(registers, ("PIX",) if word.resets else word.destinations) for word in words
     ]
     last = _together(registers, (readout.register for readout in container.readouts))
-    endings, ending = walk.told()
+    endings, ending = walk.distinct_endings()
     passed, following = _by_segment(walk, ending)
     live = [0] * walk.segments
     acting: list[list[int]] = [[] for _ in range(walk.segments)]
@@ -249,7 +252,7 @@ def _alive(
     return Paths(
         words,
         np.cumsum([0, *map(len, acting)]),
-        np.array([number for each in acting for number in each], np.int64),
+        np.array([number for segment_words in acting for number in segment_words], np.int64),
         following,
         starts,
         first,
@@ -263,13 +266,13 @@ def _together(registers: Mapping[str, int], names: Iterable[str]) -> int:
 
 
 def _by_segment(
-    walk: _Walk, ending: NDArray[np.intp]
+    walk: _PathReplay, ending: NDArray[np.intp]
 ) -> tuple[list[list[tuple[int, int]]], NDArray[np.int64]]:
     """The words that each segment meets, with whether they act, and where answers lead."""
     passed: list[list[tuple[int, int]]] = [[] for _ in range(walk.segments)]
     for number, segments, acts in walk.passed:
-        for segment, here in zip(segments.tolist(), acts.tolist(), strict=True):
-            passed[segment].append((number, here))
+        for segment, acts_here in zip(segments.tolist(), acts.tolist(), strict=True):
+            passed[segment].append((number, acts_here))
     following = np.empty((walk.segments, 2), np.int64)
     for before, answer, leads in walk.following:
         following[before, answer] = leads

@@ -1,7 +1,7 @@
-"""The audit: a plan's frames beside the reference's, with the same draws.
+"""The audit: frames under a plan compared with the reference, with the same random numbers.
 
-Where the reference would take too long it exposes bands of rows only, spread evenly, and the band
-of the brightest pixel. A band's rows are those of the whole frame, crosstalk's neighbours included.
+For large frames the reference exposes evenly spaced bands of rows, and the band of the brightest
+pixel. Their values are those of the whole frame, including crosstalk from rows outside the band.
 """
 
 from __future__ import annotations
@@ -26,28 +26,26 @@ SLACK = 1.1
 
 _BAND = 4
 _MOST_CELLS = 1 << 23
-"""Slots x pixels of a frame that the reference exposes whole; beyond it, bands of as many."""
+"""Largest number of slots x pixels that the reference exposes; of larger frames it exposes
+bands."""
 _FEWEST_FRAMES, _MOST_FRAMES = 2, 8
 _POOLED = 65536
-"""Frames smaller than this are pooled until there are as many samples."""
+"""Smaller frames are pooled until they have this number of pixels together."""
 _NO_NOISE_E2 = 1e-12
-"""Variance that rounding alone may leave of frames that are alike."""
+"""Largest variance over frames that is attributed to rounding."""
 
 
 @dataclass(frozen=True)
 class Audit:
-    """Measured against predicted, for the worst frame and bucket (frames of few pixels pooled).
+    """The measured error of a plan, for the worst frame and bucket (small frames are pooled).
 
-    `measured_rms_e`: root mean square of plan - reference; `mc_error_e`: its standard error.
-    `measured_p999_e`, `measured_max_e`: the size that one pixel in a thousand passes, and the
-    largest.
-    `bias_e`: mean of plan - reference over everything, `bias_mc_error_e` its standard error.
-    `std_ratio`: standard deviation over the frames of the plan's pixels by that of the reference's
-    (root mean squares over the pixels; None where the reference's do not change), with
-    `std_ratio_mc_error`. `samples`: pixels x buckets x frames compared. `frames`: how many.
-    `other_states`: of a program that looks, the part of the pixels that end in other states than
-    the reference's, with its standard error; errors are those of the other pixels.
-    """
+    `measured_rms_e`: root mean square of plan - reference, with standard error `mc_error_e`.
+    `measured_p999_e`, `measured_max_e`: its 99.9 % quantile and its maximum. `bias_e`: its mean
+    over all samples, with standard error `bias_mc_error_e`. `std_ratio`: standard deviation over
+    frames with the plan divided by that of the reference (root mean squares over pixels; None if
+    the reference has no noise), with `std_ratio_mc_error`. `samples`: pixels x buckets x frames.
+    `other_states`: for a program that looks, the fraction of pixels that end in other states than
+    in the reference, with its standard error; the errors are those of the remaining pixels."""
 
     measured_rms_e: float
     mc_error_e: float
@@ -81,7 +79,7 @@ class Audit:
         )
 
     def breach(self, plan: Plan) -> str | None:
-        """What of the plan's promise was found broken, in words."""
+        """Describe how the measured error exceeds the plan's tolerance; None if it does not."""
         most_e, tolerance_e = plan.tolerance_max_e, plan.tolerance_e or 0.0
         if plan.tolerance_e is not None and self.measured_rms_e > SLACK * tolerance_e:
             return (
@@ -102,8 +100,8 @@ class Audit:
 
 
 class Compared(NamedTuple):
-    """Exposures (buckets, rows, cols) of a plan and of the reference on the rows compared; `same`
-    (rows, cols): where both end in the same states, None where there are none."""
+    """Exposures (buckets, rows, cols) with the plan and with the reference; `same` (rows, cols):
+    where both end in the same states, None for programs without states."""
 
     planned_e: Values
     full_e: Values
@@ -117,99 +115,102 @@ def audit(
     plan: Plan,
     frames: int,
 ) -> Audit:
-    """Compare frames 0, 1, .. of a plan with the reference's.
+    """Compare frames 0, 1, .. of a plan with the reference.
 
-    `compare` exposes a frame on bands of rows both ways; it is called frame after frame. `slots` of
-    a pixel are made by the reference. `frames` is how many were asked for: at least 2 and at most 8
-    are compared, more where a frame has few pixels.
+    `compare` exposes bands of rows of one frame both ways; it is called in the order of frames.
+    `slots`: slots or intervals that the reference simulates. Of the requested number of `frames`,
+    at least 2 and at most 8 are compared; more if frames have few pixels.
     """
     rows = compared_rows(slots, light.total_e())
     count, pooled = compared_frames(frames, light.shape)
-    runs, mine, full, others = [*bands(rows)], [], [], []
+    runs, mine, full, other_states_by_frame = [*bands(rows)], [], [], []
     for frame in range(count):
-        each = compare(frame, runs)
-        same = np.ones(each.full_e.shape[1:], np.bool_) if each.same is None else each.same
-        mine.append(np.where(same, each.planned_e, np.nan))
-        full.append(np.where(same, each.full_e, np.nan))
-        if each.same is not None:
-            others.append(1.0 - float(same.mean()))
+        frame_pair = compare(frame, runs)
+        same = (
+            np.ones(frame_pair.full_e.shape[1:], np.bool_)
+            if frame_pair.same is None
+            else frame_pair.same
+        )
+        mine.append(np.where(same, frame_pair.planned_e, np.nan))
+        full.append(np.where(same, frame_pair.full_e, np.nan))
+        if frame_pair.same is not None:
+            other_states_by_frame.append(1.0 - float(same.mean()))
     weight = row_weights(rows, light.shape[0])
-    found = compared(np.stack(mine), np.stack(full), weight, pooled, plan)
-    if not others:
-        return found
-    other, pixels = float(np.mean(others)), found.samples / len(mine[0])
-    error = math.sqrt(other * (1.0 - other) / pixels)
-    found = replace(found, other_states=other, other_states_mc_error=error)
-    return replace(found, holds=found.breach(plan) is None)
+    report = compared(np.stack(mine), np.stack(full), weight, pooled, plan)
+    if not other_states_by_frame:
+        return report
+    other_states, pixels = float(np.mean(other_states_by_frame)), report.samples / len(mine[0])
+    error = math.sqrt(other_states * (1.0 - other_states) / pixels)
+    report = replace(report, other_states=other_states, other_states_mc_error=error)
+    return replace(report, holds=report.breach(plan) is None)
 
 
 def compared_frames(frames: int, shape: tuple[int, int]) -> tuple[int, int]:
-    """How many frames of pixels (rows, cols) are compared where `frames` were asked for, and how
-    many are pooled."""
+    """Return the number of frames of `shape` (rows, cols) to compare, and how many are pooled."""
     pooled = min(max(1, math.ceil(_POOLED / max(1, shape[0] * shape[1]))), 64)
     return max(_FEWEST_FRAMES, min(frames, _MOST_FRAMES)) * pooled, pooled
 
 
 def compared(mine: Values, full: Values, weight: Values, pooled: int, plan: Plan) -> Audit:
-    """The audit of a plan's exposures (frames, buckets, rows, cols), NaN where they are not
-    compared.
+    """Return the audit of exposures (frames, buckets, rows, cols); NaN marks pixels to leave out.
 
-    `weight` (rows,): the part of the frame that each row stands for.
+    `weight` (rows,): the fraction of the frame that each row represents.
     """
     error, buckets = mine - full, mine.shape[1]
-    there = np.isfinite(error)
-    error = np.where(there, error, 0.0)
-    part = weight[:, None] * there
-    part = part / np.maximum(part.sum(axis=(2, 3), keepdims=True), 1e-300)
-    square = (error**2 * part).sum(axis=(2, 3)).reshape(-1, pooled, buckets).mean(axis=1)
+    is_compared = np.isfinite(error)
+    error = np.where(is_compared, error, 0.0)
+    pixel_weight = weight[:, None] * is_compared
+    pixel_weight = pixel_weight / np.maximum(pixel_weight.sum(axis=(2, 3), keepdims=True), 1e-300)
+    square = (error**2 * pixel_weight).sum(axis=(2, 3)).reshape(-1, pooled, buckets).mean(axis=1)
     worst = math.sqrt(float(square.max()))
     # Rows are the independent parts: pixels of a row share its light.
-    many = np.maximum(there.sum(axis=3), 1)
-    by_row, means = (error**2).sum(axis=3) / many, error.sum(axis=3) / many
+    row_pixels = np.maximum(is_compared.sum(axis=3), 1)
+    by_row, means = (error**2).sum(axis=3) / row_pixels, error.sum(axis=3) / row_pixels
     spread = float(by_row.std() / math.sqrt(by_row.size))
-    ratio, ratio_error = _std_ratio(mine, full, np.all(there, axis=0))
-    pools = (values.reshape(-1, pooled, *values.shape[1:]) for values in (np.abs(error), part))
+    ratio, ratio_error = _std_ratio(mine, full, np.all(is_compared, axis=0))
+    pools = (
+        values.reshape(-1, pooled, *values.shape[1:]) for values in (np.abs(error), pixel_weight)
+    )
     sizes, weights = (values.swapaxes(1, 2).reshape(square.size, -1) for values in pools)
-    largest_e = [largest(*each) for each in zip(sizes, weights, strict=True)]
-    found = Audit(
+    largest_e = [largest(*size_and_weight) for size_and_weight in zip(sizes, weights, strict=True)]
+    report = Audit(
         worst,
         spread / (2 * worst) if worst > 0 else 0.0,
-        float((error * part).sum(axis=(2, 3)).mean()),
+        float((error * pixel_weight).sum(axis=(2, 3)).mean()),
         float(means.std() / math.sqrt(means.size)),
         ratio,
         ratio_error,
         error.size,
         len(error),
         True,
-        measured_p999_e=max(each.p999_e for each in largest_e),
-        measured_max_e=max(each.max_e for each in largest_e),
+        measured_p999_e=max(size_and_weight.p999_e for size_and_weight in largest_e),
+        measured_max_e=max(size_and_weight.max_e for size_and_weight in largest_e),
     )
-    return replace(found, holds=found.breach(plan) is None)
+    return replace(report, holds=report.breach(plan) is None)
 
 
 def compared_rows(slots: int, total_e: Values, cells: int | None = None) -> NDArray[np.intp]:
-    """The rows to compare where so many slots of a pixel are made: all, or bands of `_BAND` with
-    that of the brightest pixel, of so many `cells` (slots x pixels; None: _MOST_CELLS). `total_e`
-    (rows, cols): all the light of each pixel."""
+    """Return the rows to compare: all, or bands of `_BAND` rows with at most `cells` slots x pixels
+    (None: `_MOST_CELLS`), including the band of the brightest pixel of `total_e` (rows, cols)."""
     height, cols = total_e.shape
-    wanted = (cells or _MOST_CELLS) // (slots * cols) // _BAND
+    band_count = (cells or _MOST_CELLS) // (slots * cols) // _BAND
     bands = -(-height // _BAND)
-    if wanted >= bands:
+    if band_count >= bands:
         return np.arange(height)
-    chosen = {int(i * bands / max(1, wanted)) for i in range(max(1, wanted))}
+    chosen = {int(i * bands / max(1, band_count)) for i in range(max(1, band_count))}
     chosen.add(int(np.argmax(total_e) // cols) // _BAND)
     rows = [row for band in sorted(chosen) for row in range(band * _BAND, (band + 1) * _BAND)]
     return np.array([row for row in rows if row < height])
 
 
 def row_weights(rows: NDArray[np.intp], height: int) -> Values:
-    """The part of the frame that each row stands for: half-way to the next ones."""
+    """Return the fraction of the frame that each row represents: half-way to the next rows."""
     edges = np.concatenate(([0.0], (rows[1:] + rows[:-1] + 1) / 2, [float(height)]))
     return np.diff(edges) / height
 
 
 def bands(rows: NDArray[np.intp]) -> Iterator[range]:
-    """Runs of consecutive rows."""
+    """Return the ranges of consecutive rows."""
     for run in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1):
         yield range(int(run[0]), int(run[-1]) + 1)
 
@@ -217,8 +218,8 @@ def bands(rows: NDArray[np.intp]) -> Iterator[range]:
 def _std_ratio(
     plan: Values, full: Values, known: NDArray[np.bool_]
 ) -> tuple[float | None, float | None]:
-    """Ratio of the root mean square standard deviations over the frames (axis 0) of the pixels that
-    are known in all of them, and its error."""
+    """Return the ratio of the standard deviations over frames (axis 0), as root mean squares over
+    the `known` pixels, and its standard error."""
     mine, theirs = (values[:, known].var(axis=0, ddof=1) for values in (plan, full))
     if not (theirs.size and theirs.mean() > _NO_NOISE_E2):
         return None, None

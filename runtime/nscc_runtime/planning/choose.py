@@ -1,4 +1,4 @@
-"""Steps 3 and 4 of planning: choose the cheapest sets of effects, and measure them together."""
+"""Steps 3 and 4 of planning: choose the sets of effects that save most time, and measure them."""
 
 from __future__ import annotations
 
@@ -18,20 +18,19 @@ from nscc_runtime.planning.trial import NONE, Move, Names, Setting, Trial
 Values = NDArray[np.float64]
 
 MARGIN = 0.9
-"""Effects are left out while what is measured stays below this part of the tolerance."""
+"""Effects are dropped while the measured error is below this fraction of the tolerance."""
 _SURE = 0.97
-"""The same with two standard errors of the sample."""
+"""The same for the error plus two standard errors of the sample."""
 _MOST_MOVES = 10
-"""Of which all sets are compared: those that save most."""
+"""Number of moves, those that save most time, of which all subsets are compared."""
 _TRIED, _FEW = 8, 2
-"""Sets that are measured together, until one fits; before effects are measured near saturation."""
+"""Largest number of sets to measure together, with and without measurements near saturation."""
 
 
 @dataclass(frozen=True)
 class Limits:
-    """What a plan may come to: the mean square by which effects are chosen and that with two
-    standard errors, in square electrons; the part of the pixels in other states; and the largest
-    error."""
+    """Upper limits for a plan: the mean square error in square electrons, the same plus two
+    standard errors, the fraction of pixels in other states, and the largest error."""
 
     square_e2: float
     sure_e2: float
@@ -46,8 +45,8 @@ class Limits:
         other_states: float,
         measured: MeasuredEffects,
     ) -> Limits:
-        """For tolerances. What the user forced off may have broken the promise: the rest keeps to
-        it by itself."""
+        """Return the limits for tolerances. Errors of effects that the user forced off are added:
+        the effects that the planner drops have to keep the tolerance by themselves."""
         forced, tolerance_e = measured.forced, allowed.electrons
         square_e2, sure_e2 = (MARGIN * tolerance_e) ** 2, (_SURE * tolerance_e) ** 2
         if forced.likely_e2(0.0) > square_e2:
@@ -59,7 +58,7 @@ class Limits:
         return cls(square_e2, sure_e2, other_states, max_e)
 
     def allow(self, together: Together) -> bool:
-        """Whether what was measured together is within them."""
+        """Whether the measured errors of a setting are within the limits."""
         return (
             together.square_e2 <= self.square_e2
             and together.likely_e2(2.0) <= self.sure_e2
@@ -70,8 +69,9 @@ class Limits:
 
 @dataclass(frozen=True)
 class Together:
-    """A setting, and what it was measured to change beside all effects; the approximations of
-    sums, which are independent of that; and what may be unseen in the mean square."""
+    """The measured errors of a setting: the difference from the simulation with all effects, the
+    independent error of the approximations of sums, and an allowance for rare pixels that no sample
+    shows."""
 
     setting: Setting
     difference: Difference
@@ -84,35 +84,42 @@ class Together:
         return self.likely_e2(0.0)
 
     def likely_e2(self, errors: float) -> float:
-        """The same with so many standard errors."""
-        parts = [self.difference, *filter(None, [self.approximations])]
-        return sum(part.likely_e2(errors) for part in parts) + self.unseen_e2
+        """The mean square error of the worst output plus a number of standard `errors`."""
+        differences = [self.difference, *filter(None, [self.approximations])]
+        return sum(difference.likely_e2(errors) for difference in differences) + self.unseen_e2
 
     @property
     def worst(self) -> Worst:
         """The largest errors."""
         if self.approximations is None:
             return self.difference.worst
-        mine, others = self.difference.worst, self.approximations.worst
-        return Worst(math.hypot(mine.p999_e, others.p999_e), math.hypot(mine.max_e, others.max_e))
+        measured, approximated = self.difference.worst, self.approximations.worst
+        return Worst(
+            math.hypot(measured.p999_e, approximated.p999_e),
+            math.hypot(measured.max_e, approximated.max_e),
+        )
 
 
 def choose_cheapest(
     trial: Trial, measured: MeasuredEffects, moves: Sequence[Move], limits: Limits
 ) -> list[Names]:
-    """The sets of effects that save most time within the limits, by what each changes alone; a few
-    of them where that was not measured near saturation."""
+    """Return the sets of effects that save most time, if the errors of single effects add up to
+    less than the limits. Fewer sets are returned without measurements near saturation."""
     fitting = [move for move in moves if _alone_e2(trial, measured, move) <= limits.square_e2]
     fitting = sorted(fitting, key=lambda move: -move.saved_ns)[:_MOST_MOVES]
-    squares, unsure, saved_ns, other = _sums_of_subsets(trial, measured, fitting)
-    made = measured.approximations
-    square_e2, sure_e2 = (0.0 if made is None else made.likely_e2(errors) for errors in (0.0, 2.0))
-    good = (squares.max(axis=0) <= limits.square_e2 - square_e2) & (other <= limits.other_states)
-    sure = good & ((squares + 2.0 * unsure).max(axis=0) <= limits.sure_e2 - sure_e2)
-    good[0] = sure[0] = False
-    order, most = np.argsort(-saved_ns, kind="stable"), _TRIED if measured.near else _FEW
+    squares, unsure, saved_ns, other_states = _sums_of_subsets(trial, measured, fitting)
+    approximations = measured.approximations
+    square_e2, sure_e2 = (
+        0.0 if approximations is None else approximations.likely_e2(errors) for errors in (0.0, 2.0)
+    )
+    fits = (squares.max(axis=0) <= limits.square_e2 - square_e2) & (
+        other_states <= limits.other_states
+    )
+    sure = fits & ((squares + 2.0 * unsure).max(axis=0) <= limits.sure_e2 - sure_e2)
+    fits[0] = sure[0] = False
+    order, most = np.argsort(-saved_ns, kind="stable"), _TRIED if measured.near_saturation else _FEW
     # Standard errors of single effects add up to more than they are of all at once.
-    first = order[good[order]][: most // 2].tolist()
+    first = order[fits[order]][: most // 2].tolist()
     best = [*dict.fromkeys(first + order[sure[order]].tolist())][:most]
     return [
         frozenset().union(*(move.names for bit, move in enumerate(fitting) if subset >> bit & 1))
@@ -130,53 +137,53 @@ def _alone_e2(trial: Trial, measured: MeasuredEffects, move: Move) -> float:
 def _sums_of_subsets(
     trial: Trial, measured: MeasuredEffects, moves: Sequence[Move]
 ) -> tuple[Values, Values, Values, Values]:
-    """Of every subset of the moves, in the order of its bits: the mean square (outputs, subsets)
-    and the sum of the standard errors of its effects, the nanoseconds it saves, and the part of the
-    pixels in other states."""
+    """Return for every subset of the moves, numbered by its bits: the mean square error and the sum
+    of its standard errors (outputs, subsets), the saved nanoseconds, and the fraction of pixels in
+    other states."""
     products = measured.products_e2
     squares, cross = products[:, :1, 0], products[:, :1, :]
-    unsure, saved_ns, other = np.zeros((len(products), 1)), np.zeros(1), np.zeros(1)
+    unsure, saved_ns, other_states = np.zeros((len(products), 1)), np.zeros(1), np.zeros(1)
     for move in moves:
         errors: Values | float = 0.0
-        more, row, changed = np.zeros((len(products), 1)), np.zeros((len(products), 1, 1)), 0.0
+        added_e2, row, changed = np.zeros((len(products), 1)), np.zeros((len(products), 1, 1)), 0.0
         if move.field is None:
-            more += trial.square_e2(move.names)
+            added_e2 += trial.square_e2(move.names)
         else:
             index = measured.index(move.field)
-            more = 2.0 * cross[:, :, index] + products[:, index, index, None]
+            added_e2 = 2.0 * cross[:, :, index] + products[:, index, index, None]
             row = products[:, index, None, :]
             alone = measured.alone[move.field]
             errors, changed = alone.unsure_e2[:, None], alone.other_states
-        if measured.near:
-            more = more + trial.unseen_e2(trial.settings(move.names)[0])
-        squares = np.concatenate([squares, squares + more], axis=1)
+        if measured.near_saturation:
+            added_e2 = added_e2 + trial.unseen_e2(trial.settings(move.names)[0])
+        squares = np.concatenate([squares, squares + added_e2], axis=1)
         cross = np.concatenate([cross, cross + row], axis=1)
         unsure = np.concatenate([unsure, unsure + errors], axis=1)
         saved_ns = np.concatenate([saved_ns, saved_ns + move.saved_ns])
-        other = np.concatenate([other, other + changed])
-    return squares, unsure, saved_ns, other
+        other_states = np.concatenate([other_states, other_states + changed])
+    return squares, unsure, saved_ns, other_states
 
 
 def measure_together(
     trial: Trial, measured: MeasuredEffects, candidates: Iterable[Names], limits: Limits
 ) -> Together:
-    """The first of the candidates that is within the limits when all of its effects are left out
-    at once; nothing is left out where none is."""
+    """Measure each candidate set with all its effects dropped at once. Return the first one within
+    the limits, else the setting that drops nothing."""
     # A sample of pixels near saturation says little of the worst of them.
-    nothing = Setting(NONE, exact=not math.isinf(limits.max_e))
-    every_ns, _ = trial.frame_ns(nothing)
+    full_setting = Setting(NONE, exact=not math.isinf(limits.max_e))
+    every_ns, _ = trial.frame_ns(full_setting)
     for dropped in candidates:
         exact = [Setting(dropped, exact=True)]
-        for setting in exact if nothing.exact else trial.settings(dropped):
+        for setting in exact if full_setting.exact else trial.settings(dropped):
             if trial.frame_ns(setting)[0] >= every_ns:
                 continue
-            tried = tried_together(trial, setting, measured.approximations)
-            if limits.allow(tried):
-                return tried
-    return tried_together(trial, nothing, measured.approximations)
+            measured_setting = tried_together(trial, setting, measured.approximations)
+            if limits.allow(measured_setting):
+                return measured_setting
+    return tried_together(trial, full_setting, measured.approximations)
 
 
 def tried_together(trial: Trial, setting: Setting, approximations: Difference | None) -> Together:
-    """One setting, measured."""
+    """Measure one setting."""
     difference = Difference(trial.together(setting), trial.sample)
     return Together(setting, difference, approximations, trial.unseen_e2(setting))

@@ -1,4 +1,4 @@
-"""Step 5 of planning: decisions on all effects, with what was measured and why."""
+"""Step 5 of planning: the decision on each effect, with its measured error and the reason."""
 
 from __future__ import annotations
 
@@ -17,34 +17,35 @@ from nscc_runtime.planning.prices import SHIPPED
 from nscc_runtime.planning.tolerance import Tolerance
 from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
-TAKEN = "taken from the plan given"
-"""The reason of decisions that were made for another scene."""
+FROM_GIVEN_PLAN = "taken from the plan given"
+"""The reason for decisions that were made for another scene."""
 _BOUND_ERRORS = 3.0
-"""Standard errors of a sample that a bound allows for."""
+"""Number of standard errors between the predicted error and its bound."""
 
 
 @dataclass(frozen=True)
-class Told:
-    """What the user asked for: effects, those of them that were forced, and tolerances; `asked` as
-    text where what the tolerance means is not known. `reason` of forced decisions."""
+class Demands:
+    """The user's request: effects, the names of those decided by the user, and tolerances.
+    `tolerance_text` is used if the tolerance in electrons is unknown. `reason`: that of forced
+    decisions."""
 
     effects: Selection
     forced: Names
     allowed: Tolerance | None
     most: Tolerance | None
-    asked: str = ""
+    tolerance_text: str = ""
     reason: str = "named in --effects"
 
     def on(self, plan: Plan) -> Plan:
-        """A plan that says so."""
-        both = [each for each in (self.allowed, self.most) if each is not None]
+        """Return the plan with these tolerances entered."""
+        tolerances = [tolerance for tolerance in (self.allowed, self.most) if tolerance is not None]
         signal_e, noise_e = (
             next((value for value in values if value is not None), None)
-            for values in ([t.signal_e for t in both], [t.noise_e for t in both])
+            for values in ([t.signal_e for t in tolerances], [t.noise_e for t in tolerances])
         )
         return replace(
             plan,
-            tolerance=self.allowed.text if self.allowed else self.asked,
+            tolerance=self.allowed.text if self.allowed else self.tolerance_text,
             signal_e=signal_e,
             noise_e=noise_e,
             tolerance_max=self.most.text if self.most else "",
@@ -53,18 +54,20 @@ class Told:
 
 
 def planned(
-    trial: Trial, told: Told, measured: MeasuredEffects, together: Together, figures: bool
+    trial: Trial, demands: Demands, measured: MeasuredEffects, together: Together, figures: bool
 ) -> Plan:
-    """The plan of a setting that was measured."""
-    assert told.allowed is not None
+    """Return the plan of a measured setting."""
+    assert demands.allowed is not None
     setting, worst = together.setting, together.worst
     approximations = [Approximation(name, None) for name in trial.approximations]
     if approximations and measured.approximations is not None:
         together_e = measured.approximations_e
         approximations.append(Approximation("all of these together", together_e))
-    decisions = tuple(_decision(effect, trial, told, measured, together) for effect in registered())
+    decisions = tuple(
+        _decision(effect, trial, demands, measured, together) for effect in registered()
+    )
     plan = Plan(
-        told.allowed.electrons,
+        demands.allowed.electrons,
         math.sqrt(together.square_e2 - together.unseen_e2),
         math.sqrt(together.likely_e2(_BOUND_ERRORS)),
         _loop(trial, setting),
@@ -76,28 +79,28 @@ def planned(
         predicted_p999_e=worst.p999_e,
         predicted_max_e=worst.max_e,
         noise_ratio=trial.noise_ratio(setting) if figures else None,
-        saturating_lack=tuple(sorted(setting.near)),
+        saturating_lack=tuple(sorted(setting.near_dropped)),
         cost=_cost(trial, setting, trial.planning_ms()),
     )
-    return told.on(plan)
+    return demands.on(plan)
 
 
-def unmeasured(trial: Trial, told: Told, path: Path, why: str, reason: str) -> Plan:
-    """The plan that simulates every effect that is not forced off, without measuring anything."""
+def unmeasured(trial: Trial, demands: Demands, path: Path, why: str, reason: str) -> Plan:
+    """Return the plan that simulates every effect that is not forced off, without a measurement."""
     setting = Setting(NONE)
     decisions = []
     for effect in registered():
-        forced = effect.name in told.forced
+        forced = effect.name in demands.forced
         if effect.kind == "after":
-            decisions.append(_after_exposure(effect, trial, told))
+            decisions.append(_after_exposure(effect, trial, demands))
         elif effect.name in trial.absent:
             decisions.append(_of(effect, "absent", forced, effect.absent))
         else:
-            choice: Choice = "kept" if effect in told.effects else "dropped"
-            decisions.append(_of(effect, choice, forced, told.reason if forced else reason))
+            choice: Choice = "kept" if effect in demands.effects else "dropped"
+            decisions.append(_of(effect, choice, forced, demands.reason if forced else reason))
     sums = path == "sums"
     plan = Plan(
-        None if told.allowed is None else told.allowed.electrons,
+        None if demands.allowed is None else demands.allowed.electrons,
         None,
         None,
         _loop(trial, setting) if sums else "all" if path == "words" else "reference",
@@ -108,7 +111,7 @@ def unmeasured(trial: Trial, told: Told, path: Path, why: str, reason: str) -> P
         saturating_lack=(),
         cost=_cost(trial, setting, 0.0) if sums else None,
     )
-    return told.on(plan)
+    return demands.on(plan)
 
 
 def _of(effect: Effect, choice: Choice, forced: bool, reason: str) -> Decision:
@@ -123,28 +126,28 @@ def _loop(trial: Trial, setting: Setting) -> Loop:
 
 
 def _decision(
-    effect: Effect, trial: Trial, told: Told, measured: MeasuredEffects, together: Together
+    effect: Effect, trial: Trial, demands: Demands, measured: MeasuredEffects, together: Together
 ) -> Decision:
-    forced, name = effect.name in told.forced, effect.name
+    forced, name = effect.name in demands.forced, effect.name
     if effect.kind == "after":
-        return _after_exposure(effect, trial, told)
+        return _after_exposure(effect, trial, demands)
     alone = measured.alone.get(name)
     if name in trial.absent or (trial.alike and alone is not None and not alone.changes):
         return Decision(name, effect.kind, "absent", forced, effect.absent, 0.0, 0.0, None, 0.0)
-    dropped = name in together.setting.dropped or (forced and effect not in told.effects)
+    dropped = name in together.setting.dropped or (forced and effect not in demands.effects)
     dropped |= name in trial.slow and trial.executes(together.setting) != "reference"
     saved_ns = trial.saved_ns(name)
     then_e = None
     if alone is not None:
         then_e = _then_e(name, dropped, measured, together)
     if forced:
-        reason = told.reason
-    elif told.reason == TAKEN:
-        reason = TAKEN
+        reason = demands.reason
+    elif demands.reason == FROM_GIVEN_PLAN:
+        reason = FROM_GIVEN_PLAN
     elif dropped:
         reason = "" if alone is None else f"{alone.rms_e:.3g} e fits into the tolerance"
     else:
-        reason = _why_kept(name, told, measured, together, saved_ns, then_e)
+        reason = _why_kept(name, demands, measured, together, saved_ns, then_e)
     return Decision(
         name, effect.kind, "dropped" if dropped else "kept", forced, reason,
         None if alone is None else alone.rms_e, None if alone is None else 0.0 - alone.bias_e,
@@ -154,12 +157,14 @@ def _decision(
 
 
 def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Together) -> float:
-    """The error of the plan without one effect more: what was measured together, and what the
-    products of the effects alone add to it."""
-    others, square_e2 = together.setting.dropped, together.difference.square_e2
+    """Return the error of the plan without one more effect, estimated from the error of the setting
+    and the mean products of the errors of single effects."""
+    dropped_effects, square_e2 = together.setting.dropped, together.difference.square_e2
     more_e2 = together.unseen_e2 + measured.approximations_e**2
     if not dropped:
-        alone_e2 = measured.squares_e2(others | {name}) - measured.squares_e2(others)
+        alone_e2 = measured.squares_e2(dropped_effects | {name}) - measured.squares_e2(
+            dropped_effects
+        )
         # Outputs are buckets, or those of several frames.
         square_e2 = square_e2.reshape(-1, len(alone_e2)) + alone_e2
     return math.sqrt(max(float(square_e2.max(initial=0.0)) + more_e2, 0.0))
@@ -167,23 +172,23 @@ def _then_e(name: str, dropped: bool, measured: MeasuredEffects, together: Toget
 
 def _why_kept(
     name: str,
-    told: Told,
+    demands: Demands,
     measured: MeasuredEffects,
     together: Together,
     saved_ns: float,
     then_e: float | None,
 ) -> str:
-    assert told.allowed is not None
+    assert demands.allowed is not None
     if saved_ns <= 0:
         return "costs nothing"
     alone = measured.alone.get(name)
     if alone is None or then_e is None:
-        return f"left out, the error would be above {told.allowed.electrons:.3g} e"
-    if then_e > MARGIN * told.allowed.electrons:
+        return f"left out, the error would be above {demands.allowed.electrons:.3g} e"
+    if then_e > MARGIN * demands.allowed.electrons:
         return f"left out, the error would be {then_e:.3g} e"
     if alone.other_states > 0:
         return f"left out, {alone.other_states:.2%} would end in other states"
-    if told.most is not None:
+    if demands.most is not None:
         worst_e = math.hypot(alone.worst.max_e, together.worst.max_e)
         return f"left out, the worst pixel could be {worst_e:.3g} e off"
     together_e2 = together.difference.unsure_e2.reshape(-1, len(alone.unsure_e2))
@@ -192,11 +197,12 @@ def _why_kept(
     return f"left out, the error could be {could_e:.3g} e: few pixels tell"
 
 
-def _after_exposure(effect: Effect, trial: Trial, told: Told) -> Decision:
-    """The readout's: no part of the promise, on unless the user wants it off."""
-    forced = not effect.always and effect.name in told.forced
-    on = effect in told.effects or (told.effects.auto and not forced)
-    reason = told.reason if forced else "always applied, after the exposure"
+def _after_exposure(effect: Effect, trial: Trial, demands: Demands) -> Decision:
+    """Return the decision on an effect of the readout, which is simulated unless the user forces it
+    off. The tolerance does not include it."""
+    forced = not effect.always and effect.name in demands.forced
+    on = effect in demands.effects or (demands.effects.auto and not forced)
+    reason = demands.reason if forced else "always applied, after the exposure"
     rms_e = _readout_e(effect, trial.sensor)
     return Decision(
         effect.name, effect.kind, "kept" if on else "dropped", forced, reason, rms_e, 0.0, None, 0.0
@@ -204,17 +210,17 @@ def _after_exposure(effect: Effect, trial: Trial, told: Told) -> Decision:
 
 
 def _readout_e(effect: Effect, sensor: Sensor) -> float | None:
-    """What an effect of the readout does to codes, in electrons, by its parts."""
+    """Return the RMS change of codes by an effect of the readout, in electrons."""
     from nscc_runtime.effects import everything
 
-    code_e = everything().the(Codes).electrons(sensor)
-    for converter in effect.parts(Converter):
+    code_e = everything().require_part(Codes).electrons(sensor)
+    for converter in effect.parts_of_kind(Converter):
         return converter.sigma_lsb(sensor) * code_e
-    return code_e / math.sqrt(12.0) if effect.parts(Codes) else None
+    return code_e / math.sqrt(12.0) if effect.parts_of_kind(Codes) else None
 
 
 def _cost(trial: Trial, setting: Setting, planning_ms: float) -> Cost:
-    """What the plan takes, and what frames with every effect take."""
+    """Return the time of a frame under the plan, and of a frame with every effect."""
     ms = trial.pixels * 1e-6
     total_ns, near_ns = trial.frame_ns(setting)
     every_ns, _ = trial.frame_ns(Setting(NONE))

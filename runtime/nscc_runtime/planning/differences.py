@@ -1,4 +1,4 @@
-"""How far exposures are from the truth, told from the measured pixels of a scene."""
+"""Errors of exposures, estimated from a sample of the pixels of a scene."""
 
 from __future__ import annotations
 
@@ -13,21 +13,21 @@ from nscc_runtime.planning.tail import Worst, worst_measured
 Values = NDArray[np.float64]
 
 _SIGMAS = 3.0
-"""Standard errors within which a mean may be none."""
+"""A mean within this number of standard errors of 0 counts as 0."""
 _NO_NUMBER_E = 1e30
-"""The error of an exposure that is no number."""
+"""The error that an exposure of NaN or infinity counts as."""
 
 
 @dataclass(frozen=True, eq=False)
 class WeightedPixels:
-    """Pixels that stand for a scene.
+    """A weighted sample of the pixels of a scene.
 
     Attributes
     ----------
     weight : float64, shape (pixels,)
-        How many of the `scene_pixels` each stands for.
+        Number of the `scene_pixels` that each represents.
     cluster : int64, shape (pixels,)
-        Pixels of one cluster, which lie one after the other, were drawn together.
+        Cluster number. Pixels of a cluster are adjacent and were drawn together.
     """
 
     weight: Values
@@ -35,19 +35,19 @@ class WeightedPixels:
     scene_pixels: int
 
     def mean(self, values: Values) -> Values:
-        """The mean over the scene of values (.., pixels)."""
+        """Return the weighted mean of values (.., pixels)."""
         return np.asarray((values * self.weight).sum(axis=-1) / max(self.weight.sum(), 1e-300))
 
     def standard_error(self, values: Values) -> Values:
-        """The standard error of such a mean: a sample is not the scene. A pixel that was sure to be
-        drawn stands for itself alone; one that stands for less was exposed several times."""
+        """Return the standard error of `mean(values)`. A pixel of weight 1 was certain to be drawn,
+        so it adds none; a pixel of smaller weight was exposed several times."""
         if not values.size:
             return np.zeros(values.shape[:-1])
-        others = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
-        by_chance = self.weight * np.where(self.weight < 1.0, 1.0, others)
-        away = (values - self.mean(values)[..., None]) * by_chance
-        together = np.add.reduceat(away, self.cluster_starts, axis=-1)
-        return np.asarray(np.sqrt((together**2).sum(axis=-1)) / max(self.weight.sum(), 1e-300))
+        not_sampled = np.sqrt(1.0 - 1.0 / np.maximum(self.weight, 1.0))
+        by_chance = self.weight * np.where(self.weight < 1.0, 1.0, not_sampled)
+        deviation = (values - self.mean(values)[..., None]) * by_chance
+        cluster_sums = np.add.reduceat(deviation, self.cluster_starts, axis=-1)
+        return np.asarray(np.sqrt((cluster_sums**2).sum(axis=-1)) / max(self.weight.sum(), 1e-300))
 
     @cached_property
     def cluster_starts(self) -> NDArray[np.intp]:
@@ -57,11 +57,11 @@ class WeightedPixels:
 
 @dataclass(frozen=True, eq=False)
 class Errors:
-    """Exposures less the truth.
+    """Differences between exposures and the truth.
 
-    `size_e` (outputs, pixels) in electrons, an output being a bucket, or one of a frame of a film;
-    `compared` (outputs, pixels): False where a pixel ended in other states than the truth, or one
-    of them is no number; `states`: whether pixels end in states.
+    `size_e` (outputs, pixels): electrons; an output is a bucket of one frame. `compared` (outputs,
+    pixels): False if the pixel ended in other states than in the truth, or a value is not finite.
+    `states`: whether the program has states.
     """
 
     size_e: Values
@@ -70,8 +70,7 @@ class Errors:
 
     @classmethod
     def of(cls, exposure_e: Values, truth_e: Values) -> Errors:
-        """Of exposures (outputs, pixels) that end in no states, compared where the truth is a
-        number."""
+        """Return the errors of exposures (outputs, pixels) of a program without states."""
         compared = np.isfinite(truth_e)
         with np.errstate(invalid="ignore"):
             away_e = np.where(np.isfinite(exposure_e), exposure_e - truth_e, _NO_NUMBER_E)
@@ -80,14 +79,14 @@ class Errors:
 
 @dataclass(frozen=True, eq=False)
 class Difference:
-    """What errors of measured pixels amount to over the scene."""
+    """Statistics of the errors of sampled pixels, as estimates for the whole scene."""
 
     errors: Errors
     sample: WeightedPixels
 
     @cached_property
     def _compared(self) -> Values:
-        """The part of the scene (outputs,) that is compared."""
+        """The fraction of the scene (outputs,) that is compared."""
         return np.maximum(self.sample.mean(self.errors.compared.astype(np.float64)), 1e-12)
 
     @cached_property
@@ -112,24 +111,26 @@ class Difference:
 
     @property
     def bias_e(self) -> float:
-        """The mean of that output, 0 where it is within three standard errors of it."""
+        """Mean of the worst output; 0 if it is within three standard errors of 0."""
         size_e = self.errors.size_e[int(np.argmax(self.square_e2))]
         mean_e = float(self.sample.mean(size_e))
         return mean_e if abs(mean_e) > _SIGMAS * float(self.sample.standard_error(size_e)) else 0.0
 
     def likely_e2(self, errors: float) -> float:
-        """The mean square of the worst output with so many standard errors."""
+        """Return the mean square of the worst output plus a number of standard `errors`."""
         return float((self.square_e2 + errors * self.unsure_e2).max(initial=0.0))
 
     @cached_property
     def other_states(self) -> float:
-        """The part of the pixels that end in other states."""
+        """Fraction of the pixels that end in other states."""
         return float(1.0 - self._compared.min(initial=1.0)) if self.errors.states else 0.0
 
     @cached_property
     def worst(self) -> Worst:
         """The largest errors of the pixels that are compared."""
-        where = self.errors.compared.all(axis=0)
-        weight = self.sample.weight[where]
-        part = weight / max(float(weight.sum()), 1e-300)
-        return worst_measured(self.errors.size_e[:, where], part, self.sample.scene_pixels)
+        is_compared = self.errors.compared.all(axis=0)
+        weight = self.sample.weight[is_compared]
+        fraction = weight / max(float(weight.sum()), 1e-300)
+        return worst_measured(
+            self.errors.size_e[:, is_compared], fraction, self.sample.scene_pixels
+        )

@@ -1,16 +1,15 @@
-"""The way from a scene to a plan, in five steps.
+"""Make a plan for a scene, in five steps.
 
-1. `sample`: pixels of the scene are drawn, and weighed by how many others each stands for.
-2. `measured_effects`: each effect is left out alone, on these pixels with the same draws.
-3. `choose`: of all sets of effects whose differences add up to less than the tolerance, those that
-   save most time.
-4. `choose`: the best set is left out at once and compared with the truth; if it is not within the
-   tolerance with two standard errors, the next one is tried.
-5. `decisions`: the plan says what was left out, why the rest was not, and what that was measured to
-   change.
+1. `sample`: draw pixels of the scene, weighted by the number of pixels that each represents.
+2. `measured_effects`: drop each effect alone, on these pixels with the same random numbers.
+3. `choose`: find the sets of effects that save most time, if their errors add up to less than the
+   tolerance.
+4. `choose`: drop all effects of a set at once and compare with the truth. If the error plus two
+   standard errors exceeds the tolerance, try the next set.
+5. `decisions`: enter for every effect whether it is simulated, its measured error and the reason.
 
-Measuring takes time, so it is done where it saves more than that, or where somebody asks for the
-table. Other frames are simulated with every effect.
+Effects are only measured if that saves more time than it takes, or if the user requests the table.
+Otherwise every effect is simulated.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ from nscc_runtime.planning.choose import (
     measure_together,
     tried_together,
 )
-from nscc_runtime.planning.decisions import TAKEN, Told, planned, unmeasured
+from nscc_runtime.planning.decisions import FROM_GIVEN_PLAN, Demands, planned, unmeasured
 from nscc_runtime.planning.measured_effects import measure_effects
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import MOST_OTHER_STATES
@@ -33,8 +32,8 @@ from nscc_runtime.planning.planned_scene import PlannedScene
 from nscc_runtime.planning.tolerance import (
     DEFAULT,
     OPTION_MAX,
-    Given,
     Tolerance,
+    ToleranceInput,
     check_tolerance,
     noise_part,
     tolerance_of,
@@ -42,144 +41,159 @@ from nscc_runtime.planning.tolerance import (
 from nscc_runtime.planning.trial import NONE, Names, Setting, Trial
 
 MANY = 1000
-"""Frames that a plan is for where nobody says how many."""
+"""Number of frames that a plan is made for, by default."""
 _APPROXIMATED = 0.6
-"""Approximations of sums may make this part of the tolerance; beyond it, words run one by one."""
+"""Largest error of the approximations of sums, as a fraction of the tolerance; with larger errors,
+all pixels run through their words."""
 _NEGLIGIBLE = 0.05
-"""Approximations that make no more than this part of it are not measured."""
+"""Approximations below this fraction of the tolerance are not measured."""
 _ONE_COUNT_E = 1.0
-"""By so much sums may count wrong in a rare pixel: where no pixel may be, words run one by one."""
+"""Error of sums in rare pixels; with a smaller `tolerance_max`, all pixels run through their words.
+"""
 _HOPED = 0.35
-"""Of what all effects that may be left out would save, the part that plans save as a rule."""
+"""Typical saving of a plan, as a fraction of the saving of dropping all effects that are free."""
 _OTHER_STATES, _SERVED_OTHER_STATES = 0.5, 0.7
-"""Effects are left out while this part of the most other states is measured: a sample shows few of
-them; a plan serves another scene while so much of them is."""
+"""Largest measured fraction of pixels in other states, relative to `MOST_OTHER_STATES`, when a plan
+is made and when it is reused for another scene."""
 
 
 @dataclass(frozen=True)
 class PlanRequest:
-    """What is asked of a plan.
+    """The request for a plan.
 
-    `frames`: for how many frames it is made, by which measuring it has to pay; `figures`: every
-    figure of the table is asked for, and measured whatever it saves.
+    `frames`: number of frames that share the plan; it decides whether measuring saves time.
+    `figures`: measure every figure of the table, even if that saves no time.
     """
 
     effects: Selection
-    tolerance: Given = DEFAULT
-    tolerance_max: Given | None = None
+    tolerance: ToleranceInput = DEFAULT
+    tolerance_max: ToleranceInput | None = None
     frames: int = MANY
     figures: bool = False
 
 
-def make_plan(scene: PlannedScene, asked: PlanRequest) -> Plan:
-    """The cheapest plan whose error, measured on a sample of the scene, is within the tolerance.
+def make_plan(scene: PlannedScene, request: PlanRequest) -> Plan:
+    """Return the fastest plan whose error, measured on a sample of the scene, is within tolerance.
 
-    Raises Rejected (NS0746) where a tolerance is invalid.
+    Raises Rejected (NS0746) for an invalid tolerance.
     """
-    effects = asked.effects
+    effects = request.effects
     forced = frozenset(e.name for e in registered() if not effects.auto or e.name in effects.forced)
     forced_off = frozenset(
         e.name for e in registered() if e.name in forced and e not in effects and e.kind != "after"
     )
     trial = scene.trial(forced_off)
-    reason = _not_worth(scene, trial, asked, forced)
+    reason = _not_worth(scene, trial, request, forced)
     if reason is not None:
-        allowed = _known(scene, asked.tolerance)
+        allowed = _known(scene, request.tolerance)
         path, why = scene.exact_path(allowed)
-        told = Told(effects, forced, allowed, _known_max(scene, asked), str(asked.tolerance))
-        return unmeasured(trial, told, path, why, reason)
-    allowed, most = allowed_on(scene, asked.tolerance, asked.tolerance_max)
-    told = Told(effects, forced, allowed, most)
+        demands = Demands(
+            effects, forced, allowed, _known_max(scene, request), str(request.tolerance)
+        )
+        return unmeasured(trial, demands, path, why, reason)
+    allowed, most = allowed_on(scene, request.tolerance, request.tolerance_max)
+    demands = Demands(effects, forced, allowed, most)
     free = frozenset(e.name for e in registered() if e.kind != "after") - forced
-    return _measured(scene, trial, told, free, asked.figures)
+    return _measured(scene, trial, demands, free, request.figures)
 
 
 def measured_again(scene: PlannedScene, plan: Plan) -> Plan:
-    """The decisions of a plan for another scene, measured on this one. A tolerance that is a part
-    of the scene is one of this scene."""
+    """Return a given plan with its errors measured on this scene. A relative tolerance refers to
+    this scene."""
     off = frozenset(e.name for e in registered() if e.kind != "after" and e not in plan.kept)
-    forced_off = frozenset(e.name for e in registered() if e not in plan.wanted) & off
+    forced_off = frozenset(e.name for e in registered() if e not in plan.requested_effects) & off
     trial = scene.trial(forced_off)
-    allowed, most = allowed_on(scene, *plan.asked)
+    allowed, most = allowed_on(scene, *plan.tolerance_inputs)
     if plan.slot_loop in ("all", "reference"):
         trial = scene.slower_trial(trial, allowed.electrons) or trial
-    forced = frozenset(each.name for each in plan.decisions if each.forced)
-    told = Told(plan.kept, forced, allowed, most, reason=TAKEN)
-    measured = measure_effects(trial, _names(trial), approximations=True, near=True)
+    forced = frozenset(decision.name for decision in plan.decisions if decision.forced)
+    demands = Demands(plan.kept, forced, allowed, most, reason=FROM_GIVEN_PLAN)
+    measured = measure_effects(trial, _names(trial), approximations=True, near_saturation=True)
     lacking = frozenset(plan.saturating_lack)
     setting = Setting(off - forced_off, lacking, plan.tolerance_max_e is not None)
     together = tried_together(trial, setting, measured.approximations)
-    return planned(trial, told, measured, together, figures=True)
+    return planned(trial, demands, measured, together, figures=True)
 
 
 def still_fits(trial: Trial, plan: Plan, dropped: Names) -> bool:
-    """Whether a plan keeps its promise on another scene with light of the same kind, by what all
-    that it leaves out changes there."""
-    found, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
+    """Whether a plan keeps its tolerance on another scene with similar light: the error of all its
+    `dropped` effects is measured there."""
+    measured_setting, most = tried_together(trial, Setting(dropped), None), plan.tolerance_max_e
     return (
-        found.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
-        and found.difference.other_states <= _SERVED_OTHER_STATES * MOST_OTHER_STATES
-        and (most is None or found.worst.max_e <= MARGIN * most)
+        measured_setting.likely_e2(1.0) <= (MARGIN * (plan.tolerance_e or 0.0)) ** 2
+        and measured_setting.difference.other_states <= _SERVED_OTHER_STATES * MOST_OTHER_STATES
+        and (most is None or measured_setting.worst.max_e <= MARGIN * most)
     )
 
 
 def allowed_on(
-    scene: PlannedScene, tolerance: Given, tolerance_max: Given | None
+    scene: PlannedScene, tolerance: ToleranceInput, tolerance_max: ToleranceInput | None
 ) -> tuple[Tolerance, Tolerance | None]:
-    """What tolerances mean on a scene."""
+    """Return the tolerances in electrons on a scene."""
     allowed = tolerance_of(tolerance, scene.sensor, scene)
     if tolerance_max is None:
         return allowed, None
     return allowed, tolerance_of(tolerance_max, scene.sensor, scene, OPTION_MAX)
 
 
-def _measured(scene: PlannedScene, trial: Trial, told: Told, free: Names, figures: bool) -> Plan:
-    """Steps 1 to 5; the sample is drawn when it is first asked for."""
-    assert told.allowed is not None
-    too_large = trial.too_large(told.allowed.electrons)
+def _measured(
+    scene: PlannedScene, trial: Trial, demands: Demands, free: Names, figures: bool
+) -> Plan:
+    """Run the five steps and return the plan."""
+    assert demands.allowed is not None
+    too_large = trial.too_large(demands.allowed.electrons)
     moves = [move for move in trial.moves(free) if not move.names & too_large]
-    wanted = _names(trial) if figures else frozenset[str]().union(*(m.names for m in moves))
-    wanted |= trial.slow - trial.absent - trial.forced_off
-    negligible = scene.approximates(_NEGLIGIBLE * told.allowed.electrons, None)
-    slower = scene.slower_trial(trial, told.allowed.electrons)
-    # What pixels near saturation would lack is measured where it is asked for, or decides.
-    for near in (True,) if figures else (False, True):
+    effects_to_measure = (
+        _names(trial) if figures else frozenset[str]().union(*(m.names for m in moves))
+    )
+    effects_to_measure |= trial.slow - trial.absent - trial.forced_off
+    negligible = scene.approximates(_NEGLIGIBLE * demands.allowed.electrons, None)
+    slower = scene.slower_trial(trial, demands.allowed.electrons)
+    # Measurements near saturation are slow: they are made on request, or if they decide.
+    for near_saturation in (True,) if figures else (False, True):
         measured = measure_effects(
-            trial, wanted, approximations=figures or not negligible, near=near
+            trial,
+            effects_to_measure,
+            approximations=figures or not negligible,
+            near_saturation=near_saturation,
         )
-        limits = Limits.of(told.allowed, told.most, _OTHER_STATES * MOST_OTHER_STATES, measured)
-        named = (trial.slow & told.forced & {*measured.alone}) - trial.forced_off
+        limits = Limits.of(
+            demands.allowed, demands.most, _OTHER_STATES * MOST_OTHER_STATES, measured
+        )
+        named = (trial.slow & demands.forced & {*measured.alone}) - trial.forced_off
         only_slow = (measured.alone[name] for name in named)
-        too_rough = measured.approximations_e > _APPROXIMATED * told.allowed.electrons
-        single = told.most is not None and told.most.electrons < _ONE_COUNT_E
-        if slower and (too_rough or single or any(each.changes for each in only_slow)):
-            return _measured(scene, slower, told, free, figures)
+        too_rough = measured.approximations_e > _APPROXIMATED * demands.allowed.electrons
+        single = demands.most is not None and demands.most.electrons < _ONE_COUNT_E
+        if slower and (too_rough or single or any(difference.changes for difference in only_slow)):
+            return _measured(scene, slower, demands, free, figures)
         candidates = choose_cheapest(trial, measured, moves, limits)
         together = measure_together(trial, measured, candidates, limits)
         if together.setting.dropped or not candidates:
             break
     if slower and not limits.allow(together):
-        return _measured(scene, slower, told, free, figures)
-    return planned(trial, told, measured, together, figures)
+        return _measured(scene, slower, demands, free, figures)
+    return planned(trial, demands, measured, together, figures)
 
 
 def _names(trial: Trial) -> Names:
-    """All effects of the exposure that may change something."""
+    """Return the effects of the exposure that are not absent."""
     return frozenset(e.name for e in registered() if e.kind != "after") - trial.absent
 
 
-def _not_worth(scene: PlannedScene, trial: Trial, asked: PlanRequest, forced: Names) -> str | None:
-    """Why measuring is not worth its time; None where it is."""
-    if asked.figures or trial.slow - trial.absent - trial.forced_off:
+def _not_worth(
+    scene: PlannedScene, trial: Trial, request: PlanRequest, forced: Names
+) -> str | None:
+    """Return the reason for not measuring effects; None if measuring saves time."""
+    if request.figures or trial.slow - trial.absent - trial.forced_off:
         return None
-    if not asked.effects.auto:
+    if not request.effects.auto:
         return "named in --effects"
     if trial.forced_off - trial.absent:
         return None  # they may break the promise, which is to be said
-    allowed = _known(scene, asked.tolerance)
+    allowed = _known(scene, request.tolerance)
     tolerance_e = None if allowed is None else allowed.electrons
-    part = None if allowed is not None else noise_part(str(asked.tolerance))
-    if asked.tolerance_max is not None or not scene.approximates(tolerance_e, part):
+    noise_fraction = None if allowed is not None else noise_part(str(request.tolerance))
+    if request.tolerance_max is not None or not scene.approximates(tolerance_e, noise_fraction):
         return None
     too_large = NONE if tolerance_e is None else trial.too_large(tolerance_e)
     moves = [m for m in trial.moves(_names(trial) - forced) if not m.names & too_large]
@@ -187,19 +201,20 @@ def _not_worth(scene: PlannedScene, trial: Trial, asked: PlanRequest, forced: Na
     every_ns, _ = trial.frame_ns(Setting(NONE))
     least_ns, _ = trial.frame_ns(trial.settings(free)[0])
     saved_ms = _HOPED * (every_ns - least_ns) * trial.pixels * 1e-6
-    if asked.frames * saved_ms > trial.planning_ms():
+    if request.frames * saved_ms > trial.planning_ms():
         return None
     return "choosing effects would take longer than it saves"
 
 
-def _known(scene: PlannedScene, given: Given) -> Tolerance | None:
-    """A tolerance as far as it is known without measuring: not one that is a part of the noise."""
-    if isinstance(given, str) and noise_part(given) is not None:
-        check_tolerance(given, scene.sensor)
+def _known(scene: PlannedScene, tolerance: ToleranceInput) -> Tolerance | None:
+    """Return a tolerance in electrons; None for a fraction of the noise, which needs a
+    measurement."""
+    if isinstance(tolerance, str) and noise_part(tolerance) is not None:
+        check_tolerance(tolerance, scene.sensor)
         return None
-    return tolerance_of(given, scene.sensor, scene)
+    return tolerance_of(tolerance, scene.sensor, scene)
 
 
-def _known_max(scene: PlannedScene, asked: PlanRequest) -> Tolerance | None:
-    most = asked.tolerance_max
+def _known_max(scene: PlannedScene, request: PlanRequest) -> Tolerance | None:
+    most = request.tolerance_max
     return None if most is None else tolerance_of(most, scene.sensor, scene, OPTION_MAX)

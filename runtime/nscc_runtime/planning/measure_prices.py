@@ -1,4 +1,4 @@
-"""Measuring what simulating takes on this machine, beside the prices that plans are chosen by."""
+"""Measure the time of simulations on this machine, for comparison with the shipped prices."""
 
 from __future__ import annotations
 
@@ -30,23 +30,24 @@ open when n < stop
 pixels stop = 1 + (5 * x + 3 * y) % 16
 """
 _NEAR = 512
-"""Pixels that run through their words."""
+"""Number of pixels that run through their words."""
 _ROUNDS = 5
 
 
 @dataclass(frozen=True)
 class Price:
-    """One line of the list: `here` as measured, `shipped` what plans are chosen by."""
+    """One line of the list: `measured` on this machine, and `shipped`, which plans are chosen
+    by."""
 
     name: str
-    what: str
+    description: str
     unit: str
     shipped: float
-    here: float
+    measured: float
 
 
 def measure_prices() -> list[Price]:
-    """The prices of this machine, each the least of some rounds; some seconds."""
+    """Measure the prices on this machine, each as the fastest of several rounds. Takes seconds."""
     container = nscc.compile(_TEXT, level=1).container
     program = analysed(container, default_sensor(container.target))
     rows, cols = program.array.shape
@@ -55,7 +56,7 @@ def measure_prices() -> list[Price]:
     light = Light.of_still((250e3 + 220e3 * wave).astype(np.float32), program.slot_s)
     pixels, request = program.array.lanes.size, PlanRequest(selected("auto"), 5.0, figures=True)
 
-    # `replace`: the same light, without what has been found out about it.
+    # `replace` makes a copy of the light without cached properties.
     def planned() -> Plan:
         return make_plan(planning_of(container, program.sensor, replace(light)), request)
 
@@ -82,15 +83,20 @@ def measure_prices() -> list[Price]:
 
 
 def _of_effects(program: Program, still: Light) -> list[Price]:
-    """What leaving each effect out of sums saves: of a still, and of each frame of a film."""
-    every = everything()
-    every = every.without(*(e.name for e in every.effects if isinstance(e.sums, CannotHave)))
+    """Measure the time saved by dropping each effect from sums: per still, and per frame of
+    light."""
+    all_effects = everything()
+    all_effects = all_effects.without(
+        *(e.name for e in all_effects.effects if isinstance(e.sums, CannotHave))
+    )
     film = Light.of_clip(np.repeat(still.frames, still.slots, axis=0), float(program.slot_s[0]))
     prices: list[Price] = []
-    for effect in every.effects:
+    for effect in all_effects.effects:
         if not (effect.cost_ns and effect.sums):
             continue
-        of_still, of_film = (_saved_ns(program, light, every, effect) for light in (still, film))
+        of_still, of_film = (
+            _saved_ns(program, light, all_effects, effect) for light in (still, film)
+        )
         prices.append(
             Price(effect.name, "a pixel by sums over slots", "ns", effect.cost_ns, of_still)
         )
@@ -102,10 +108,11 @@ def _of_effects(program: Program, still: Light) -> list[Price]:
     return prices
 
 
-def _saved_ns(program: Program, light: Light, every: Selection, effect: Effect) -> float:
-    """Nanoseconds a pixel of a frame with all effects less those of one without this one."""
+def _saved_ns(program: Program, light: Light, all_effects: Selection, effect: Effect) -> float:
+    """Return the nanoseconds per pixel that a frame without the effect saves."""
     executions = [
-        Execution("sums", kept, kept, every) for kept in (every, every.without(effect.name))
+        Execution("sums", kept_effects, kept_effects, all_effects)
+        for kept_effects in (all_effects, all_effects.without(effect.name))
     ]
     seconds = [math.inf, math.inf]
     for _ in range(_ROUNDS):
@@ -116,12 +123,12 @@ def _saved_ns(program: Program, light: Light, every: Selection, effect: Effect) 
 
 
 def _frame(program: Program, light: Light, execution: Execution) -> None:
-    """One frame of a light of which nothing has been found out, on one core."""
+    """Expose one frame of a copy of the light without cached properties, on one core."""
     executed(program, replace(light), execution, threads=1).frame(0, 0)
 
 
 def _least_s(run: Callable[[], object], rounds: int = _ROUNDS) -> float:
-    """Seconds of the fastest round, after one that is not counted."""
+    """Return the seconds of the fastest round, after a warm-up round."""
     run()
     seconds = []
     for _ in range(rounds):

@@ -1,9 +1,8 @@
-"""Step 2 of planning: measure what leaving out each effect changes.
+"""Step 2 of planning: measure the error of dropping each effect.
 
-Every effect is left out alone, on the same pixels with the same draws. The mean products of these
-differences say what leaving out any set of effects changes, as far as effects add up: the mean
-square of a sum is the sum of all products.
-"""
+Each effect is dropped alone, on the same pixels with the same random numbers. If effects add up,
+the mean square error of dropping a set of them is the sum of the mean products of these
+differences."""
 
 from __future__ import annotations
 
@@ -21,61 +20,60 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class MeasuredEffects:
-    """What leaving out effects changes on a scene.
+    """The measured errors of dropping effects on a scene.
 
     Attributes
     ----------
     alone : dict of Difference
-        Of each measured effect, left out alone.
+        The error of dropping each measured effect alone.
     products_e2 : float64, shape (outputs, 1 + effects, 1 + effects)
-        Mean products of these differences over the scene; the first row and column are of what the
-        user forced off.
+        Mean products of these differences over the scene; the first row and column belong to the
+        effects that the user forced off.
     approximations : Difference or None
-        How far exposures with every effect are from the truth; None where that is nothing, or was
-        not measured.
-    near : bool
-        Whether effects were measured near saturation, too.
+        The error of exposures with every effect; None if it is 0 or was not measured.
+    near_saturation : bool
+        Whether effects were also measured on pixels near saturation.
     forced : Difference
-        What the user forced off changes.
+        The error of the effects that the user forced off.
     """
 
     alone: dict[str, Difference]
     products_e2: Values
     approximations: Difference | None
-    near: bool
+    near_saturation: bool
     forced: Difference
 
     @property
     def approximations_e(self) -> float:
-        """Their root mean square."""
+        """Root mean square error of the approximations."""
         return 0.0 if self.approximations is None else self.approximations.rms_e
 
     def index(self, name: str) -> int:
-        """The row of an effect."""
+        """Return the row of an effect in `products_e2`."""
         return 1 + [*self.alone].index(name)
 
     def squares_e2(self, names: Names) -> Values:
-        """The mean square (outputs,) of leaving out some of the measured effects."""
+        """Return the mean square error (outputs,) of dropping a set of measured effects."""
         rows = [0, *(self.index(name) for name in self.alone if name in names)]
         return np.asarray(self.products_e2[:, rows][:, :, rows].sum(axis=(1, 2)))
 
 
 def measure_effects(
-    trial: Trial, wanted: Names, *, approximations: bool = True, near: bool = False
+    trial: Trial, effects: Names, *, approximations: bool = True, near_saturation: bool = False
 ) -> MeasuredEffects:
-    """Measure some effects of a scene; those that are absent for sure are not. `near`: also what
-    pixels near saturation lose that lack an effect, where that saves time."""
+    """Measure the error of dropping each of the effects, except absent ones. `near_saturation`:
+    also on pixels near saturation, if dropping the effect there saves time."""
     errors: dict[str, Errors] = {}
     for effect in registered():
-        if effect.name in wanted and effect.name not in trial.absent and effect.kind != "after":
-            errors[effect.name] = trial.alone(effect, near)
+        if effect.name in effects and effect.name not in trial.absent and effect.kind != "after":
+            errors[effect.name] = trial.alone(effect, near_saturation)
     forced = trial.forced()
-    fields = np.stack([forced.size_e, *(each.size_e for each in errors.values())])
+    fields = np.stack([forced.size_e, *(effect_errors.size_e for effect_errors in errors.values())])
     return MeasuredEffects(
-        {name: Difference(each, trial.sample) for name, each in errors.items()},
+        {name: Difference(effect_errors, trial.sample) for name, effect_errors in errors.items()},
         _products(fields, trial.sample.weight),
         trial.approximated() if approximations else None,
-        near,
+        near_saturation,
         Difference(forced, trial.sample),
     )
 

@@ -1,5 +1,4 @@
-"""Step 5 of planning: a plan says what a run simulates of a sensor's effects, how, and what that
-was measured to change."""
+"""The plan of a run: the effects that are simulated, how, and the measured errors."""
 
 from __future__ import annotations
 
@@ -24,7 +23,7 @@ from nscc_runtime.planning.plan_parts import (
     Decision,
     Loop,
 )
-from nscc_runtime.planning.tolerance import LEAST_E, Given, Tolerance
+from nscc_runtime.planning.tolerance import LEAST_E, Tolerance, ToleranceInput
 
 _LOOPS: Mapping[Loop, str] = {
     "none": "no pixel runs through the words one by one",
@@ -39,7 +38,7 @@ _PATHS: Mapping[Loop, Path] = {
 
 @dataclass(frozen=True, repr=False)
 class Plan:
-    """What a run needs to know beside program, scene and sensor.
+    """The plan of a run.
 
     Errors are root mean squares over pixels and buckets of the difference from the reference with
     every effect, in electrons before the ADC. Figures that were not measured are None. As text a
@@ -60,7 +59,7 @@ class Plan:
     approximations : tuple of Approximation
         How sums differ from the reference with the same effects.
     decisions : tuple of Decision
-        What becomes of each effect.
+        The decision on each effect.
     other_states : float or None
         Of a program that looks, the part of the pixels that end in other states than with every
         effect; errors are those of the other pixels.
@@ -105,38 +104,39 @@ class Plan:
     reused: bool = field(default=False, metadata=LATER)
 
     def __repr__(self) -> str:
-        kept = [each.name for each in self.decisions if each.decision == "kept"]
+        kept_names = [decision.name for decision in self.decisions if decision.decision == "kept"]
         error = "no error measured"
         if self.predicted_e is not None and self.tolerance_e is not None:
             error = f"{self.predicted_e:.3g} e of {self.tolerance_e:.4g} e"
-        return (
-            f"<nscc plan: {error}, {len(kept)} of {len(self.decisions)} effects: {', '.join(kept)}>"
-        )
+        effects = f"{len(kept_names)} of {len(self.decisions)} effects: {', '.join(kept_names)}"
+        return f"<nscc plan: {error}, {effects}>"
 
     def __str__(self) -> str:
         return _table(self)
 
     def _repr_html_(self) -> str:
-        said = "no error measured"
+        summary = "no error measured"
         if self.predicted_e is not None:
-            said = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
-        return html.card("plan", said, html.plain(str(self)))
+            summary = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
+        return html.card("plan", summary, html.plain(str(self)))
 
     @property
     def line(self) -> str:
         """The plan in one line: the effects that are simulated, and the predicted error."""
-        names = {choice: [each.name for each in self.decisions if each.decision == choice]
-                 for choice in ("kept", "dropped")}  # fmt: skip
-        if not names["dropped"]:
-            return f"every effect simulated: {len(names['kept'])} that this run can have"
+        kept_names, dropped_names = (
+            [decision.name for decision in self.decisions if decision.decision == choice]
+            for choice in ("kept", "dropped")
+        )
+        if not dropped_names:
+            return f"every effect simulated: {len(kept_names)} that this run can have"
         error = "no error measured"
         if self.predicted_e is not None:
             error = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
-        kept, dropped = names["kept"], names["dropped"]
-        listed = f"without {', '.join(dropped)}"
-        if len(kept) < len(dropped):
-            listed = ", ".join(kept)
-        return f"{error}; {len(kept)} of {len(kept) + len(dropped)} effects simulated: {listed}"
+        listed = f"without {', '.join(dropped_names)}"
+        if len(kept_names) < len(dropped_names):
+            listed = ", ".join(kept_names)
+        count = len(kept_names) + len(dropped_names)
+        return f"{error}; {len(kept_names)} of {count} effects simulated: {listed}"
 
     @property
     def measured(self) -> bool:
@@ -163,8 +163,8 @@ class Plan:
         )
 
     @property
-    def asked(self) -> tuple[Given, Given | None]:
-        """The tolerances as those of any scene."""
+    def tolerance_inputs(self) -> tuple[ToleranceInput, ToleranceInput | None]:
+        """The tolerances as the user entered them: relative ones as text."""
         allowed, most = self.allowed, self.allowed_max
         return (
             self.tolerance if allowed is None or allowed.follows else allowed,
@@ -173,61 +173,69 @@ class Plan:
 
     @property
     def breach(self) -> str | None:
-        """All of the promise that is predicted to break, in words."""
-        found = []
+        """Describe which predicted errors exceed their tolerances; None if none does."""
+        broken_parts = []
         if (self.predicted_e or 0.0) > (self.tolerance_e or 0.0):
-            found.append(
+            broken_parts.append(
                 f"the predicted error is {self.predicted_e:.3g} e, "
                 f"the tolerance {self.tolerance_e:.4g} e"
             )
         if self.tolerance_max_e is not None and (self.predicted_max_e or 0) > self.tolerance_max_e:
-            found.append(
+            broken_parts.append(
                 f"the predicted error of the worst pixel is {self.predicted_max_e:.3g} e, "
                 f"its tolerance {self.tolerance_max_e:.4g} e"
             )
         if self.other_states is not None and self.other_states > MOST_OTHER_STATES:
-            found.append(
+            broken_parts.append(
                 f"{self.other_states:.2%} of the pixels are predicted to end in other states, "
                 f"{MOST_OTHER_STATES:.1%} may"
             )
-        return "; ".join(found) or None
+        return "; ".join(broken_parts) or None
 
     @cached_property
     def kept(self) -> Selection:
         """The effects that are simulated."""
-        on = {each.name for each in self.decisions if each.decision == "kept"}
-        forced = {each.name for each in self.decisions if each.forced}
+        on = {decision.name for decision in self.decisions if decision.decision == "kept"}
+        forced = {decision.name for decision in self.decisions if decision.forced}
         return Selection(always_on() | on, frozenset(forced))
 
     @cached_property
-    def wanted(self) -> Selection:
-        """All effects but those that the user forced off."""
-        off = {each.name for each in self.decisions if each.forced and each.decision == "dropped"}
-        kept = self.kept
-        return Selection(frozenset(e.name for e in registered()) - off, kept.forced)
+    def requested_effects(self) -> Selection:
+        """All effects except those that the user forced off."""
+        off = {
+            decision.name
+            for decision in self.decisions
+            if decision.forced and decision.decision == "dropped"
+        }
+        kept_effects = self.kept
+        return Selection(frozenset(e.name for e in registered()) - off, kept_effects.forced)
 
     @cached_property
     def drops_saturation(self) -> bool:
-        """Whether an effect of what saturates is left out because the tolerance has room for it."""
+        """Whether an effect that saturates is dropped."""
         names = everything().names(Saturates)
         return any(e.decision == "dropped" and e.name in names for e in self.decisions)
 
     @cached_property
     def execution(self) -> Execution:
-        """How frames are exposed under this plan, of a program with fixed shutters."""
-        wanted, kept = self.wanted, self.kept
-        slow = {e.name for e in wanted.effects if isinstance(e.words, CannotHave)}
-        unsaturated = wanted.names(Saturates) - kept.names(Saturates)
-        near = wanted.without(*slow, *unsaturated, *self.saturating_lack)
+        """The execution of frames of a program with fixed shutters under this plan."""
+        requested_effects, kept_effects = self.requested_effects, self.kept
+        slow = {e.name for e in requested_effects.effects if isinstance(e.words, CannotHave)}
+        unsaturated = requested_effects.names(Saturates) - kept_effects.names(Saturates)
+        near_effects = requested_effects.without(*slow, *unsaturated, *self.saturating_lack)
         exact = self.tolerance_max_e is not None
-        return Execution(_PATHS[self.slot_loop], kept, near, wanted, exact)
+        return Execution(
+            _PATHS[self.slot_loop], kept_effects, near_effects, requested_effects, exact
+        )
 
     @property
     def costs(self) -> list[tuple[str, str, float]]:
-        """What takes time and is no effect's own: its name, what it is, and milliseconds."""
+        """Times that belong to no single effect: (name, description, milliseconds)."""
         if self.cost is None:
             return []
-        kept_ms = sum(each.cost_ms_model for each in self.decisions if each.decision == "kept")
+        kept_ms = sum(
+            decision.cost_ms_model for decision in self.decisions if decision.decision == "kept"
+        )
         return self.cost.rows(kept_ms, self.saturating_lack)
 
     def as_json(self) -> dict[str, Any]:
@@ -248,14 +256,14 @@ class Plan:
             "slot_loop_pixels": self.slot_loop,
             "slot_loop_reasons": list(self.slot_loop_reasons),
             "sampled_fraction": self.sampled_fraction,
-            "approximations": [_as_json(each) for each in self.approximations],
-            "leak_nodes": 2 if self.kept.part(Leak) is not None else 1,
+            "approximations": [_as_json(item) for item in self.approximations],
+            "leak_nodes": 2 if self.kept.find_part(Leak) is not None else 1,
             "closed_slots_counted": False,
             "saturating_lack": list(self.saturating_lack),
             "cost": None if self.cost is None else _as_json(self.cost),
             "other_states": self.other_states,
             "reused": self.reused,
-            "effects": [_as_json(each) for each in self.decisions],
+            "effects": [_as_json(item) for item in self.decisions],
         }
 
     @classmethod
@@ -271,50 +279,52 @@ class Plan:
         for unit, name, part_of_e in (
             ("%", "signal_e", plan.signal_e), ("noise", "noise_e", plan.noise_e)
         ):  # fmt: skip
-            asked = plan.tolerance.endswith(unit) or plan.tolerance_max.endswith(unit)
-            if asked != (part_of_e is not None):
+            follows_unit = plan.tolerance.endswith(unit) or plan.tolerance_max.endswith(unit)
+            if follows_unit != (part_of_e is not None):
                 raise ValueError(f"{name} is {part_of_e}")
-        kept = {each.name for each in plan.decisions if each.decision == "kept"}
-        if not kept.isdisjoint(plan.saturating_lack):
+        kept_names = {decision.name for decision in plan.decisions if decision.decision == "kept"}
+        if not kept_names.isdisjoint(plan.saturating_lack):
             raise ValueError(f"saturating_lack is {', '.join(plan.saturating_lack)[:60]}")
         return plan
 
 
 def _table(plan: Plan) -> str:
-    """A row for each effect, then what the plan comes to."""
+    """Return the plan as text: a row for each effect, then the errors and times."""
     looks = plan.other_states is not None
     head = ("effect", "rms e", "bias e", "choice", "why", "saves ms")
     rows: list[tuple[str, ...]] = [(*head, "other states") if looks else head]
-    for each in plan.decisions:
-        rms = "" if each.predicted_rms_e is None else f"{each.predicted_rms_e:.3g}"
-        bias = "" if not each.predicted_bias_e else f"{each.predicted_bias_e:+.3g}"
-        choice = each.decision + (", forced" if each.forced else "")
-        cost = "" if each.cost_ms_model <= 0 else f"{each.cost_ms_model:.2f}"
-        other = (f"{each.other_states:.2%}" if each.other_states else "",) if looks else ()
-        rows.append((each.name, rms, bias, choice, each.reason, cost, *other))
+    for decision in plan.decisions:
+        rms = "" if decision.predicted_rms_e is None else f"{decision.predicted_rms_e:.3g}"
+        bias = "" if not decision.predicted_bias_e else f"{decision.predicted_bias_e:+.3g}"
+        choice = decision.decision + (", forced" if decision.forced else "")
+        cost = "" if decision.cost_ms_model <= 0 else f"{decision.cost_ms_model:.2f}"
+        other_states = (
+            (f"{decision.other_states:.2%}" if decision.other_states else "",) if looks else ()
+        )
+        rows.append((decision.name, rms, bias, choice, decision.reason, cost, *other_states))
     rows += [
-        (name, "", "", "", what, f"{cost_ms:.2f}", *(("",) if looks else ()))
-        for name, what, cost_ms in plan.costs
+        (name, "", "", "", description, f"{cost_ms:.2f}", *(("",) if looks else ()))
+        for name, description, cost_ms in plan.costs
     ]
     lines = [columns(rows, left_aligned=(0, 3, 4)), *_errors(plan), *approximation_lines(plan)]
     lines.append(
         ": ".join(filter(None, (_LOOPS[plan.slot_loop], "; ".join(plan.slot_loop_reasons))))
     )
     if plan.cost is not None:
-        lines.append(plan.cost.said)
+        lines.append(plan.cost.summary)
     if plan.reused:
         lines.append("made for an earlier scene, whose light was of this kind and no weaker")
     return "\n".join(lines)
 
 
 def _errors(plan: Plan) -> list[str]:
-    """The errors that were measured, and what was asked."""
-    asked = plan.allowed if plan.tolerance_e is not None else plan.tolerance
+    """Return lines with the predicted errors and the tolerances."""
+    tolerance = plan.allowed if plan.tolerance_e is not None else plan.tolerance
     if plan.predicted_e is None:
-        return [f"no error was measured; tolerance {asked}"]
+        return [f"no error was measured; tolerance {tolerance}"]
     lines = [
         f"predicted error {plan.predicted_e:.3g} e (at most {plan.bound_e or 0.0:.3g}), tolerance "
-        f"{asked}, measured on {plan.sampled_fraction:.1%} of the pixels"
+        f"{tolerance}, measured on {plan.sampled_fraction:.1%} of the pixels"
     ]
     if plan.predicted_max_e is not None and plan.predicted_p999_e is not None:
         lines.append(
@@ -332,25 +342,27 @@ def _errors(plan: Plan) -> list[str]:
 
 
 def approximation_lines(plan: Plan) -> list[str]:
-    """How sums differ from the reference, and by how much."""
+    """Return a line for each approximation of sums, with its error."""
     return [
         f"approximation: {name}" + ("" if error_e is None else f": {error_e:.2g} e")
-        for name, error_e in ((each.name, each.error_e) for each in plan.approximations)
+        for name, error_e in (
+            (approximation.name, approximation.error_e) for approximation in plan.approximations
+        )
     ]
 
 
 def _as_json(flat: Decision | Approximation | Cost) -> dict[str, Any]:
-    """A record of numbers and text by its fields; `dataclasses.asdict` takes a millisecond for a
-    plan's, as it looks into each of them."""
+    """Return the fields of a flat record. (`dataclasses.asdict` is slow: a millisecond per
+    plan.)"""
     return dict(vars(flat))
 
 
-def _of_this_version(found: tuple[Decision, ...]) -> tuple[Decision, ...]:
-    """Decisions on all effects that there are, in their order; those that an older file does not
-    know are simulated. ValueError for others."""
-    named = {(each.name, each.kind): each for each in found}
+def _of_this_version(decisions: tuple[Decision, ...]) -> tuple[Decision, ...]:
+    """Return decisions on all effects of this version, in order. Effects that an older file does
+    not contain are simulated; ValueError for unknown effects."""
+    named = {(decision.name, decision.kind): decision for decision in decisions}
     known = [(effect.name, effect.kind) for effect in registered()]
-    if len(named) < len(found) or not named.keys() <= {*known}:
+    if len(named) < len(decisions) or not named.keys() <= {*known}:
         raise ValueError("its effects are not those of this version")
     reason = "the plan's file does not know it"
     return tuple(
@@ -361,19 +373,22 @@ def _of_this_version(found: tuple[Decision, ...]) -> tuple[Decision, ...]:
 
 
 def _read(kind: Any, value: Any) -> Any:
-    """A value of JSON as what an annotation names. Numbers are finite: JSON's own have no end."""
-    origin, parts = get_origin(kind), get_args(kind)
+    """Convert a JSON value to the type of an annotation; ValueError for other types and for
+    infinite numbers."""
+    origin, type_arguments = get_origin(kind), get_args(kind)
     if isinstance(kind, type) and is_dataclass(kind):
         hints = get_type_hints(kind)
         known = [e for e in fields(kind) if e.name in value or not e.metadata]
-        return kind(**{each.name: _read(hints[each.name], value[each.name]) for each in known})
+        return kind(**{item.name: _read(hints[item.name], value[item.name]) for item in known})
     if origin is tuple and isinstance(value, list):
-        return tuple(_read(parts[0], each) for each in value)
+        return tuple(_read(type_arguments[0], item) for item in value)
     if origin is UnionType:
-        return None if value is None else _read(parts[0], value)
+        return None if value is None else _read(type_arguments[0], value)
     if kind is float and type(value) in (int, float) and abs(value) < 1e300:
         return float(value)
-    if (origin is Literal and value in parts) or (kind in (int, str, bool) and type(value) is kind):
+    if (origin is Literal and value in type_arguments) or (
+        kind in (int, str, bool) and type(value) is kind
+    ):
         return value
     # A whole number may have too many digits to be written out.
     shown = type(value).__name__ if isinstance(value, int) else f"{value!r:.40}"

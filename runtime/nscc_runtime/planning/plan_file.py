@@ -1,4 +1,4 @@
-"""Plans outside the program: the file of `--plan`, and the table that a person reads."""
+"""Plan files (`--plan`), and the plan as a table."""
 
 from __future__ import annotations
 
@@ -29,12 +29,17 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     """
     plan, made_for = _read(path)
     is_for = program_sha256, sensor_sha256(sensor)
-    for found, here, what in zip(made_for, is_for, ("program", "sensor"), strict=True):
-        if found != here:
+    for plan_sha256, actual_sha256, kind in zip(
+        made_for, is_for, ("program", "sensor"), strict=True
+    ):
+        if plan_sha256 != actual_sha256:
             raise rejected(
                 "NS0748",
-                f"the plan '{path}' was made for another {what}",
-                notes=(f"its {what}_sha256 is {found[:12]}.., but here it is {here[:12]}..",),
+                f"the plan '{path}' was made for another {kind}",
+                notes=(
+                    f"its {kind}_sha256 is {plan_sha256[:12]}.., but here it is "
+                    f"{actual_sha256[:12]}..",
+                ),
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
     return plan
@@ -46,7 +51,7 @@ def plan_of(path: Path) -> Plan:
 
 
 def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
-    """The plan, and the digests of the program and the sensor that it was made for."""
+    """Return the plan, and the digests of its program and sensor."""
     try:
         if path.suffix.lower() == ".npz":
             values = read_frame_arrays(path, lambda _name: False)[1]
@@ -68,7 +73,7 @@ def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
 
 
 def _reason(error: Exception) -> str:
-    """What is wrong with a file, in words."""
+    """Describe why a file is not a plan."""
     words = " ".join(str(error).split())[:120]
     if isinstance(error, OSError):
         return f"it cannot be read: {error.strerror}"
@@ -84,5 +89,5 @@ def _reason(error: Exception) -> str:
 
 
 def plan_table(plan: Plan, report: Audit | None = None) -> str:
-    """The plan as a person reads it, and what an audit measured."""
+    """Return the plan as a table, followed by the audit."""
     return str(plan) if report is None else f"{plan}\n{report}"

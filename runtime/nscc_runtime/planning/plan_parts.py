@@ -1,4 +1,4 @@
-"""What a plan is made of: decisions on effects, short cuts, and what it all takes."""
+"""The records of a plan: decisions on effects, approximations, and the time of a frame."""
 
 from __future__ import annotations
 
@@ -11,23 +11,22 @@ Loop = Literal["none", "some", "all", "reference"]
 """Which pixels run through their words one by one; "reference": it simulates all."""
 
 MOST_OTHER_STATES = 0.005
-"""Of the pixels of a program that looks, the part that may end in other states than with all
+"""Largest fraction of the pixels of a program that looks that may end in other states than with all
 effects."""
 
 LATER = MappingProxyType({"later": True})
-"""Of what files of plans did not have at first: one without it is a plan, too."""
+"""Metadata of fields that older plan files lack."""
 
 
 @dataclass(frozen=True)
 class Decision:
-    """What becomes of one effect.
+    """The decision on one effect.
 
-    `predicted_rms_e` and `predicted_bias_e`: what the effect does to the exposure, its root mean
-    square over pixels and buckets, and its mean. `predicted_if_dropped_e`: the error of the plan
-    if this effect were left out as well. None where that was not measured.
-    `forced`: the user decided. `cost_ms_model`: what leaving it out saves, by a model of costs.
-    `other_states`: of a program that looks, the part of the pixels that the effect takes to other
-    states; errors are those of the other pixels.
+    `predicted_rms_e` and `predicted_bias_e`: root mean square and mean, over pixels and buckets, of
+    the change of exposures by the effect. `predicted_if_dropped_e`: the error of the plan without
+    this effect. These are None if they were not measured. `forced`: the user decided.
+    `cost_ms_model`: milliseconds saved by dropping it, from the shipped prices. `other_states`: for
+    a program that looks, the fraction of pixels that end in other states because of the effect.
     """
 
     name: str
@@ -44,23 +43,22 @@ class Decision:
 
 @dataclass(frozen=True)
 class Approximation:
-    """An approximation of sums, and the root mean square error that it was measured to make; None
-    where that was not measured."""
+    """An approximation of sums, and its RMS error; None if that was not measured."""
 
     name: str
     error_e: float | None
 
 
 _LITTLE = 0.005
-"""A part that is nothing in whole percents."""
+"""A fraction that rounds to 0 %."""
 
 
 @dataclass(frozen=True)
 class Cost:
-    """What a frame takes, planning included: milliseconds of one core by the prices that plans are
-    chosen by. `saturating_ms`: the words of pixels near saturation; `all_ms`: the same frame with
-    every effect, `all_planning_ms` of it for its plan, None where a plan's file does not say.
-    """
+    """The time of a frame including planning, in milliseconds of one core, from the shipped prices.
+
+    `saturating_ms`: the words of pixels near saturation. `all_ms`: the same frame with every
+    effect, including `all_planning_ms` of planning (None in older plan files)."""
 
     total_ms: float
     saturating_ms: float
@@ -69,32 +67,35 @@ class Cost:
     all_planning_ms: float | None = field(default=None, metadata=LATER)
 
     def rows(self, effects_ms: float, lack: tuple[str, ...]) -> list[tuple[str, str, float]]:
-        """What is not an effect's own: its name, what it is, and milliseconds; with `effects_ms`
-        for the effects that are kept, the total. These may be more than it where all pixels run
-        through their words: leaving out any of several effects saves the same counts. `lack`: what
-        pixels near saturation do without."""
+        """Return times that belong to no single effect, as (name, description, milliseconds).
+
+        Together with `effects_ms` of the kept effects they add up to the total. The remainder may
+        be negative if all pixels run through their words, because several effects share their
+        counts. `lack`: the effects that pixels near saturation lack."""
         rest_ms = self.total_ms - effects_ms - self.saturating_ms - self.planning_ms
         words = "their words one by one" + (f", without {', '.join(lack)}" if lack else "")
-        found = [("(saturating)", words, self.saturating_ms)] if self.saturating_ms > 0 else []
-        rest = "light, words and readout"
+        saturating_rows = (
+            [("(saturating)", words, self.saturating_ms)] if self.saturating_ms > 0 else []
+        )
+        description = "light, words and readout"
         if rest_ms < 0:
-            rest += ", less what each of several effects would save"
+            description += ", less what each of several effects would save"
         planning = "(planning)", "once for all frames of a scene", self.planning_ms
-        return [*found, planning, ("(the rest)", rest, rest_ms)]
+        return [*saturating_rows, planning, ("(the rest)", description, rest_ms)]
 
     @property
-    def said(self) -> str:
-        """What it saves of all, in words."""
-        said = _saved(self.total_ms, self.all_ms)
+    def summary(self) -> str:
+        """A sentence about the saved time."""
+        text = _saved(self.total_ms, self.all_ms)
         if self.all_planning_ms is not None:
             next_ms, all_ms = self.total_ms - self.planning_ms, self.all_ms - self.all_planning_ms
-            said += f"; next frames: {_saved(next_ms, all_ms)}"
-        return f"{said}, by shipped prices"
+            text += f"; next frames: {_saved(next_ms, all_ms)}"
+        return f"{text}, by shipped prices"
 
 
 def _saved(some_ms: float, all_ms: float) -> str:
-    part = 1.0 - some_ms / all_ms if all_ms > 0 else 0.0
-    said = f"saves {abs(part):.0%} of all"
-    if part < -_LITTLE:
-        said = f"takes {-part:.0%} more than all"
-    return f"{said}: {some_ms:.2f} ms of a core instead of {all_ms:.2f}"
+    saved_fraction = 1.0 - some_ms / all_ms if all_ms > 0 else 0.0
+    text = f"saves {abs(saved_fraction):.0%} of all"
+    if saved_fraction < -_LITTLE:
+        text = f"takes {-saved_fraction:.0%} more than all"
+    return f"{text}: {some_ms:.2f} ms of a core instead of {all_ms:.2f}"

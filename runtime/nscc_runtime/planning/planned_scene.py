@@ -1,4 +1,4 @@
-"""What a program on a scene is to planning and to a run."""
+"""The interface of a program on a scene for planning, exposing and auditing."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ from nscc_runtime.planning.trial import NONE, Names, Trial
 class PlannedScene(ABC):
     """A program on a scene, to be planned, exposed and audited.
 
-    `threads`, None for all processors, change no bit; `torch_device`: where frames with fixed
-    shutters are drawn and added up, None for the processor.
+    Results do not depend on `threads` (None: all processors). `torch_device`: the device that draws
+    and adds up frames with fixed shutters; None for the processor.
     """
 
     container: Container
@@ -40,7 +40,7 @@ class PlannedScene(ABC):
     @property
     @abstractmethod
     def loop(self) -> Loop[Any]:
-        """The loop that is compiled first."""
+        """The loop that has to be compiled first."""
 
     @abstractmethod
     def ready(self) -> None:
@@ -48,45 +48,46 @@ class PlannedScene(ABC):
 
     @abstractmethod
     def signal_e(self) -> float:
-        """The mean signal of a frame (`nscc_runtime.planning.tolerance.mean_signal_e`)."""
+        """Return the mean signal of a frame (`nscc_runtime.planning.tolerance.mean_signal_e`)."""
 
     def noise_e(self) -> float:
-        """The frame's own noise: the root mean square over pixels and buckets of the standard
-        deviation over frames with every effect, that of the readout and its rounding included."""
+        """Return the noise of a frame with every effect, readout and rounding included: the
+        standard deviation over frames, as a root mean square over pixels and buckets."""
         return with_readout_e(self.trial(NONE).noise_e(), self.sensor)
 
     @abstractmethod
     def trial(self, forced_off: Names) -> Trial:
-        """The scene, to be measured."""
+        """Return the trial that measures effects on this scene."""
 
     def slower_trial(self, trial: Trial, tolerance_e: float) -> Trial | None:
-        """The same by what approximates less, None where nothing does."""
+        """Return a slower trial with smaller approximations; None if there is none."""
         return None
 
     def approximates(self, tolerance_e: float | None, noise_part: float | None) -> bool:
-        """Whether what sums approximate is small for sure beside a tolerance, or beside a part of
-        the noise where that is all that is known of it."""
+        """Whether the approximations of sums are certainly small relative to a tolerance, or to a
+        fraction `noise_part` of the noise if the tolerance in electrons is unknown."""
         return True
 
     @abstractmethod
     def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
-        """What executes frames with every effect where nothing is measured, and why that is slower
-        than sums, if it is."""
+        """Return the path for frames with every effect if nothing is measured, and the reason if it
+        is not sums."""
 
     @property
     def open_part(self) -> NDArray[np.float32]:
-        """The part (rows, cols) of the frame whose light each pixel sees; all where they look."""
+        """Fraction (rows, cols) of the frame in which each pixel is open; 1 for pixels that
+        look."""
         return np.ones(self.light.shape, np.float32)
 
     def serves(self, plan: Plan) -> bool:
-        """Whether a plan for a scene with light of the same kind, and no weaker, keeps its promise
-        on this one: cheaper than a new plan. Errors by sums grow with light."""
+        """Whether a plan for a scene with similar light, at least as strong, is valid for this one.
+        Errors by sums grow with light, so it always is for fixed shutters."""
         return True
 
     @abstractmethod
     def frames(self, plan: Plan, seed: int, count: int) -> Iterable[Frame]:
-        """Frames 0 .. `count` - 1 under a plan; `seed` is that of their noise."""
+        """Return frames 0 .. `count` - 1 under a plan, with noise from `seed`."""
 
     @abstractmethod
     def audit(self, plan: Plan, seed: int, count: int) -> Audit:
-        """A plan's frames against the reference's."""
+        """Compare frames under a plan with the reference."""

@@ -1,11 +1,10 @@
-"""Step 1 of planning: a sample of the pixels of a scene, and how many pixels each stands for.
+"""Step 1 of planning: draw a weighted sample of the pixels of a scene.
 
-Errors grow with light and with its differences between neighbours, and a few lamps may carry most
-of them. So tiles of 2 x 2 pixels are drawn evenly and by both (`chances`).
-Each lies in a tile of 4 x 4, so that its neighbours are there, too. Pixels near
-saturation are a stratum of their own, and so are those that only their neighbours' light brings
-there; they are drawn one by one, in the order of what they see, as likely as pixels of tiles.
-"""
+Errors grow with light and with its differences between neighbours, and a few lamps may cause most
+of them. So tiles of 2 x 2 pixels are drawn partly evenly and partly by both (`chances`). Each lies
+in a tile of 4 x 4 pixels that contains its neighbours. Pixels near saturation are a separate
+stratum, and those that only their neighbours' light brings there another. They are drawn one by
+one, ordered by their charge, with the same chances."""
 
 from __future__ import annotations
 
@@ -16,46 +15,47 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.execution.near import NearSaturation
+from nscc_runtime.execution.near_saturation import NearSaturation
 from nscc_runtime.planning.differences import WeightedPixels
 
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 
 TILES, _SIDE = 160, 2
-"""How many tiles are drawn, and how many pixels in each direction have all their neighbours."""
+"""Number of tiles to draw, and side of the tile of measured pixels."""
 _WHOLE = 2048
-"""Scenes of so few pixels are measured whole."""
+"""Largest number of pixels of a scene that is measured completely."""
 _ENOUGH, _MOST_FRAMES = 512, 16
-"""Scenes of fewer pixels are exposed several times."""
+"""Scenes of fewer pixels are exposed several times, at most `_MOST_FRAMES`."""
 _OWN, _SPILT, _MORE = 48, 24, 208
-"""Pixels near saturation that are measured by their own light, and by that of their neighbours;
-more of the former where a larger part of the scene is near."""
+"""Sample sizes near saturation: pixels that are there by their own light, and by that of
+neighbours; and the increase of the former with the fraction of the scene near saturation."""
 _EXTREMES = 8
-"""Of the former the brightest, the darkest and those nearest to a full well, for sure."""
+"""Number of the brightest, the darkest, and the pixels nearest to a full well that are always
+drawn. """
 _SURE = 2.0
-"""What is expected to be drawn so often is drawn for sure."""
+"""A pixel with at least this expected number of draws counts as certain."""
 _GOLDEN = 0.6180339887498949
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Sample(WeightedPixels):
-    """The pixels of a scene that are measured.
+    """The sampled pixels of a scene.
 
     Attributes
     ----------
     corners : int64, shape (tiles, 2)
         Row and column of the upper left pixel of each tile of `side` x `side` pixels; `side` is 0
-        where the scene is taken whole.
+        if the whole scene is measured.
     places : int64, shape (pixels,)
-        Where the measured pixels lie on the chip: those far from saturation, tile by tile, then
-        those near it; each as often as it is exposed.
+        Places on the chip: pixels far from saturation, tile by tile, then those near it. A pixel
+        occurs once per exposure.
     frame : int64, shape (pixels,)
-        In which of its `frames` exposures each is measured.
+        The number of the exposure, below `frames`.
     inner : int64, shape (far pixels,)
-        Where those far from saturation lie among the pixels of all tiles side by side.
+        Indices of the pixels far from saturation among the pixels of all tiles side by side.
     drawn_near : int
-        How many pixels near saturation stand for more than themselves.
+        Number of pixels near saturation that represent more than themselves.
     """
 
     side: int
@@ -68,28 +68,28 @@ class Sample(WeightedPixels):
 
     @property
     def fraction(self) -> float:
-        """The part of the scene's pixels that is measured."""
+        """Fraction of the scene's pixels that is sampled."""
         return len(self.places) / self.frames / self.scene_pixels
 
     @property
-    def far(self) -> slice:
-        """The measured pixels far from saturation."""
+    def far_pixels(self) -> slice:
+        """Slice of the sampled pixels far from saturation."""
         return slice(0, self.frames * len(self.inner))
 
     @property
-    def near(self) -> slice:
-        """The measured pixels near saturation."""
+    def near_pixels(self) -> slice:
+        """Slice of the sampled pixels near saturation."""
         return slice(self.frames * len(self.inner), len(self.places))
 
     @cached_property
     def near_part(self) -> float:
-        """The part of the scene's pixels that is near saturation."""
-        return float(self.weight[self.near].sum()) / self.scene_pixels
+        """Fraction of the scene's pixels that is near saturation."""
+        return float(self.weight[self.near_pixels].sum()) / self.scene_pixels
 
     @cached_property
     def one_each(self) -> NDArray[np.intp]:
-        """One measured pixel of each tile, far from saturation: another one from tile to tile, as
-        codes may repeat from tile to tile."""
+        """Index of one sampled pixel of each tile. Its position varies, as codes may repeat with
+        the tile size."""
         starts = self.cluster_starts
         starts = starts[starts < len(self.inner)]
         counts = np.diff(starts, append=len(self.inner))
@@ -97,52 +97,52 @@ class Sample(WeightedPixels):
         return starts + (turn * counts).astype(np.intp)
 
 
-def near_sampled(near: int, scene_pixels: int) -> int:
-    """At most how many of the pixels near saturation are measured."""
-    return min(near, _OWN + _SPILT + _MORE * near // scene_pixels)
+def near_sampled(near_count: int, scene_pixels: int) -> int:
+    """Return the largest number of pixels near saturation that are sampled."""
+    return min(near_count, _OWN + _SPILT + _MORE * near_count // scene_pixels)
 
 
 def sample_of(
-    total_e: Values, near: NearSaturation, full_well_e: float, tiles: int = TILES
+    total_e: Values, near_pixels: NearSaturation, full_well_e: float, tiles: int = TILES
 ) -> Sample:
-    """Sample a scene; the same on every call.
+    """Draw the sample of a scene, deterministically.
 
     Parameters
     ----------
     total_e : float64, shape (rows, cols)
-        All the charge of each pixel in a frame.
+        Total charge of each pixel in a frame.
     near : NearSaturation
-        The pixels that run through their words.
+        The pixels near saturation.
     full_well_e : float
-        What PIX holds.
+        Full well.
     tiles : int
-        How many tiles are drawn.
+        Number of tiles to draw.
     """
     rows, cols = total_e.shape
     contrasts = contrasts_of(total_e, full_well_e)
     near_chance = chances(contrasts, np.empty(0, np.int64)).reshape(-1)
-    near_places, near_weight = _near_sample(near, near_chance, full_well_e)
+    near_places, near_weight = _near_sample(near_pixels, near_chance, full_well_e)
     is_near = np.zeros(rows * cols, np.bool_)
-    is_near[near.places] = True
+    is_near[near_pixels.places] = True
     if rows * cols <= _WHOLE or min(rows, cols) < _SIDE + 2:
         corners, side = np.empty((0, 2), np.int64), 0
         inner = far_places = np.flatnonzero(~is_near)
         far_weight, far_cluster = np.ones(len(inner)), np.arange(len(inner))
     else:
-        corners, tile_weight = tile_corners(chances(contrasts, near.places), tiles)
+        corners, tile_weight = tile_corners(chances(contrasts, near_pixels.places), tiles)
         side = _SIDE + 2
         inner, far_places, far_cluster = _inner_pixels(corners, side, cols, is_near)
-        far_weight = _standing_for(tile_weight[far_cluster], rows * cols - len(near.places))
+        far_weight = _standing_for(tile_weight[far_cluster], rows * cols - len(near_pixels.places))
     near_cluster = np.arange(len(near_places)) + (int(far_cluster.max(initial=-1)) + 1)
     frames = min(-(-_ENOUGH // max(rows * cols, 1)), _MOST_FRAMES)
     clusters = int(near_cluster.max(initial=far_cluster.max(initial=-1))) + 1
 
-    def again(far: NDArray[Any], near: NDArray[Any]) -> NDArray[Any]:
-        """As often as pixels are exposed."""
-        return np.concatenate([np.tile(far, frames), np.tile(near, frames)])
+    def again(far: NDArray[Any], near_pixels: NDArray[Any]) -> NDArray[Any]:
+        """Repeat values for each exposure."""
+        return np.concatenate([np.tile(far, frames), np.tile(near_pixels, frames)])
 
     frame = np.concatenate(
-        [np.repeat(np.arange(frames), len(each)) for each in (far_places, near_places)]
+        [np.repeat(np.arange(frames), len(places)) for places in (far_places, near_places)]
     )
     return Sample(
         weight=again(far_weight, near_weight) / frames,
@@ -161,8 +161,8 @@ def sample_of(
 def _inner_pixels(
     corners: Places, side: int, cols: int, is_near: NDArray[np.bool_]
 ) -> tuple[Places, Places, Places]:
-    """The pixels inside tiles that are not near saturation: where they lie among those of all tiles
-    side by side, on the chip, and in which tile, tile by tile."""
+    """Return the inner pixels of tiles that are not near saturation: their indices among all tiles
+    side by side, their places on the chip, and their tile numbers."""
     tile, row, col = (
         axis.reshape(-1) for axis in np.mgrid[: len(corners), 1 : side - 1, 1 : side - 1]
     )
@@ -172,107 +172,112 @@ def _inner_pixels(
     return inner[far], places[far], tile[far]
 
 
-def tile_corners(chance: Values, wanted: int) -> tuple[Places, Values]:
-    """Draw tiles with a chance that is the sum of that of their pixels (rows, cols): their upper
-    left corners (tiles, 2), and how much each pixel inside stands for, up to a factor."""
+def tile_corners(chance: Values, tile_count: int) -> tuple[Places, Values]:
+    """Draw tiles with the summed `chance` (rows, cols) of their pixels. Return their upper left
+    corners (tiles, 2), and the weight of a pixel in each, up to a factor."""
     rows, cols = chance.shape
     down, right = -(-rows // _SIDE), -(-cols // _SIDE)
     if rows % _SIDE or cols % _SIDE:
         chance = np.pad(chance, ((0, down * _SIDE - rows), (0, right * _SIDE - cols)))
     blocks = chance.reshape(down, _SIDE, right, _SIDE).sum(axis=(1, 3)).reshape(-1)
-    drawn, weight = drawn_with_weights(blocks, min(wanted, len(blocks)))
+    drawn, weight = drawn_with_weights(blocks, min(tile_count, len(blocks)))
     row = np.minimum(drawn // right * _SIDE, rows - _SIDE) - 1
     col = np.minimum(drawn % right * _SIDE, cols - _SIDE) - 1
     return np.stack([row, col], axis=1), weight
 
 
-def _near_sample(near: NearSaturation, chance: Values, full_well_e: float) -> tuple[Places, Values]:
+def _near_sample(
+    near_pixels: NearSaturation, chance: Values, full_well_e: float
+) -> tuple[Places, Values]:
     """Places near saturation, and how many pixels each stands for; `chance` (rows * cols): how
     likely each is to be drawn."""
-    seen_e = near.most_e[~near.spilt]
+    seen_e = near_pixels.most_e[~near_pixels.spilt]
     sure = np.zeros(len(seen_e), np.bool_)
-    own = _OWN + _MORE * len(near.places) // len(chance)
-    if len(seen_e) > own:
+    own_count = _OWN + _MORE * len(near_pixels.places) // len(chance)
+    if len(seen_e) > own_count:
         for size in (seen_e, -seen_e, -np.abs(seen_e - full_well_e)):
             sure[np.argpartition(size, -_EXTREMES)[-_EXTREMES:]] = True
     by_light, spilt = (
         places[np.argsort(most_e, kind="stable")]
         for places, most_e in (
-            (near.places[~near.spilt][~sure], seen_e[~sure]),
-            (near.places[near.spilt], near.most_e[near.spilt]),
+            (near_pixels.places[~near_pixels.spilt][~sure], seen_e[~sure]),
+            (near_pixels.places[near_pixels.spilt], near_pixels.most_e[near_pixels.spilt]),
         )
     )
-    places, weight = [near.places[~near.spilt][sure]], [np.ones(np.count_nonzero(sure))]
-    for ordered, wanted in ((by_light, own - len(places[0])), (spilt, _SPILT)):
-        some, stand_for = _some_of(ordered, chance, wanted)
-        places.append(some)
+    places, weight = (
+        [near_pixels.places[~near_pixels.spilt][sure]],
+        [np.ones(np.count_nonzero(sure))],
+    )
+    for ordered, count in ((by_light, own_count - len(places[0])), (spilt, _SPILT)):
+        drawn, stand_for = _some_of(ordered, chance, count)
+        places.append(drawn)
         weight.append(stand_for)
     return np.concatenate(places), np.concatenate(weight)
 
 
-def _some_of(ordered: Places, chance: Values, wanted: int) -> tuple[Places, Values]:
-    """At most so many of these places, and how many each stands for."""
-    if len(ordered) <= wanted:
+def _some_of(ordered: Places, chance: Values, count: int) -> tuple[Places, Values]:
+    """Draw at most `count` of the `ordered` places. Return them and their weights."""
+    if len(ordered) <= count:
         return ordered, np.ones(len(ordered))
-    drawn, weight = drawn_with_weights(chance[ordered], wanted)
+    drawn, weight = drawn_with_weights(chance[ordered], count)
     return ordered[drawn], _standing_for(weight, len(ordered))
 
 
-def drawn_with_weights(chance: Values, wanted: int) -> tuple[NDArray[np.intp], Values]:
-    """Different places as `drawn_by` draws them, and how much each stands for: 1 where it is drawn
-    for sure, more or less than others up to a factor elsewhere."""
-    drawn, times = np.unique(drawn_by(chance, wanted), return_counts=True)
-    expected = chance[drawn] * (wanted / max(float(chance.sum()), 1e-300))
+def drawn_with_weights(chance: Values, count: int) -> tuple[NDArray[np.intp], Values]:
+    """Draw places with `drawn_by`. Return the distinct ones, and their weights: 1 for certain
+    draws, otherwise up to a factor."""
+    drawn, times = np.unique(drawn_by(chance, count), return_counts=True)
+    expected = chance[drawn] * (count / max(float(chance.sum()), 1e-300))
     return drawn, np.where(expected >= _SURE, 1.0, times / np.maximum(expected, 1e-300))
 
 
 def _standing_for(weight: Values, count: int) -> Values:
-    """Weights that sum to `count`: those of 1 stay."""
+    """Scale the weights other than 1 so that all sum to `count`."""
     sure = weight == 1.0
-    others = max(float(weight[~sure].sum()), 1e-300)
-    return np.where(sure, 1.0, weight * ((count - np.count_nonzero(sure)) / others))
+    drawn_weight = max(float(weight[~sure].sum()), 1e-300)
+    return np.where(sure, 1.0, weight * ((count - np.count_nonzero(sure)) / drawn_weight))
 
 
-def drawn_by(chance: Values, wanted: int) -> NDArray[np.intp]:
-    """So many places, in order, as likely as `chance` (flat) has it; the same on every call.
+def drawn_by(chance: Values, count: int) -> NDArray[np.intp]:
+    """Draw `count` places in order, with probabilities proportional to `chance`, deterministically.
 
-    The points that draw them lie one in each of so many equal strata, by an additive recurrence: in
-    step with no tile of codes.
-    """
-    points = np.arange(wanted) + (np.arange(wanted) * _GOLDEN) % 1.0
+    One point is drawn in each of `count` equal strata, by an additive recurrence, so that the
+    points do not align with tiles of codes."""
+    points = np.arange(count) + (np.arange(count) * _GOLDEN) % 1.0
     upto = np.cumsum(chance)
-    drawn = np.searchsorted(upto, points * (upto[-1] / wanted), side="right")
+    drawn = np.searchsorted(upto, points * (upto[-1] / count), side="right")
     return np.asarray(np.minimum(drawn, len(chance) - 1))
 
 
 def contrasts_of(total_e: Values, full_well_e: float) -> tuple[Values, Values]:
-    """The light of each pixel and its differences to its neighbours, up to a full well, and the
-    square of all of both."""
+    """Return each pixel's light plus its differences to its neighbours: with light up to a full
+    well, and squared with all light."""
     return _contrast(np.minimum(total_e, full_well_e)), _contrast(total_e) ** 2
 
 
 def chances(contrasts: tuple[Values, Values], never: Places) -> Values:
-    """How likely each pixel (rows, cols) is to be drawn, up to a factor; places `never` are not.
+    """Return the chance of each pixel (rows, cols) to be drawn, up to a factor; 0 for `never`.
 
-    Four draws of seven fall evenly, two by light and its differences between neighbours up to a
-    full well, and one by the square of all of both: neighbours of lamps and suns may have most of
-    the mean square error.
+    Of seven draws four are even, two follow light and its differences between neighbours up to a
+    full well, and one their square: neighbours of lamps may cause most of the mean square error.
     """
     within_well, squares = contrasts
     drawn = np.ones(squares.shape)
     drawn.reshape(-1)[never] = 0.0
     chance = np.zeros(squares.shape)
-    for share, part in ((4.0, drawn), (2.0, within_well * drawn), (1.0, squares * drawn)):
-        chance += part * (share / max(float(part.sum()), 1e-300))
+    for share, weights in ((4.0, drawn), (2.0, within_well * drawn), (1.0, squares * drawn)):
+        chance += weights * (share / max(float(weights.sum()), 1e-300))
     return chance
 
 
 def _contrast(light_e: Values) -> Values:
-    """The light of each pixel, and how much that of its four neighbours is more or less."""
+    """Return each pixel's light plus the absolute differences to its four neighbours."""
     score = light_e.copy()
     for axis in (0, 1):
         step = np.abs(np.diff(light_e, axis=axis))
-        before, after = ((slice(None),) * axis + (part,) for part in (slice(-1), slice(1, None)))
+        before, after = (
+            (slice(None),) * axis + (index_range,) for index_range in (slice(-1), slice(1, None))
+        )
         score[before] += step
         score[after] += step
     return score

@@ -20,7 +20,7 @@ from nscc_runtime.effects.parts import Counted, Echo, Moving, Response, Saturate
 from nscc_runtime.execution.chip import Chip
 from nscc_runtime.execution.frames import Execution, counts_agree
 from nscc_runtime.execution.pixel_array import PixelArray, light_at, tile_places
-from nscc_runtime.execution.pixels import Given, Running
+from nscc_runtime.execution.pixels import KnownCounts, Running
 from nscc_runtime.execution.program import Program
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.light import Light
@@ -50,21 +50,27 @@ class SampledExposures:
     def expose(self, execution: Execution, frame: int) -> Values:
         """Exposures of all measured pixels under an execution by sums or by words."""
         if execution.path == "words":
-            return self.by_words(execution.kept, slice(None), frame)
-        far = self.by_sums(execution.kept, execution.wanted, "far", frame)
-        if execution.kept.names(Saturates):
-            near = self._near_by_words(execution, frame)
+            return self.by_words(execution.kept_effects, slice(None), frame)
+        far_exposure_e = self.by_sums(
+            execution.kept_effects, execution.requested_effects, "far", frame
+        )
+        if execution.kept_effects.names(Saturates):
+            near_exposure_e = self._near_by_words(execution, frame)
         else:
-            near = self.by_sums(execution.kept, execution.wanted, "near", frame)
-        return np.concatenate([far, near], axis=1)
+            near_exposure_e = self.by_sums(
+                execution.kept_effects, execution.requested_effects, "near", frame
+            )
+        return np.concatenate([far_exposure_e, near_exposure_e], axis=1)
 
     @remembered
-    def by_sums(self, kept: Selection, wanted: Selection, which: str, frame: int) -> Values:
+    def by_sums(
+        self, kept_effects: Selection, requested_effects: Selection, region: str, frame: int
+    ) -> Values:
         """Exposures of the measured pixels "far" from saturation, or "near" it, by sums."""
-        inner = self._arrays[which][2]
+        inner = self._arrays[region][2]
         if not len(inner):
             return np.empty((len(self.program.container.buckets), 0))
-        summed = self._summed(kept, wanted, which)
+        summed = self._summed(kept_effects, requested_effects, region)
         exposures = [
             summed.expose(SEED, number, self._away(summed, number))[:, inner]
             for number in self._numbers(frame)
@@ -74,18 +80,18 @@ class SampledExposures:
     def by_words(
         self,
         effects: Selection,
-        some: slice | NDArray[np.intp],
+        chosen: slice | NDArray[np.intp],
         frame: int = 0,
-        given: Sequence[Given] | None = None,
+        known_counts: Sequence[KnownCounts] | None = None,
     ) -> Values:
         """Exposures of some of the measured pixels, which run through their words."""
-        wired, places = self.program.wired(effects, self.device_seed), self.sample.places[some]
+        wired, places = self.program.wired(effects, self.device_seed), self.sample.places[chosen]
         exposed = np.empty((len(self.program.container.buckets), len(places)))
         for turn, number in enumerate(self._numbers(frame)):
-            here = np.flatnonzero(self.sample.frame[some] == turn)
-            running = Running(wired, self.light, places[here], self.threads)
-            counts = None if given is None else given[turn]
-            exposed[:, here] = running.expose(SEED, number, counts)[0]
+            in_turn = np.flatnonzero(self.sample.frame[chosen] == turn)
+            running = Running(wired, self.light, places[in_turn], self.threads)
+            counts = None if known_counts is None else known_counts[turn]
+            exposed[:, in_turn] = running.expose(SEED, number, counts)[0]
         return exposed
 
     @remembered
@@ -111,47 +117,52 @@ class SampledExposures:
     def _near_by_words(self, execution: Execution, frame: int) -> Values:
         """Exposures of pixels near saturation, whose neighbours' counts are those of sums where
         that serves."""
-        given = None
-        if counts_agree(execution) and len(self.sample.places[self.sample.near]):
-            summed = self._summed(execution.kept, execution.wanted, "near")
-            given = []
+        known_counts = None
+        if counts_agree(execution) and len(self.sample.places[self.sample.near_pixels]):
+            summed = self._summed(execution.kept_effects, execution.requested_effects, "near")
+            known_counts = []
             for number in self._numbers(frame):
                 away = np.zeros((len(summed.chip.counted), self.program.array.lanes.size))
                 away[:, summed.chip.array.places] = self._away(summed, number)
-                given.append(Given(summed.chip.counted, away))
-        return self.by_words(execution.near, self.sample.near, frame, given)
+                known_counts.append(KnownCounts(summed.chip.counted, away))
+        return self.by_words(execution.near_effects, self.sample.near_pixels, frame, known_counts)
 
     @cached_property
     def _arrays(self) -> dict[str, tuple[PixelArray, Light, NDArray[np.int64]]]:
         """The tiles of pixels far from saturation, and those of pixels near it: their pixels, the
         light there, and which of them are measured."""
-        sample, whole, shape = self.sample, self.program.array, self.light.shape
-        near = sample.places[sample.near]
-        near = near[sample.frame[sample.near] == 0]
+        sample, whole_array, shape = self.sample, self.program.array, self.light.shape
+        near_places = sample.places[sample.near_pixels]
+        near_places = near_places[sample.frame[sample.near_pixels] == 0]
         if not sample.side:
-            return {"far": (whole, self.light, sample.inner), "near": (whole, self.light, near)}
-        corners = np.stack(np.divmod(near, shape[1]), axis=1) - 1
-        centers = _SIDE * len(near) + np.arange(len(near)) * _SIDE + 1
+            return {
+                "far": (whole_array, self.light, sample.inner),
+                "near": (whole_array, self.light, near_places),
+            }
+        corners = np.stack(np.divmod(near_places, shape[1]), axis=1) - 1
+        centers = _SIDE * len(near_places) + np.arange(len(near_places)) * _SIDE + 1
         arrays = {}
-        for which, tiles, side, inner in (
+        for region, tiles, side, inner in (
             ("far", sample.corners, sample.side, sample.inner), ("near", corners, _SIDE, centers)
         ):  # fmt: skip
             places = tile_places(tiles, side, shape)
-            arrays[which] = whole.at(places), light_at(self.light, places), inner
+            arrays[region] = whole_array.at(places), light_at(self.light, places), inner
         return arrays
 
     @remembered
-    def _summed(self, kept: Selection, wanted: Selection, which: str) -> SummedScene:
-        array, light, _ = self._arrays[which]
-        chip = Chip(self.program, array, self.device_seed, kept, wanted)
+    def _summed(
+        self, kept_effects: Selection, requested_effects: Selection, region: str
+    ) -> SummedScene:
+        array, light, _ = self._arrays[region]
+        chip = Chip(self.program, array, self.device_seed, kept_effects, requested_effects)
         return SummedScene(chip, light, 1, self._sums)
 
     def _away(self, summed: SummedScene, frame: int) -> Values:
         """How far the counts of a frame are from their means, drawn once for all sets of effects
         that give them the same rates."""
-        kept = summed.chip.kept
-        parts = Counted, Echo, Response, Moving
-        key = summed.chip.array, frame, frozenset[str]().union(*map(kept.names, parts))
+        kept_effects = summed.chip.kept_effects
+        part_types = Counted, Echo, Response, Moving
+        key = summed.chip.array, frame, frozenset[str]().union(*map(kept_effects.names, part_types))
         if key not in self._counts:
             self._counts[key] = summed.away(SEED, frame)
         return self._counts[key]

@@ -22,9 +22,9 @@ from nscc_runtime.execution.program import Program, analysed
 from nscc_runtime.execution.summed import SummedScene
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import Planes, exposer, frames, next_planes, ways_of
-from nscc_runtime.looking.way_loop import run_ways
-from nscc_runtime.looking.ways import Ways
+from nscc_runtime.looked_frames import Planes, exposer, frames, looking_program_of, next_planes
+from nscc_runtime.looking.looking_program import LookingProgram
+from nscc_runtime.looking.path_loop import run_paths
 from nscc_runtime.loop import Loop
 from nscc_runtime.planning.audit import Audit, Compared, audit
 from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
@@ -114,8 +114,10 @@ class FixedShutters(PlannedScene):
         mean."""
         uneven, square = self.program.uneven_seconds(self.program.full)
         if tolerance_e is None:
-            part = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
-            return math.sqrt(float(part.max(initial=0.0))) <= _SURELY * (noise_part or 0.0)
+            noise_fraction = np.divide(uneven, square, out=np.zeros_like(uneven), where=square > 0)
+            return math.sqrt(float(noise_fraction.max(initial=0.0))) <= _SURELY * (
+                noise_part or 0.0
+            )
         light_e_per_s = self.light.sum_e.reshape(-1) / max(self.program.slot_s.sum(), 1e-300)
         square_e2 = (uneven[:, self.program.lanes] * light_e_per_s).mean(axis=1)
         return math.sqrt(float(square_e2.max(initial=0.0))) <= _SURELY * tolerance_e
@@ -160,15 +162,15 @@ class LookingPixels(PlannedScene):
     @property
     def loop(self) -> Loop[Any]:
         """See `PlannedScene`."""
-        return run_ways
+        return run_paths
 
     def ready(self) -> None:
         """See `PlannedScene`."""
-        self._ways  # noqa: B018  # made when it is asked for
+        self._program  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def _ways(self) -> Ways:
-        return ways_of(self.container, self.sensor)
+    def _program(self) -> LookingProgram:
+        return looking_program_of(self.container, self.sensor)
 
     def signal_e(self) -> float:
         """See `PlannedScene`."""
@@ -178,11 +180,11 @@ class LookingPixels(PlannedScene):
     @remembered
     def trial(self, forced_off: Names) -> LookTrial:
         """The scene, to be measured."""
-        return LookTrial(forced_off, self._ways, self.light)
+        return LookTrial(forced_off, self._program, self.light)
 
     def exact_path(self, tolerance: Tolerance | None) -> tuple[Path, str]:
         """See `PlannedScene`."""
-        lacking = self._ways.lacks(everything())
+        lacking = self._program.lacks(everything())
         return ("reference", lacking[0]) if lacking else ("words", LOOKS)
 
     def serves(self, plan: Plan) -> bool:
@@ -206,23 +208,23 @@ class LookingPixels(PlannedScene):
         container = self.container
         scene, seeds = scene_of(container, self.light), (seed, self.device_seed)
         reference = LookingReference(container, self.sensor, everything()).expose
-        planned = exposer(self._ways, plan.kept, threads_of(self.threads))
+        planned = exposer(self._program, plan.kept, threads_of(self.threads))
         loaded: Planes = container.planes()
 
         def compare(frame: int, rows: Sequence[range]) -> Compared:
             nonlocal loaded
-            left = {name: plane.copy() for name, plane in loaded.items()}
+            next_loaded = {name: plane.copy() for name, plane in loaded.items()}
             mine, full, same = [], [], []
             for band in rows:
-                some = planned(scene, loaded, seeds, frame, band)
-                every = reference(scene, loaded, seeds, frame, band)
-                same.append(same_states(some, every))
-                mine.append(some.exposure.exposure_e)
-                full.append(every.exposure.exposure_e)
-                for name, plane in every.planes.items():
-                    whole = left.setdefault(name, np.zeros(self.light.shape, np.bool_))
-                    whole[band.start : band.stop] = plane
-            loaded = next_planes(container, loaded, left)
+                planned_frame = planned(scene, loaded, seeds, frame, band)
+                reference_frame = reference(scene, loaded, seeds, frame, band)
+                same.append(same_states(planned_frame, reference_frame))
+                mine.append(planned_frame.exposure.exposure_e)
+                full.append(reference_frame.exposure.exposure_e)
+                for name, plane in reference_frame.planes.items():
+                    final_plane = next_loaded.setdefault(name, np.zeros(self.light.shape, np.bool_))
+                    final_plane[band.start : band.stop] = plane
+            loaded = next_planes(container, loaded, next_loaded)
             return Compared(
                 np.concatenate(mine, axis=1), np.concatenate(full, axis=1), np.concatenate(same)
             )

@@ -26,30 +26,30 @@ class Worst:
     max_e: float
 
 
-def worst_measured(errors: Values, part: Values, pixels: int) -> Worst:
+def worst_measured(errors: Values, weights: Values, pixels: int) -> Worst:
     """Of errors (buckets, pixels measured), the others of the frame being right.
 
-    `part` (pixels measured,): the share of the `pixels` of a frame that each stands for. Beyond the
-    largest they are taken to become rarer exponentially, as those do from which most follows: what
-    pixels lack that may saturate is much for a few, so a normal tail is too short.
-    """
+    `weights` (pixels measured,): the share of the `pixels` of a frame that each stands for. Beyond
+    the largest they are taken to become rarer exponentially, as those do from which most follows:
+    what pixels lack that may saturate is much for a few, so a normal tail is too short."""
     sizes = np.abs(errors)
     rare = min(1.0 / ONE_IN, 1.0 / (FRAMES * pixels * len(sizes)))
     p999_e, max_e = (
-        max(_exceeded_by(share, each, part) for each in sizes) for share in (1.0 / ONE_IN, rare)
+        max(_exceeded_by(share, bucket_sizes, weights) for bucket_sizes in sizes)
+        for share in (1.0 / ONE_IN, rare)
     )
     return Worst(p999_e, max(max_e, float(sizes.max(initial=0.0))))
 
 
-def _exceeded_by(share: float, sizes: Values, part: Values) -> float:
+def _exceeded_by(share: float, sizes: Values, weights: Values) -> float:
     """The size that this share of the frame exceeds, by what was measured at some of its pixels."""
     order = np.argsort(-sizes, kind="stable")
-    falling, upto, count = sizes[order], np.cumsum(part[order]), len(sizes)
+    falling, upto, count = sizes[order], np.cumsum(weights[order]), len(sizes)
     if count < 2 * _TAIL or upto[0] <= share:
         at = int(np.searchsorted(upto, share, side="right"))
         return float(falling[at]) if at < count else 0.0
     ranks = np.arange(1, count // _TAIL) if count >= 4 * _TAIL else np.array([count // 4])
-    beyond = np.cumsum(falling * part[order])[ranks - 1] / upto[ranks - 1]
+    beyond = np.cumsum(falling * weights[order])[ranks - 1] / upto[ranks - 1]
     excess = beyond - falling[ranks]
     return float(np.max(falling[ranks] + excess * np.log(upto[ranks] / share)))
 

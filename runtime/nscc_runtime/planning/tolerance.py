@@ -72,11 +72,11 @@ class Tolerance:
         return electrons if self.in_electrons else f"{electrons} ({self.text})"
 
 
-Given = str | float | Tolerance
+ToleranceInput = str | float | Tolerance
 """How a tolerance is asked for: text, a number of electrons, or one that is found already."""
 
 
-class Follows(Protocol):
+class ToleranceScene(Protocol):
     """What a tolerance may be a part of, of one scene: its mean signal, or its frame's own
     noise."""
 
@@ -88,7 +88,9 @@ class Follows(Protocol):
 OPTION, OPTION_MAX = "--tolerance", "--tolerance-max"
 
 
-def tolerance_of(given: Given, sensor: Sensor, scene: Follows, option: str = OPTION) -> Tolerance:
+def tolerance_of(
+    requested: ToleranceInput, sensor: Sensor, scene: ToleranceScene, option: str = OPTION
+) -> Tolerance:
     """Of `5e`, of `0.1lsb`, of `1%` of the scene's signal, of `0.1noise`, of a number of electrons;
     one that is found already stays what it is.
 
@@ -96,25 +98,27 @@ def tolerance_of(given: Given, sensor: Sensor, scene: Follows, option: str = OPT
     Rejected (NS0746, status 2), which names the `option`, for anything else, for electrons beyond
     LEAST_E..MOST_E, and for a part of no signal.
     """
-    if isinstance(given, Tolerance):
-        return given
-    if not isinstance(given, str):
-        text = f"{float(given)!r}".removesuffix(".0") + "e"
-        return _within(Tolerance(text, float(given)), str(given), option)
-    match = _TOLERANCE.fullmatch(given.lower())
+    if isinstance(requested, Tolerance):
+        return requested
+    if not isinstance(requested, str):
+        text = f"{float(requested)!r}".removesuffix(".0") + "e"
+        return _within(Tolerance(text, float(requested)), str(requested), option)
+    match = _TOLERANCE.fullmatch(requested.lower())
     if match is None:
-        raise _malformed(f"'{given[:40]}'", option)
+        raise _malformed(f"'{requested[:40]}'", option)
     value, unit = float(match[1]), match[2]
     text = f"{match[1]}{unit}"
     if unit in ("e", "lsb"):
         electrons = value * (1.0 if unit == "e" else sensor.electrons_per_lsb)
-        return _within(Tolerance(text, electrons), f"'{given[:40]}'", option)
+        return _within(Tolerance(text, electrons), f"'{requested[:40]}'", option)
     if not 0 < value < math.inf:
-        raise _malformed(f"'{given[:40]}'", option)
+        raise _malformed(f"'{requested[:40]}'", option)
     if unit == "noise":
         noise = scene.noise_e()
-        found = Tolerance(text, value * noise, noise_e=noise)
-        return _within(found, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons", option)
+        tolerance = Tolerance(text, value * noise, noise_e=noise)
+        return _within(
+            tolerance, f"{text[:40]}, a frame's own noise of {noise:.3g} electrons", option
+        )
     signal = scene.signal_e()
     if not signal > 0:
         raise rejected(
@@ -123,8 +127,8 @@ def tolerance_of(given: Given, sensor: Sensor, scene: Follows, option: str = OPT
             notes=("a percentage refers to the mean exposure without effects",),
             helps=(f"use electrons, {option} 5e, or codes, {option} 0.1lsb",),
         )
-    found = Tolerance(text, value / 100 * signal, signal_e=signal)
-    return _within(found, f"{text[:40]} of a mean signal of {signal:.3g} electrons", option)
+    tolerance = Tolerance(text, value / 100 * signal, signal_e=signal)
+    return _within(tolerance, f"{text[:40]} of a mean signal of {signal:.3g} electrons", option)
 
 
 def noise_part(text: str) -> float | None:
@@ -134,7 +138,7 @@ def noise_part(text: str) -> float | None:
     return float(match[1]) if match is not None and match[2] == "noise" else None
 
 
-def check_tolerance(given: Given, sensor: Sensor, option: str = OPTION) -> None:
+def check_tolerance(tolerance: ToleranceInput, sensor: Sensor, option: str = OPTION) -> None:
     """Where nothing is approximated: Rejected (NS0746) for what is no tolerance of any scene."""
 
     class Bright:
@@ -145,36 +149,36 @@ def check_tolerance(given: Given, sensor: Sensor, option: str = OPTION) -> None:
 
         noise_e = signal_e
 
-    tolerance_of(given, sensor, Bright(), option)
+    tolerance_of(tolerance, sensor, Bright(), option)
 
 
 def mean_signal_e(exposure_e: NDArray[np.float64], sensor: Sensor) -> float:
     """The mean of exposures without effects over pixels and buckets, in electrons: of their sizes,
     each at most the full well. What is no number does not count."""
     sizes = np.abs(exposure_e[~np.isnan(exposure_e)])
-    most_e = everything().the(Well).full_e(sensor)
+    most_e = everything().require_part(Well).full_e(sensor)
     return float(np.minimum(sizes, most_e).mean()) if sizes.size else 0.0
 
 
 def with_readout_e(noise_e: float, sensor: Sensor) -> float:
     """The noise of frames whose exposures have that noise: with that of the converter and of
     rounding to codes."""
-    every = everything()
-    code_e = every.the(Codes).electrons(sensor)
-    return math.hypot(noise_e, every.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))
+    all_effects = everything()
+    code_e = all_effects.require_part(Codes).electrons(sensor)
+    return math.hypot(noise_e, all_effects.converter_lsb(sensor) * code_e, code_e / math.sqrt(12.0))
 
 
-def _within(found: Tolerance, shown: str, option: str) -> Tolerance:
-    if not LEAST_E <= found.electrons <= MOST_E:
+def _within(tolerance: Tolerance, shown: str, option: str) -> Tolerance:
+    if not LEAST_E <= tolerance.electrons <= MOST_E:
         raise _malformed(shown, option)
-    return found
+    return tolerance
 
 
 def _malformed(shown: str, option: str) -> Rejected:
-    what = "a tolerance" if option == OPTION else f"the tolerance of {option}"
+    subject = "a tolerance" if option == OPTION else f"the tolerance of {option}"
     return rejected(
         "NS0746",
-        f"{what} must be a number above 0 with its unit, not {shown}",
+        f"{subject} must be a number above 0 with its unit, not {shown}",
         notes=(
             "e: electrons before the ADC; lsb: codes of the ADC; %: of the scene's mean "
             "signal; noise: a fraction of the frame's own noise",

@@ -24,7 +24,7 @@ class Setting:
     saturation lack as well; `exact`: see `nscc_runtime.execution.frames.Execution`."""
 
     dropped: Names
-    near: Names = NONE
+    near_dropped: Names = NONE
     exact: bool = False
 
 
@@ -77,7 +77,7 @@ class Trial(ABC):
         """Effects of the exposure that change nothing on this scene for sure."""
 
     @cached_property
-    def wanted(self) -> Selection:
+    def requested_effects(self) -> Selection:
         """All effects but those that the user forced off."""
         return everything().without(*self.forced_off)
 
@@ -96,9 +96,9 @@ class Trial(ABC):
         return False
 
     @abstractmethod
-    def alone(self, effect: Effect, near: bool) -> Errors:
-        """What leaving out one effect changes, every other wanted effect being there; `near`: in
-        pixels near saturation, too, where that saves time."""
+    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
+        """What leaving out one effect changes, every other wanted effect being there;
+        `near_saturation`: in pixels near saturation, too, where that saves time."""
 
     @abstractmethod
     def together(self, setting: Setting) -> Errors:

@@ -32,18 +32,18 @@ class WordTrial(SummedTrial):
     @remembered
     def execution(self, setting: Setting) -> Execution:
         """What a setting comes to."""
-        kept = self._wanted.without(*setting.dropped)
-        return Execution("words", kept, kept, self.wanted)
+        kept_effects = self._requested_fast_effects.without(*setting.dropped)
+        return Execution("words", kept_effects, kept_effects, self.requested_effects)
 
-    def alone(self, effect: Effect, near: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
         """By words; what sums show to be too large, by sums."""
         by_sums = super().alone(effect, False)
         if effect.name in self.slow or Difference(by_sums, self.sample).rms_e > self.limit_e:
             return by_sums
-        every = everything().without(*(self.forced_off - {effect.name}), *self.slow)
+        fast_effects = everything().without(*(self.forced_off - {effect.name}), *self.slow)
         exposed = (
-            self.exposures.expose(Execution("words", each, each, everything()), 0)
-            for each in (every.without(effect.name), every)
+            self.exposures.expose(Execution("words", effects, effects, everything()), 0)
+            for effects in (fast_effects.without(effect.name), fast_effects)
         )
         return Errors.of(*exposed)
 
@@ -53,9 +53,10 @@ class WordTrial(SummedTrial):
 
     def together(self, setting: Setting) -> Errors:
         """Beside words with every effect."""
-        every = Execution("words", self._every, self._every, everything())
+        full_execution = Execution("words", self._fast_effects, self._fast_effects, everything())
         exposed, truth = (
-            self.exposures.expose(each, 0) for each in (self.execution(setting), every)
+            self.exposures.expose(execution, 0)
+            for execution in (self.execution(setting), full_execution)
         )
         return Errors.of(exposed + self._lacked_e, truth)
 
@@ -79,8 +80,10 @@ class WordTrial(SummedTrial):
         """What leaving an effect out of the words saves."""
         if name in self.absent | self.saturation:
             return 0.0
-        without = self.wanted.without(name)
-        return self.work.words_ns(self.wanted, "all") - self.work.words_ns(without, "all")
+        without = self.requested_effects.without(name)
+        return self.work.words_ns(self.requested_effects, "all") - self.work.words_ns(
+            without, "all"
+        )
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
         """Sums would approximate too much."""
@@ -88,7 +91,7 @@ class WordTrial(SummedTrial):
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:
         """By words alone."""
-        return self.work.words_ns(self.execution(setting).kept, "all"), 0.0
+        return self.work.words_ns(self.execution(setting).kept_effects, "all"), 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,14 +100,16 @@ class ReferenceTrial(WordTrial):
 
     def execution(self, setting: Setting) -> Execution:
         """What a setting comes to."""
-        return Execution("reference", self.wanted, self.wanted, self.wanted)
+        return Execution(
+            "reference", self.requested_effects, self.requested_effects, self.requested_effects
+        )
 
     def together(self, setting: Setting) -> Errors:
         """What is forced off, beside the reference with every effect."""
         by = self.exposures
-        return Errors.of(by.by_reference(self.wanted), by.by_reference(everything()))
+        return Errors.of(by.by_reference(self.requested_effects), by.by_reference(everything()))
 
-    def alone(self, effect: Effect, near: bool) -> Errors:
+    def alone(self, effect: Effect, near_saturation: bool) -> Errors:
         """By sums, or where only the reference has it, in the reference."""
         return SummedTrial.alone(self, effect, False)
 
@@ -122,7 +127,7 @@ class ReferenceTrial(WordTrial):
 
     def reasons(self, setting: Setting) -> tuple[str, ...]:
         """What only the reference has, or that it is faster than words."""
-        slow = [e for e in self.wanted.effects if e.name in self.slow - self.absent]
+        slow = [e for e in self.requested_effects.effects if e.name in self.slow - self.absent]
         return tuple(map(slow_reason, slow)) or (APPROXIMATE,)
 
     def frame_ns(self, setting: Setting) -> tuple[float, float]:

@@ -65,11 +65,11 @@ class Reference:
         kept_us = retention_us(effects, sensor)
         words = fresh if kept_us == inf else analog_words(container, kept_us)
         # The sensor's gain and leakage, on or off: no effect changes the draws of another.
-        gain, leak = everything().the(WordGain), everything().the(Leak)
+        gain, leak = everything().require_part(WordGain), everything().require_part(Leak)
         model = Model(gain.gain(sensor), 1.0 / leak.tau_s(sensor))
         weights = backward(container, fresh, model)
         errors = numbered_errors(container.target, weights)
-        draws = {at: orthonormal(found) for at, found in errors.items()}
+        draws = {at: orthonormal(error_weights) for at, error_weights in errors.items()}
         lane = container.table.shutter_of_code[container.pixel_codes].astype(np.intp)
         groups = Groups(np.ascontiguousarray((opened @ bits).T), lane)
         return cls(container, sensor, effects, words, groups, draws)
@@ -89,15 +89,17 @@ class Reference:
         """Consecutive rows of a frame, bit for bit as the whole frame has them."""
         seeds = seed, device_seed
 
-        def fall(part: range) -> Fallen:
-            return charge_of_rows(scene, self.groups, self.sensor, self.effects, seeds, frame, part)
+        def fall(part_rows: range) -> Fallen:
+            return charge_of_rows(
+                scene, self.groups, self.sensor, self.effects, seeds, frame, part_rows
+            )
 
-        def run(part: range, fallen: Fallen) -> Marked:
-            pixels = _Pixels(
+        def run(part_rows: range, fallen: Fallen) -> Marked:
+            pixels = _FixedShutterPixels(
                 sensor=self.sensor, seed=seed, device_seed=device_seed, frame=frame,
-                places=self.groups.places_of(part), container=self.container,
+                places=self.groups.places_of(part_rows), container=self.container,
                 effects=self.effects, program=self,
-                lanes=self.groups.lane[part.start : part.stop].reshape(-1),
+                lanes=self.groups.lane[part_rows.start : part_rows.stop].reshape(-1),
             )  # fmt: skip
             return pixels.run(fallen.charge.reshape(self.container.slots, -1))
 
@@ -166,7 +168,7 @@ def numbered_errors(target: Target, weights: Backward) -> dict[str, ByName[int]]
 
 
 @dataclass(eq=False, kw_only=True)
-class _Pixels(WordPixels):
+class _FixedShutterPixels(WordPixels):
     """Some pixels of fixed shutters."""
 
     program: Reference
@@ -176,10 +178,10 @@ class _Pixels(WordPixels):
         super().__post_init__()
         self.noise = {
             effect.name: SpreadNoise(
-                self.seed, effect.stream, self.frame, self.program.draws[part.at],
+                self.seed, effect.stream, self.frame, self.program.draws[error_part.at],
                 len(self.container.buckets), self.lanes, self.places,
             )
-            for effect, part in self.effects.having(Errors)
+            for effect, error_part in self.effects.having(Errors)
         }  # fmt: skip
 
     def draw(self, name: str, number: int) -> Values:
@@ -199,10 +201,10 @@ class _Pixels(WordPixels):
                     now = now if n == slots else min(now, 1.0)
                     self.fall(charge[slot] * (now - fallen))
                     fallen = now
-                here = word.lanes[self.lanes]
-                if here.any():
+                acting = word.lanes[self.lanes]
+                if acting.any():
                     run = self.reset if word.resets else self.bus
-                    run(word, here)
+                    run(word, acting)
                 word = next(words, None)
             if n < slots:
                 self.fall(charge[n] * (1.0 - fallen) if fallen else charge[n])

@@ -27,7 +27,7 @@ class Digital:
     def __init__(
         self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
     ) -> None:
-        self.bits: dict[str, Bits] = {name: each.astype(np.int8) for name, each in bits.items()}
+        self.bits: dict[str, Bits] = {name: plane.astype(np.int8) for name, plane in bits.items()}
         nothing = np.zeros_like(self.bits["FLAG"])
         self.bits |= {"SELECT": nothing, "bus": nothing}
         self.mask, self.masked = target.mask_register, target.masked_register
@@ -43,8 +43,8 @@ class Digital:
         """A register, 0 where it has decayed."""
         if self.retention_us == inf:
             return self.bits[name]
-        kept = self.now_us - self.written_us[name] <= self.retention_us
-        return np.where(kept, self.bits[name], np.int8(0))
+        is_retained = self.now_us - self.written_us[name] <= self.retention_us
+        return np.where(is_retained, self.bits[name], np.int8(0))
 
     def write(self, name: str, value: NDArray[Any]) -> None:
         """A register is set."""
@@ -56,16 +56,16 @@ class Digital:
             case Effect.FLAG_ALL:
                 self.write("FLAG", np.ones_like(self.bits["FLAG"]))
             case Effect.FLAG_DIGITAL:
-                self.write("FLAG", self._some(op))
+                self.write("FLAG", self._or_sources(op))
             case Effect.DIGITAL:
                 self._digital(op)
 
     def _digital(self, op: Op) -> None:
         row = op.operation
         if row.phase is not Phase.WRITE:
-            some = self._some(op)
-            inverted = np.where(some == UNKNOWN, UNKNOWN, 1 - some)
-            self.bits["bus"] = inverted if row.inverted else some
+            any_source = self._or_sources(op)
+            inverted = np.where(any_source == UNKNOWN, UNKNOWN, 1 - any_source)
+            self.bits["bus"] = inverted if row.inverted else any_source
         if row.phase is Phase.READ:
             return
         # What guards the masked register is the mask as it was before this word.
@@ -83,23 +83,29 @@ class Digital:
         if self.retention_us < inf:
             self.written_us[name] = np.where(guard == 0, before_us, self.now_us)
 
-    def _some(self, op: Op) -> Bits:
-        found = np.zeros_like(self.bits["FLAG"])
+    def _or_sources(self, op: Op) -> Bits:
+        any_bit = np.zeros_like(self.bits["FLAG"])
         for name in op.sources:
             value = self.read(name)
-            found = np.where((found == 1) | (value == 1), np.int8(1), np.maximum(found, value))
-        return found
+            any_bit = np.where(
+                (any_bit == 1) | (value == 1), np.int8(1), np.maximum(any_bit, value)
+            )
+        return any_bit
 
     def choose(self, pixels: NDArray[np.intp]) -> None:
         """Go on with these pixels."""
-        self.bits = {name: each[pixels] for name, each in self.bits.items()}
-        for name, each in self.written_us.items():
-            if isinstance(each, np.ndarray):
-                self.written_us[name] = each[pixels]
+        self.bits = {name: values[pixels] for name, values in self.bits.items()}
+        for name, values in self.written_us.items():
+            if isinstance(values, np.ndarray):
+                self.written_us[name] = values[pixels]
 
     def merge(self) -> NDArray[np.intp]:
         """Make one pixel of all that are alike; which one each has become."""
-        times = [each for each in self.written_us.values() if isinstance(each, np.ndarray)]
+        times = [
+            written_us
+            for written_us in self.written_us.values()
+            if isinstance(written_us, np.ndarray)
+        ]
         rows = np.stack([*self.bits.values(), *times])
         _, first, group = np.unique(rows, axis=1, return_index=True, return_inverse=True)
         self.choose(first)

@@ -67,18 +67,27 @@ class Intervals:
             return lambda _rows, _light: np.zeros((len(first), 1))
         if len(light.frames) == 1 and len(light.weight) == light.slots:
             # A still: the light of slots is their weight of the one picture.
-            part = light.weight[first][:, None]
-            whole = np.add.reduceat(light.weight, self.starts)[interval][:, None]
-            return lambda _rows, _light: _share(part, whole, slot_us, us)
+            slot_light = light.weight[first][:, None]
+            interval_light = np.add.reduceat(light.weight, self.starts)[interval][:, None]
+            return lambda _rows, _light: _light_share_per_us(
+                slot_light, interval_light, slot_us, us
+            )
 
         def of_rows(rows: slice, all_of_it: Values) -> Values:
-            part = np.stack([light.slot(n, rows).reshape(-1) for n in first])
-            return _share(part, all_of_it[interval].reshape(len(interval), -1), slot_us, us)
+            slot_light = np.stack([light.slot(n, rows).reshape(-1) for n in first])
+            return _light_share_per_us(
+                slot_light, all_of_it[interval].reshape(len(interval), -1), slot_us, us
+            )
 
         return of_rows
 
 
-def _share(part: NDArray[Any], whole: NDArray[Any], slot_us: Values, us: Values) -> Values:
-    """`part` of `whole` in a microsecond of a slot; as time goes where there is no light."""
-    even = np.broadcast_to(slot_us / us, whole.shape).copy()
-    return np.asarray(np.divide(part, whole, out=even, where=whole > 0) / slot_us)
+def _light_share_per_us(
+    slot_light: NDArray[Any], interval_light: NDArray[Any], slot_us: Values, us: Values
+) -> Values:
+    """The fraction of an interval's light that falls in one microsecond of its first slot; without
+    light, the fraction of its time."""
+    even = np.broadcast_to(slot_us / us, interval_light.shape).copy()
+    return np.asarray(
+        np.divide(slot_light, interval_light, out=even, where=interval_light > 0) / slot_us
+    )

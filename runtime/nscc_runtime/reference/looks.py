@@ -92,27 +92,29 @@ class LookingReference:
         rows = range(scene.light.shape[0]) if rows is None else rows
         pace = self.intervals.paced(scene, self.effects)
         scene = self.intervals.joined(scene)
-        told = {r for planes in container.state_planes.values() for r in planes.registers}
-        told |= set(container.code_registers)
-        planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(told)}
+        state_registers = {
+            r for planes in container.state_planes.values() for r in planes.registers
+        }
+        state_registers |= set(container.code_registers)
+        planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(state_registers)}
 
-        def fall(part: range) -> Fallen:
-            return charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
+        def fall(part_rows: range) -> Fallen:
+            return charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part_rows)
 
-        def run(part: range, fallen: Fallen) -> Marked:
-            here = slice(part.start, part.stop)
+        def run(part_rows: range, fallen: Fallen) -> Marked:
+            array_rows = slice(part_rows.start, part_rows.stop)
             pixels = _LookingPixels(
                 sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-                places=np.arange(part.start * cols, part.stop * cols, dtype=np.int64),
+                places=np.arange(part_rows.start * cols, part_rows.stop * cols, dtype=np.int64),
                 container=container, effects=self.effects, program=self,
-                pace=pace(here, fallen.light),
-                code={name: plane[here].reshape(-1) for name, plane in loaded.items()},
+                pace=pace(array_rows, fallen.light),
+                code={name: plane[array_rows].reshape(-1) for name, plane in loaded.items()},
             )  # fmt: skip
-            found = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
-            chunk = slice(part.start - rows.start, part.stop - rows.start)
+            marked = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
+            chunk = slice(part_rows.start - rows.start, part_rows.stop - rows.start)
             for name, plane in planes.items():
-                plane[chunk] = pixels.digital.bits[name].reshape(len(part), cols)
-            return found
+                plane[chunk] = pixels.digital.bits[name].reshape(len(part_rows), cols)
+            return marked
 
         shape = len(container.buckets), cols, len(self.intervals)
         return Executed(in_rows(fall, run, rows, shape, self.threads), planes)
@@ -148,7 +150,7 @@ class _LookingPixels(WordPixels):
         )
 
     def draw(self, name: str, number: int) -> Values:
-        effect = next(each for each in self.effects.effects if each.name == name)
+        effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
         return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
     def run(self, charge: Values) -> Marked:
@@ -189,14 +191,16 @@ class _LookingPixels(WordPixels):
             case Effect.BUS:
                 self.bus(word, flag)
             case Effect.FLAG_ANALOG:
-                found = self._seen(word) > 0
-                self.digital.write("FLAG", found & flag if self.target.where_obeys_flag else found)
+                is_above = self._compared_total(word) > 0
+                self.digital.write(
+                    "FLAG", is_above & flag if self.target.where_obeys_flag else is_above
+                )
             case _:
                 self.digital.run(word.op)
 
-    def _seen(self, word: RunningWord) -> Values:
+    def _compared_total(self, word: RunningWord) -> Values:
         """What a comparison with 0 sees."""
         total = self.total(word)
-        for seen in self.at("compare"):
-            total = seen(self, total, word)
+        for compare in self.at("compare"):
+            total = compare(self, total, word)
         return total

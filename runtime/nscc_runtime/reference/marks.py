@@ -38,59 +38,61 @@ class Marks:
 
     def fallen(self, pixels: Pixels, charge: Values) -> Values:
         """What PIX holds of its charge: it is full where that is less."""
-        for effect, held in self.effects.acting("well"):
-            given, charge = charge, held(pixels, charge)
+        for effect, clip in self.effects.acting("well"):
+            charge_before, charge = charge, clip(pixels, charge)
             if "well" in effect.marks:
-                self.fill(charge < given)
+                self.fill(charge < charge_before)
         return charge
 
-    def held(self, pixels: Pixels, value: Values, lost: Values) -> tuple[Values, Values]:
+    def clip_register(self, pixels: Pixels, value: Values, lost_e: Values) -> tuple[Values, Values]:
         """What a register holds of a value with which so much was lost, and what is then."""
-        for effect, held in self.effects.acting("registers"):
-            given, value = value, held(pixels, value)
+        for effect, clip in self.effects.acting("registers"):
+            value_before, value = value, clip(pixels, value)
             if "registers" in effect.marks:
-                lost = lost + np.abs(given - value)
-        return value, lost
+                lost_e = lost_e + np.abs(value_before - value)
+        return value, lost_e
 
-    def empty(self, here: NDArray[np.bool_]) -> None:
+    def empty(self, acting: NDArray[np.bool_]) -> None:
         """PIX is reset there."""
-        self.full["PIX"] = np.where(here, np.uint8(0), self.full["PIX"])
+        self.full["PIX"] = np.where(acting, np.uint8(0), self.full["PIX"])
 
     def gathered(
         self, op: Op, unseen: NDArray[np.bool_], lit: NDArray[np.bool_]
     ) -> tuple[Full, Values]:
         """What the result of a bus word has of its sources', but where it does not see what PIX
         holds; `lit`: where it reads the level of a reset."""
-        full, lost = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
+        full, lost_e = np.zeros_like(self.full["PIX"]), np.zeros_like(self.lost["PIX"])
         for name in op.sources:
-            held = self.full[name]
+            source_full = self.full[name]
             if name == "PIX":
-                held = np.where(unseen, np.uint8(0), held)
-                held = held | np.where(lit & (held != 0), np.uint8(LEVEL), np.uint8(0))
-            full |= held
-            lost = lost + self.lost[name]
-        return inverted(full), lost / op.operation.divisor
+                source_full = np.where(unseen, np.uint8(0), source_full)
+                source_full = source_full | np.where(
+                    lit & (source_full != 0), np.uint8(LEVEL), np.uint8(0)
+                )
+            full |= source_full
+            lost_e = lost_e + self.lost[name]
+        return inverted(full), lost_e / op.operation.divisor
 
-    def write(self, name: str, here: NDArray[np.bool_], full: Full, lost: Values) -> None:
+    def write(self, name: str, acting: NDArray[np.bool_], full: Full, lost_e: Values) -> None:
         """A register holds that there."""
-        self.full[name] = np.where(here, full, self.full[name])
-        self.lost[name] = np.where(here, lost, self.lost[name])
+        self.full[name] = np.where(acting, full, self.full[name])
+        self.lost[name] = np.where(acting, lost_e, self.lost[name])
 
     def read_out(self, name: str, gain: float) -> NDArray[np.uint8]:
         """The bits of `saturated_by` (pixels,) of a register's readout."""
         full = inverted(self.full[name]) if gain < 0 else self.full[name]
-        found = np.zeros_like(full)
-        for at, where in (
+        bits = np.zeros_like(full)
+        for at, is_marked in (
             ("well", full & ADDED), ("subtracted", full & SUBTRACTED), ("level", full & LEVEL)
         ):  # fmt: skip
             mark = self.mark[at]
             if mark is not None:
-                found |= np.where(where, np.uint8(mark.bit), np.uint8(0))
+                bits |= np.where(is_marked, np.uint8(mark.bit), np.uint8(0))
         mark = self.mark["registers"]
         if mark is not None:
-            much = self.lost[name] > mark.least_e(self.sensor)
-            found |= np.where(much, np.uint8(mark.bit), np.uint8(0))
-        return found
+            exceeds = self.lost[name] > mark.least_e(self.sensor)
+            bits |= np.where(exceeds, np.uint8(mark.bit), np.uint8(0))
+        return bits
 
 
 def inverted(full: Full) -> Full:

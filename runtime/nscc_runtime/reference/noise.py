@@ -43,20 +43,20 @@ class SpreadNoise:
             normals(self._key(SUM, bucket), self.pixels) for bucket in range(self.buckets)
         ]
         for number, weight in self.weights.items():
-            here = weight[self.lanes]
-            part = normals(self._key(PART, number), self.pixels)
+            lane_weights = weight[self.lanes]
+            word_draw = normals(self._key(PART, number), self.pixels)
             for bucket, missing in enumerate(self._missing):
-                missing -= here[:, bucket] * part
+                missing -= lane_weights[:, bucket] * word_draw
 
     def draw(self, number: int) -> NDArray[np.float64]:
         """The unit normal error (P,) of draw `number`."""
-        found = normals(self._key(PART, number), self.pixels)
+        error = normals(self._key(PART, number), self.pixels)
         weight = self.weights.get(number)
         if weight is not None:
-            here = weight[self.lanes]
+            lane_weights = weight[self.lanes]
             for bucket, missing in enumerate(self._missing):
-                found = found + here[:, bucket] * missing
-        return found
+                error = error + lane_weights[:, bucket] * missing
+        return error
 
     def _key(self, source: int, group: int) -> np.uint64:
         return key(self.seed, self.stream, source, self.frame, group)

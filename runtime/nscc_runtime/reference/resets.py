@@ -19,13 +19,13 @@ class Resets:
         self._leaving, self._letting_in = effects.at("resets"), effects.at("level")
         self._level_e, self._last = np.zeros(pixels), np.full(pixels, -1.0)
 
-    def reset(self, pixels: Pixels, here: Bits, word: Word, boundary: float) -> None:
+    def reset(self, pixels: Pixels, acting: Bits, word: Word, boundary: float) -> None:
         """PIX is reset there."""
         level = np.zeros_like(self._level_e)
-        for left in self._leaving:
-            level = left(pixels, level, word)
-        self._level_e = np.where(here, level, self._level_e)
-        self._last = np.where(here, boundary, self._last)
+        for change in self._leaving:
+            level = change(pixels, level, word)
+        self._level_e = np.where(acting, level, self._level_e)
+        self._last = np.where(acting, boundary, self._last)
 
     def unseen(self, boundary: float) -> Bits:
         """Where words do not see what PIX holds: no effect lets light into the level."""
@@ -35,9 +35,9 @@ class Resets:
         """Where words see the level of a reset with the light that fell since."""
         return np.asarray((self._last == boundary) & bool(self._letting_in))
 
-    def found(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
+    def read_level(self, pixels: Pixels, charge: Values, word: Word, boundary: float) -> Values:
         """What a word finds on PIX, which holds this charge."""
-        found = np.where(self.unseen(boundary), 0.0, charge)
+        charge_and_level = np.where(self.unseen(boundary), 0.0, charge)
         for lit in self._letting_in:
-            found = np.where(self._last == boundary, lit(pixels, charge, word), charge)
-        return found + self._level_e
+            charge_and_level = np.where(self._last == boundary, lit(pixels, charge, word), charge)
+        return charge_and_level + self._level_e

@@ -84,14 +84,15 @@ def expose_stream(
     if sent is None:
         raise ValueError("a container without planes")
 
-    def fall(part: range) -> Fallen:
-        return charge_of_rows(scene, None, sensor, effects, seeds, frame, part)
+    def fall(part_rows: range) -> Fallen:
+        return charge_of_rows(scene, None, sensor, effects, seeds, frame, part_rows)
 
-    def run(part: range, fallen: Fallen) -> Marked:
+    def run(part_rows: range, fallen: Fallen) -> Marked:
         pixels = _Taps(
             sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-            places=np.arange(part.start * cols, part.stop * cols, dtype=np.int64),
-            container=container, sent=sent, effects=effects, rows=slice(part.start, part.stop),
+            places=np.arange(part_rows.start * cols, part_rows.stop * cols, dtype=np.int64),
+            container=container, sent=sent, effects=effects, rows=slice(part_rows.start,
+            part_rows.stop),
         )  # fmt: skip
         return pixels.run(fallen.charge.reshape(container.slots, -1))
 
@@ -117,24 +118,24 @@ class _Taps(Pixels):
     rows: slice
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        effect = next(each for each in self.effects.effects if each.name == name)
+        effect = next(candidate for candidate in self.effects.effects if candidate.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 
     def run(self, charge: Values) -> Marked:
         """A frame of `charge` (N, pixels)."""
         container, target = self.container, self.container.target
         shape = len(container.buckets), len(self.places)
-        held, marked = np.zeros(shape), np.zeros(shape, np.uint8)
+        tap_charge, marked = np.zeros(shape), np.zeros(shape, np.uint8)
         for slot, slot_us in enumerate(container.slot_us):
             place = self.sent.place(slot, target.cols)[self.rows].reshape(-1)
             fallen = charge[slot] * self._lit(slot, slot_us)
-            for tap in range(len(held)):
+            for tap in range(len(tap_charge)):
                 for leaks in self.effects.at("hold"):
-                    held[tap] *= leaks(self, slot_us * 1e-6)
-                held[tap] += np.where(place == tap, fallen, 0.0)
-                held[tap], full = self._kept(held[tap])
+                    tap_charge[tap] *= leaks(self, slot_us * 1e-6)
+                tap_charge[tap] += np.where(place == tap, fallen, 0.0)
+                tap_charge[tap], full = self._clip_tap(tap_charge[tap])
                 marked[tap] |= full
-        return self._read_out(held), marked
+        return self._read_out(tap_charge), marked
 
     def _lit(self, slot: int, slot_us: float) -> float:
         """The part of a slot in which light is collected."""
@@ -144,24 +145,26 @@ class _Taps(Pixels):
         waits_us = [ends(_Step(slot, target.plane_load_us)) for ends in self.effects.at("time")]
         return 1.0 - float(sum(waits_us)) / slot_us
 
-    def _kept(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
+    def _clip_tap(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
         """What a tap holds, and the bits of what it has lost to."""
-        found = np.zeros(len(charge), np.uint8)
+        marked = np.zeros(len(charge), np.uint8)
         for effect, holds in self.effects.acting("well"):
-            given, charge = charge, holds(self, charge)
+            charge_before, charge = charge, holds(self, charge)
             if "well" in effect.marks:
-                found |= np.where(charge < given, effect.marks["well"].bit, 0).astype(np.uint8)
-        return charge, found
+                marked |= np.where(charge < charge_before, effect.marks["well"].bit, 0).astype(
+                    np.uint8
+                )
+        return charge, marked
 
-    def _read_out(self, held: Values) -> Values:
+    def _read_out(self, tap_charge: Values) -> Values:
         for tap, readout in enumerate(self.container.readouts):
             level = np.zeros(len(self.places))
-            for left in self.effects.at("resets"):
-                level = left(self, level, _Step(tap))
-            value = (held[tap] + level) * readout.gain
-            for found in self.effects.at("reads"):
-                value = found(self, value, _Step(tap))
+            for change in self.effects.at("resets"):
+                level = change(self, level, _Step(tap))
+            value = (tap_charge[tap] + level) * readout.gain
+            for read in self.effects.at("reads"):
+                value = read(self, value, _Step(tap))
             for leaves in self.effects.at("readout"):
                 value = leaves(self, value, tap)
-            held[tap] = value + 0.0  # -0 + 0 is +0
-        return held
+            tap_charge[tap] = value + 0.0  # -0 + 0 is +0
+        return tap_charge

@@ -29,11 +29,11 @@ Bits = NDArray[np.bool_]
 _ANALOG = Effect.BUS, Effect.RESET_PIX, Effect.FLAG_ANALOG
 
 
-def opens_no_shutters(what: str) -> Rejected:
+def opens_no_shutters(problem: str) -> Rejected:
     """NS0442, for what the reference cannot simulate effects of."""
     return rejected(
         "NS0442",
-        f"{what}, and sensor effects are defined by shutters",
+        f"{problem}, and sensor effects are defined by shutters",
         helps=("use --effects none: the words are executed exactly",),
         status=1,
     )
@@ -121,7 +121,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
     codes = {name: encoding[:, column[name]] for name in container.code_registers}
     pixel = Digital(target, {**dict.fromkeys((*column, "FLAG"), nothing), **codes}, retention_us)
     start_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-    found: list[AnalogWord] = []
+    words: list[AnalogWord] = []
     for word in running_words(container):
         pixel.now_us = float(start_us[word.boundary])
         if word.compares:
@@ -130,7 +130,7 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
             )
         if word.resets or word.op.operation.effect is Effect.BUS:
             everywhere = word.resets and target.reset_honours_flag == "no"
-            found.append(AnalogWord.of(word, ~nothing if everywhere else pixel.read("FLAG") == 1))
+            words.append(AnalogWord.of(word, ~nothing if everywhere else pixel.read("FLAG") == 1))
         else:
             pixel.run(word.op)
-    return tuple(found)
+    return tuple(words)

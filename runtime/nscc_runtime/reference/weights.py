@@ -46,17 +46,17 @@ class ByName(Mapping[Name, Weights], Generic[Name]):
 
     def renamed(self, name: Callable[[Name], int]) -> ByName[int]:
         """The same under other names."""
-        found: ByName[int] = ByName()
-        found._held = {name(each): held for each, held in self._held.items()}
-        return found
+        renamed: ByName[int] = ByName()
+        renamed._held = {name(key): entry for key, entry in self._held.items()}
+        return renamed
 
     def __getitem__(self, name: Name) -> Weights:
-        count, lanes, some = self._held[name]
+        count, lanes, lane_weights = self._held[name]
         if lanes is None:
-            return some
-        found = np.zeros((count, some.shape[1]))
-        found[lanes] = some
-        return found
+            return lane_weights
+        weights = np.zeros((count, lane_weights.shape[1]))
+        weights[lanes] = lane_weights
+        return weights
 
     def __iter__(self) -> Iterator[Name]:
         return iter(self._held)
@@ -81,13 +81,13 @@ class Model:
     @classmethod
     def of(cls, effects: Selection, sensor: Sensor) -> Model:
         """Of some effects, at the mean leakage."""
-        gain, leak = effects.part(WordGain), effects.part(Leak)
+        gain, leak = effects.find_part(WordGain), effects.find_part(Leak)
         return cls(
             gain.gain(sensor) if gain else 1.0,
             1.0 / leak.tau_s(sensor) if leak else 0.0,
-            effects.part(SlowWords) is not None,
-            effects.part(Fading) is not None,
-            effects.part(LitLevel) is not None,
+            effects.find_part(SlowWords) is not None,
+            effects.find_part(Fading) is not None,
+            effects.find_part(LitLevel) is not None,
         )
 
 
@@ -121,13 +121,13 @@ class Backward:
 
     def open(self) -> NDArray[np.bool_]:
         """The shutters (N, lanes, buckets); NS0442 where a weight is neither 0 nor 1."""
-        found = self.slots > 0.5
-        if not np.allclose(self.slots, found, rtol=0, atol=1e-9):
+        is_open = self.slots > 0.5
+        if not np.allclose(self.slots, is_open, rtol=0, atol=1e-9):
             raise opens_no_shutters(
                 "the words of this program do not implement shutters: the light of some "
                 "slot has a weight other than 0 or 1"
             )
-        return found
+        return is_open
 
 
 def backward(container: Container, words: Sequence[AnalogWord], model: Model = Model()) -> Backward:
@@ -146,9 +146,9 @@ def backward(container: Container, words: Sequence[AnalogWord], model: Model = M
     names = (*container.target.analog_registers, "PIX", "IN")
     weight = {name: np.zeros((lanes, buckets)) for name in names}
     for order, readout in enumerate(container.readouts):
-        kept = exp(-leak_per_s * order * container.target.readout_us * 1e-6)
+        remaining = exp(-leak_per_s * order * container.target.readout_us * 1e-6)
         bucket = container.buckets.index(readout.bucket)
-        weight[readout.register][:, bucket] += readout.gain * kept
+        weight[readout.register][:, bucket] += readout.gain * remaining
     result = Backward(np.zeros((container.slots, lanes, buckets)), ByName(), ByName(), ByName())
     start_s = np.concatenate(([0.0], np.cumsum(container.slot_us))) * 1e-6
     later = container.slots
@@ -156,10 +156,10 @@ def backward(container: Container, words: Sequence[AnalogWord], model: Model = M
     by_boundary = groupby(words, key=lambda word: word.boundary)
     for boundary, executed in reversed([(n, [*group]) for n, group in by_boundary]):
         result.slots[boundary:later] = weight["PIX"]
-        kept = exp(-leak_per_s * (start_s[later] - start_s[boundary]))
-        if kept != 1.0:
+        remaining = exp(-leak_per_s * (start_s[later] - start_s[boundary]))
+        if remaining != 1.0:
             for name in container.target.analog_registers:
-                weight[name] = weight[name] * kept
+                weight[name] = weight[name] * remaining
         later = boundary
         slot = min(boundary, container.slots - 1)
         ends = _ends(executed, container.slot_us[slot], boundary == container.slots)
@@ -192,9 +192,9 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
     if dead_time and not target.pipelined:
         lit = lit * (1.0 - target.plane_load_us / slot_us)
     slots = shutters.transpose(2, 0, 1) * gains * lit[:, None, None]
-    each = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
+    tap_weights = np.broadcast_to(np.eye(len(gains))[:, None, :], (len(gains), *slots.shape[1:]))
     result = Backward(slots, ByName(), ByName(), ByName())
-    for number, weight in enumerate(each):
+    for number, weight in enumerate(tap_weights):
         result.reads.keep(number, weight)
         result.resets.keep(number, weight * gains)
     return result
@@ -202,10 +202,10 @@ def _of_taps(container: Container, leak_per_s: float, dead_time: bool) -> Backwa
 
 def _fresh(executed: Sequence[AnalogWord], lanes: int) -> NDArray[np.bool_]:
     """Where (words, lanes, 1) PIX was reset before each word of a boundary."""
-    found = np.zeros((len(executed), lanes), np.bool_)
+    is_fresh = np.zeros((len(executed), lanes), np.bool_)
     for index, word in enumerate(executed[:-1]):
-        found[index + 1] = found[index] | (word.lanes & word.resets)
-    return found[:, :, None]
+        is_fresh[index + 1] = is_fresh[index] | (word.lanes & word.resets)
+    return is_fresh[:, :, None]
 
 
 def _ends(executed: Sequence[AnalogWord], slot_us: float, after_the_last: bool) -> list[float]:
@@ -222,17 +222,17 @@ def _through(
     result: Backward,
 ) -> None:
     """Take the weights from after a word to before it; keeps those of its noise."""
-    where = word.lanes[:, None]
+    acts = word.lanes[:, None]
     if word.resets:
-        result.resets.keep(word.number, weight["PIX"] * where)
-        weight["PIX"] = weight["PIX"] * ~where
+        result.resets.keep(word.number, weight["PIX"] * acts)
+        weight["PIX"] = weight["PIX"] * ~acts
         return
     through = np.zeros_like(weight["PIX"])
     for index, name in enumerate(word.op.destinations):
-        here = weight[name] * where
-        weight[name] = weight[name] * ~where
-        through += here
-        result.errors.keep((word.number, index), error_sign(name, container) * here)
+        acting_weight = weight[name] * acts
+        weight[name] = weight[name] * ~acts
+        through += acting_weight
+        result.errors.keep((word.number, index), error_sign(name, container) * acting_weight)
     through *= -gain / word.op.operation.divisor
     for name in word.op.sources:
         weight[name] = weight[name] + through
@@ -264,8 +264,8 @@ def orthonormal(weights: ByName[int]) -> ByName[int]:
         size = np.sqrt((q[:, :, b] ** 2).sum(axis=0))
         independent = size > 1e-9 * scale[:, b]
         q[:, :, b] *= np.divide(1.0, size, out=np.zeros_like(size), where=independent)
-    found: ByName[int] = ByName()
+    result: ByName[int] = ByName()
     for name, weight in zip(names, q, strict=True):
         # A copy: what is held must not hold all the others.
-        found.keep(name, weight.copy())
-    return found
+        result.keep(name, weight.copy())
+    return result

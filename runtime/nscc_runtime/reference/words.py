@@ -149,7 +149,7 @@ class WordPixels(Pixels):
             if name == "IN":
                 total = total + word.in_e
             elif name == "PIX":
-                level = self.resets.found(self, self.charge, word, word.boundary)
+                level = self.resets.read_level(self, self.charge, word, word.boundary)
                 for found in self.at("reads"):
                     level = found(self, level, word)
                 total = total + level
@@ -165,7 +165,7 @@ class WordPixels(Pixels):
             value = result
             for written in self.at("words"):
                 value = written(self, value, word, index, error_sign(name, self.container))
-            value, lost_here = self.marks.held(self, value, lost)
+            value, lost_here = self.marks.clip_register(self, value, lost)
             self.register[name] = np.where(here, value, self.register[name])
             self.marks.write(name, here, full, lost_here)
 

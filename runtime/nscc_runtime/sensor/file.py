@@ -58,11 +58,11 @@ def read_sensor(path: Path) -> bytes:
 
 def parse_sensor(target: Target, data: bytes, name: str, changes: Sequence[str] = ()) -> Sensor:
     """The sensor of a file's bytes; `name` is the file's for messages. Raises as `load_sensor`."""
-    given, wrong, _ = file_values(schema(), data, name)
+    file_sensor_values, problems, _ = file_values(schema(), data, name)
     changed, wrong_too = schema().changed(changes)
-    if wrong or wrong_too:
-        raise Rejected([*wrong, *wrong_too], status=2)
-    return completed({**given, **changed}, target)
+    if problems or wrong_too:
+        raise Rejected([*problems, *wrong_too], status=2)
+    return completed({**file_sensor_values, **changed}, target)
 
 
 def default_sensor(target: Target) -> Sensor:
@@ -75,15 +75,15 @@ def _default(target: Target, _effects: tuple[Effect, ...]) -> Sensor:
     return completed({}, target)
 
 
-def completed(given: Mapping[str, float], target: Target) -> Sensor:
-    """The sensor of checked values; what is not given has its default.
+def completed(given_values: Mapping[str, float], target: Target) -> Sensor:
+    """Return the sensor of checked values; other parameters have their defaults.
 
     Without `electrons_per_lsb` the full well is the top code, whoever gave the full well.
     """
     values: dict[str, float] = {}
     for row in schema().keys:
-        known = row.name in given
-        values[row.name] = given[row.name] if known else row.default_for(target, values)
+        known = row.name in given_values
+        values[row.name] = given_values[row.name] if known else row.default_for(target, values)
     return Sensor(values)
 
 
@@ -106,7 +106,7 @@ def sensor_toml(
         remark,
         (
             "A sensor of nscc: every number that the sensor effects depend on.",
-            *(part for text in heading for part in textwrap.wrap(text, WIDTH - 2)),
+            *(line for text in heading for line in textwrap.wrap(text, WIDTH - 2)),
             "`nscc run --sensor FILE.toml` reads it; a line that is left out has its default.",
             f"Each line is preceded by: meaning [unit, range] (where {origin} comes from).",
         ),

@@ -93,7 +93,7 @@ def _budget_text(plan: Plan) -> str:
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     cuts = approximation_lines(plan)
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
-    saved = [] if plan.cost is None else [plan.cost.said]
+    saved = [] if plan.cost is None else [plan.cost.summary]
     return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words, *saved])
 
 

@@ -56,7 +56,7 @@ class Chip:
     @cached_property
     def gain(self) -> float:
         """What two words leave of an exposure."""
-        words = self.effects.part(WordGain)
+        words = self.effects.find_part(WordGain)
         return 1.0 if words is None else words.gain(self.sensor) ** 2
 
     @cached_property
@@ -65,7 +65,7 @@ class Chip:
         register that is still linear."""
         codes = self.target.top_code - self.sensor.adc_offset_lsb
         most = min(float(self.sensor.full_well_e), float(codes * self.code_e / self.gain))
-        soft = self.effects.part(Soft)
+        soft = self.effects.find_part(Soft)
         return most if soft is None else min(most, float(soft.linear_e(self.sensor) / self.gain))
 
     def exposed_sd_e(self, electrons: Values) -> Values:
@@ -75,7 +75,7 @@ class Chip:
         times = {"reads": _READS, "words": _WORDS, "resets": 0}
         for _, errors in effects.errors():
             fixed_e2 += times[errors.at] * errors.sigma_e(sensor) ** 2
-        photons_e2 = electrons if effects.part(CountedLight) is not None else 0.0
+        photons_e2 = electrons if effects.find_part(CountedLight) is not None else 0.0
         unequal_e2 = (gain_spread(sensor, effects) * electrons) ** 2
         return np.asarray(np.sqrt(fixed_e2 / self.gain**2 + photons_e2 + unequal_e2))
 

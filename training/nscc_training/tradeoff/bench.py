@@ -29,7 +29,13 @@ from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.planning.scenes import planning_of
-from nscc_runtime.planning.tolerance import LEAST_E, Follows, Tolerance, mean_signal_e, tolerance_of
+from nscc_runtime.planning.tolerance import (
+    LEAST_E,
+    Tolerance,
+    ToleranceScene,
+    mean_signal_e,
+    tolerance_of,
+)
 from nscc_runtime.response import response_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import load_sensor
@@ -246,7 +252,7 @@ def scaled(container: Container, frame_us: float) -> tuple[float, ...]:
     return tuple(us / whole * frame_us for us in container.slot_us)
 
 
-def target_of(text: str, sensor: Any, scene: Follows) -> Tolerance:
+def target_of(text: str, sensor: Any, scene: ToleranceScene) -> Tolerance:
     """The error to stay within: `1%` of the mean signal, `5e`, `0.1lsb`. Rejected (NS0827) for
     anything else, and for more than the signal itself."""
     reason = None

@@ -56,18 +56,22 @@ NO_PIXELS = NearSaturation(
 
 
 def near_saturation(
-    program: Program, light: Light, device_seed: int, wanted: Selection
+    program: Program, light: Light, device_seed: int, requested_effects: Selection
 ) -> NearSaturation:
-    """The pixels of a scene that may saturate under the effects in `wanted`; kept for as long as
-    the light is."""
-    if not wanted.names(Saturates):
+    """The pixels of a scene that may saturate under the effects in `requested_effects`; kept for as
+    long as the light is."""
+    if not requested_effects.names(Saturates):
         return NO_PIXELS
-    source = (wanted.part(Moving) and light.motion) or light
-    key = NearSaturation, device_seed, wanted.on
-    kept: WeakKeyDictionary[Light, NearSaturation] = program.recent_chips.of(key, WeakKeyDictionary)
-    if source not in kept:
-        kept[source] = _Search(chip_of(program, device_seed, wanted, wanted), source).found
-    return kept[source]
+    source = (requested_effects.find_part(Moving) and light.motion) or light
+    key = NearSaturation, device_seed, requested_effects.on
+    by_light: WeakKeyDictionary[Light, NearSaturation] = program.recent_chips.of(
+        key, WeakKeyDictionary
+    )
+    if source not in by_light:
+        by_light[source] = _Search(
+            chip_of(program, device_seed, requested_effects, requested_effects), source
+        ).near_pixels
+    return by_light[source]
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,19 +82,21 @@ class _Search:
     light: Light
 
     @property
-    def found(self) -> NearSaturation:
+    def near_pixels(self) -> NearSaturation:
         candidates = self._candidates
         if not len(candidates):
             return NO_PIXELS
-        most, own = self._charges(candidates)
+        most_e, own_e = self._charges(candidates)
         limits = self.chip.saturation_e[:, self.chip.array.flat_lanes[candidates]]
-        near = np.any(most >= limits, axis=0)
-        spilt = ~np.any(own >= limits, axis=0)
-        return NearSaturation(candidates[near], most[0, near], own[0, near], spilt[near])
+        is_near = np.any(most_e >= limits, axis=0)
+        spilt = ~np.any(own_e >= limits, axis=0)
+        return NearSaturation(
+            candidates[is_near], most_e[0, is_near], own_e[0, is_near], spilt[is_near]
+        )
 
     @cached_property
     def _of_lanes(self) -> tuple[Weights, Values, Values]:
-        return self.chip.own(_of_lanes)
+        return self.chip.compute_once(_of_lanes)
 
     @cached_property
     def _total_e(self) -> Values:
@@ -101,7 +107,7 @@ class _Search:
     def _gained_e(self) -> Values:
         """What neighbours give to each pixel of all their light."""
         gained_e, total_e = np.zeros(self.light.shape), self._total_e
-        if self.chip.kept.part(Exchange) is not None:
+        if self.chip.kept_effects.find_part(Exchange) is not None:
             gained_e[1:] += total_e[:-1]
             gained_e[:-1] += total_e[1:]
             gained_e[:, 1:] += total_e[:, :-1]
@@ -114,8 +120,8 @@ class _Search:
         """Where the frame's dark current, all that neighbours give, and the part of the light that
         a lane sees at most come to the limit of the lane."""
         weights, _, limit = self._of_lanes
-        lanes, part = self.chip.array.flat_lanes, weights.of_frames(self.light).most_part
-        most_e = part.take(lanes) * self._total_e.reshape(-1)
+        lanes, seen_fraction = self.chip.array.flat_lanes, weights.of_frames(self.light).most_part
+        most_e = seen_fraction.take(lanes) * self._total_e.reshape(-1)
         most_e += self.chip.current * float(self.chip.program.slot_s.sum())
         most_e += self._gained_e
         return np.flatnonzero(most_e >= limit.take(lanes))
@@ -132,8 +138,8 @@ class _Search:
             seen_e += weight.take(lanes, axis=1) * frame.take(places)
         seen_e *= self.chip.scale[places]
         dark_e = self.chip.current[places] * dark_s[:, lanes]
-        given = self.chip.exchanged * _neighbours(places, *self.light.shape)
-        most_e = np.maximum(seen_e, (1.0 - given) * seen_e + self._gained_e[places])
+        given_fraction = self.chip.exchanged * _neighbours(places, *self.light.shape)
+        most_e = np.maximum(seen_e, (1.0 - given_fraction) * seen_e + self._gained_e[places])
         return _reaching(most_e + dark_e), _reaching(seen_e + dark_e)
 
 
@@ -148,8 +154,8 @@ def _of_lanes(chip: Chip) -> tuple[Weights, Values, Values]:
     """How much of each slot (kinds, N, lanes) PIX sees, and registers hold; for how long these
     gather dark charge, in seconds; and the least of it with which a lane may saturate."""
     program = chip.program
-    held = () if program.reach.held is None else program.reach.held
-    weights = np.stack([program.tables.seen(), *held]).astype(np.float64)
+    held_weights = () if program.reach.held_weights is None else program.reach.held_weights
+    weights = np.stack([program.tables.seen_slots(), *held_weights]).astype(np.float64)
     limit = _reached(_SLACK * chip.saturation_e.min(axis=0))
     return Weights(weights), program.slot_s @ weights, limit
 

@@ -1,8 +1,9 @@
-"""The loop that takes pixels along their ways through a frame: the reference, compiled.
+"""The compiled loop that takes pixels along their paths through a frame.
 
-It does what `nscc_runtime.reference.looks` does with the same keyed numbers. Pixels of a block that
-are in one segment run each of its words together, so that their draws are made side by side; the
-answers of its comparison hand them on. `nscc_runtime.looking.ways` makes what it is given.
+It computes what `nscc_runtime.reference.looks` computes, with the same keyed random numbers. All
+pixels of a block that are in one segment run each of its words together. The answer of the
+comparison at its end selects the next segment. `nscc_runtime.looking.looking_program` prepares the
+arguments.
 """
 
 from __future__ import annotations
@@ -14,11 +15,11 @@ import numpy as np
 from nscc_runtime.effects.spread import log_normal_in_loop
 from nscc_runtime.execution.layout import (
     Fixed,
-    Held,
     Numbers,
     OnDevice,
     Program,
     Readouts,
+    RegisterContents,
     Result,
     Switches,
     Word,
@@ -49,11 +50,11 @@ from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
 
 BLOCK = 512
-"""Pixels that are taken along together."""
+"""Pixels of a block."""
 
 
 @record
-class Sizes:
+class PathSizes:
     """How much there is of everything."""
 
     pixels: int
@@ -71,7 +72,7 @@ class Sizes:
 
 
 @record
-class Keys:
+class PathKeys:
     """Keys from which those of a frame's words follow."""
 
     reads: np.uint64
@@ -105,7 +106,7 @@ class WordKeys(NamedTuple):
     words: Written[Words]
 
 
-class Block(NamedTuple):
+class BlockScratch(NamedTuple):
     """Scratch of a block: its first pixel that waits before each segment, -1 at first, and the next
     one behind each; the interval that each pixel has reached, and the part of it that has fallen;
     the normal numbers of a word, draw by draw."""
@@ -113,71 +114,71 @@ class Block(NamedTuple):
     head: Written[Annotated[Ints, "segments"]]
     behind: Written[Ints]
     reached: Written[Ints]
-    part: Written[Floats]
+    fallen_fraction: Written[Floats]
     normals: Written[Floats]
 
 
 @inlined
 def _drawn(
-    key: np.uint64, first_place: int, some: Ints, count: int, normals: Floats, at: int
+    key: np.uint64, first_place: int, running: Ints, count: int, normals: Floats, at: int
 ) -> None:
-    """normals[at + j] := the normal number of a key at the pixel some[j] of a block."""
+    """normals[at + j] := the normal number of a key at the pixel running[j] of a block."""
     for j in range(count):
-        normals[at + j] = uniform(key, first_place + some[j])
+        normals[at + j] = uniform(key, first_place + running[j])
     for j in range(count):
         normals[at + j] = normal(normals[at + j])
 
 
 @compiled
 def _begin(
-    switches: Switches, numbers: Numbers, device: OnDevice, place: int, count: int, some: Ints,
-    fixed: Fixed, held: Held, block: Block,
+    switches: Switches, numbers: Numbers, device: OnDevice, place: int, count: int, running: Ints,
+    fixed: Fixed, contents: RegisterContents, block: BlockScratch,
 ) -> None:  # fmt: skip
     """What is fixed of the pixels of a block, and what their registers hold."""
     for i in range(count):
-        some[i] = i
-        block.reached[i], block.part[i] = 0, 0.0
-        begin(switches, BLOCK, held, i)
+        running[i] = i
+        block.reached[i], block.fallen_fraction[i] = 0, 0.0
+        begin(switches, BLOCK, contents, i)
     if switches.word_errors:
-        _drawn(device.pattern, place, some, count, fixed.pattern, 0)
+        _drawn(device.pattern, place, running, count, fixed.pattern, 0)
         for i in range(count):
             fixed.pattern[i] = numbers.bias + numbers.pattern * fixed.pattern[i]
     if switches.leaks:
-        _drawn(device.leak, place, some, count, fixed.leak, 0)
+        _drawn(device.leak, place, running, count, fixed.leak, 0)
         for i in range(count):
             fixed.leak[i] = numbers.leak * log_normal_in_loop(numbers.leak_variance, fixed.leak[i])
     if switches.compares_off:
-        _drawn(device.offset, place, some, count, fixed.offset, 0)
+        _drawn(device.offset, place, running, count, fixed.offset, 0)
         for i in range(count):
             fixed.offset[i] = numbers.compare_offset * fixed.offset[i]
 
 
 @compiled
 def _fall(
-    switches: Switches, sizes: Sizes, numbers: Numbers, word: Word, first: int, some: Ints,
-    count: int, charge: Charge, held: Held, block: Block,
+    switches: Switches, sizes: PathSizes, numbers: Numbers, word: Word, first: int, running: Ints,
+    count: int, charge: Charge, contents: RegisterContents, block: BlockScratch,
 ) -> None:  # fmt: skip
     """PIX gets the charge that has fallen when a word ends."""
     pixels, last = sizes.pixels, sizes.intervals - 1
     for j in range(count):
-        i = some[j]
+        i = running[j]
         at = switches.registers * BLOCK + i
         for k in range(block.reached[i], word.begins):
-            charge_e = charge.electrons[k * pixels + first + i] * (1.0 - block.part[i])
-            fill(switches, numbers, held, at, charge_e)
-            block.part[i] = 0.0
+            charge_e = charge.electrons[k * pixels + first + i] * (1.0 - block.fallen_fraction[i])
+            fill(switches, numbers, contents, at, charge_e)
+            block.fallen_fraction[i] = 0.0
         block.reached[i] = word.begins
         if switches.slow_words:
             k = word.begins if word.begins < last else last
             pace = word.begins * sizes.paces + (first + i if sizes.paces > 1 else 0)
             now = word.end_us * charge.pace[pace]
-            charge_e = charge.electrons[k * pixels + first + i] * (now - block.part[i])
-            fill(switches, numbers, held, at, charge_e)
-            block.part[i] = now
+            charge_e = charge.electrons[k * pixels + first + i] * (now - block.fallen_fraction[i])
+            fill(switches, numbers, contents, at, charge_e)
+            block.fallen_fraction[i] = now
 
 
 @inlined
-def _hand_on(segment: int, first: int, i: int, block: Block, ends: Ints32) -> None:
+def _hand_on(segment: int, first: int, i: int, block: BlockScratch, ends: Ints32) -> None:
     """Pixel i of a block waits before a segment, or has come to an end."""
     if segment < 0:
         ends[first + i] = -1 - segment
@@ -187,7 +188,7 @@ def _hand_on(segment: int, first: int, i: int, block: Block, ends: Ints32) -> No
 
 
 @compiled
-def _name(sizes: Sizes, keys: Keys, of_word: WordKeys) -> None:
+def _name(sizes: PathSizes, keys: PathKeys, of_word: WordKeys) -> None:
     """The keys of this frame's draws, word by word."""
     for w in range(sizes.steps):
         number = np.uint64(w)
@@ -200,33 +201,33 @@ def _name(sizes: Sizes, keys: Keys, of_word: WordKeys) -> None:
 
 @compiled
 def _draw(
-    switches: Switches, sizes: Sizes, word: Word, w: int, of_word: WordKeys, place: int,
-    some: Ints, count: int, normals: Floats,
+    switches: Switches, sizes: PathSizes, word: Word, w: int, of_word: WordKeys, place: int,
+    running: Ints, count: int, normals: Floats,
 ) -> None:  # fmt: skip
     """The normal numbers of a word: of what it reads or resets, then of what it answers or
     writes."""
     if word.resets and switches.reset_errors:
-        _drawn(of_word.resets[w], place, some, count, normals, 0)
+        _drawn(of_word.resets[w], place, running, count, normals, 0)
     if word.reads_pix and switches.read_errors:
-        _drawn(of_word.reads[w], place, some, count, normals, 0)
+        _drawn(of_word.reads[w], place, running, count, normals, 0)
     if word.compares and switches.compares_noisy:
-        _drawn(of_word.compares[w], place, some, count, normals, BLOCK)
+        _drawn(of_word.compares[w], place, running, count, normals, BLOCK)
     for d in range(word.destinations if switches.word_errors else 0):
         key = of_word.words[w * sizes.numbered + d]
-        _drawn(key, place, some, count, normals, (1 + d) * BLOCK)
+        _drawn(key, place, running, count, normals, (1 + d) * BLOCK)
 
 
 @compiled
 def _along(
-    switches: Switches, sizes: Sizes, numbers: Numbers, segment: int, first: int,
-    program: Program, segments: Segments, charge: Charge, of_word: WordKeys, block: Block,
-    fixed: Fixed, held: Held, result: Result, ends: Ints32,
+    switches: Switches, sizes: PathSizes, numbers: Numbers, segment: int, first: int,
+    program: Program, segments: Segments, charge: Charge, of_word: WordKeys, block: BlockScratch,
+    fixed: Fixed, contents: RegisterContents, result: Result, ends: Ints32,
 ) -> None:  # fmt: skip
     """The pixels of a block that wait before a segment run its words, and are handed on."""
-    count, i, place, some = 0, block.head[segment], sizes.first_place + first, result.some
+    count, i, place, running = 0, block.head[segment], sizes.first_place + first, result.pixels
     block.head[segment] = -1
     while i >= 0:
-        some[count] = i
+        running[count] = i
         count += 1
         i = block.behind[i]
     asks, normals = False, block.normals
@@ -234,41 +235,41 @@ def _along(
         w = segments.acting[e]
         word = program.words[w]
         if word.resets or word.reads_pix:
-            _fall(switches, sizes, numbers, word, first, some, count, charge, held, block)
-        _draw(switches, sizes, word, w, of_word, place, some, count, normals)
+            _fall(switches, sizes, numbers, word, first, running, count, charge, contents, block)
+        _draw(switches, sizes, word, w, of_word, place, running, count, normals)
         if word.resets:
-            reset(switches, numbers, word, BLOCK, count, held, result, normals, 0)
+            reset(switches, numbers, word, BLOCK, count, contents, result, normals, 0)
             continue
-        add(switches, numbers, word, BLOCK, count, program, fixed, held, result, normals, 0)
+        add(switches, numbers, word, BLOCK, count, program, fixed, contents, result, normals, 0)
         if word.compares:
             asks = True
             compare(switches, numbers, BLOCK, count, fixed, result, normals, BLOCK)
             continue
         write(
-            switches, numbers, word, BLOCK, count, program, fixed, held, result, normals, BLOCK,
+            switches, numbers, word, BLOCK, count, program, fixed, contents, result, normals, BLOCK,
             BLOCK,
         )  # fmt: skip
     for j in range(count):
         answer = 1 if asks and result.total[j] > 0.0 else 0
-        _hand_on(segments.following[2 * segment + answer], first, some[j], block, ends)
+        _hand_on(segments.following[2 * segment + answer], first, running[j], block, ends)
 
 
 @loop
-def run_ways(
+def run_paths(
     switches: Switches,
-    sizes: Sizes,
+    sizes: PathSizes,
     numbers: Numbers,
     device: OnDevice,
-    keys: Keys,
+    keys: PathKeys,
     program: Program,
     segments: Segments,
     readouts: Readouts,
     begins: Annotated[Ints, "pixels"],
     charge: Charge,
     of_word: WordKeys,
-    block: Block,
+    block: BlockScratch,
     fixed: Fixed,
-    held: Held,
+    contents: RegisterContents,
     result: Result,
     out: Written[Annotated[Floats, "buckets pixels"]],
     marked: Written[Annotated[Bytes, "buckets pixels"]],
@@ -283,15 +284,16 @@ def run_ways(
     _name(sizes, keys, of_word)
     for first in range(0, sizes.pixels, BLOCK):
         count, place = min(BLOCK, sizes.pixels - first), sizes.first_place + first
-        _begin(switches, numbers, device, place, count, result.some, fixed, held, block)
+        _begin(switches, numbers, device, place, count, result.pixels, fixed, contents, block)
         for i in range(count):
             _hand_on(begins[first + i], first, i, block, ends)
         for segment in range(sizes.segments):
             if block.head[segment] >= 0:
                 _along(
                     switches, sizes, numbers, segment, first, program, segments, charge, of_word,
-                    block, fixed, held, result, ends,
+                    block, fixed, contents, result, ends,
                 )  # fmt: skip
         read_out(
-            switches, numbers, BLOCK, count, readouts, fixed, held, sizes.pixels, first, out, marked
+            switches, numbers, BLOCK, count, readouts, fixed, contents, sizes.pixels, first, out,
+            marked
         )  # fmt: skip

@@ -26,19 +26,19 @@ from nscc_runtime.execution.entries import (
     readouts_of,
     switches_of,
 )
-from nscc_runtime.execution.layout import Fixed, Held, Program, Result
+from nscc_runtime.execution.layout import Fixed, Program, RegisterContents, Result
 from nscc_runtime.interface import Executed, Exposure
-from nscc_runtime.looking.paths import Paths, paths_of
-from nscc_runtime.looking.way_loop import (
+from nscc_runtime.looking.path_loop import (
     BLOCK,
-    Block,
+    BlockScratch,
     Charge,
-    Keys,
+    PathKeys,
+    PathSizes,
     Segments,
-    Sizes,
     WordKeys,
-    run_ways,
+    run_paths,
 )
+from nscc_runtime.looking.paths import Paths, paths_of
 from nscc_runtime.pool import in_parts
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
@@ -57,7 +57,7 @@ _AFTER_WORDS = {"converter", "codes"}
 
 
 @dataclass(frozen=True, eq=False)
-class Ways:
+class LookingProgram:
     """A container with a machine and a sensor, made ready for any scenes and effects."""
 
     container: Container
@@ -66,16 +66,16 @@ class Ways:
     @remembered
     def lacks(self, effects: Selection) -> tuple[str, ...]:
         """Why frames with these effects are the reference's to make; nothing where they are not."""
-        found = [
-            f"{each.name}: only the reference has it ({each.words.reason})"
-            for each in effects.effects
-            if isinstance(each.words, CannotHave)
-            and not each.reference.keys() <= BEFORE_WORDS | _AFTER_WORDS
+        reasons = [
+            f"{effect.name}: only the reference has it ({effect.words.reason})"
+            for effect in effects.effects
+            if isinstance(effect.words, CannotHave)
+            and not effect.reference.keys() <= BEFORE_WORDS | _AFTER_WORDS
         ]
         paths = self._paths(effects)
         if isinstance(paths, str):
-            found.append(f"the words run one by one: {paths}")
-        return tuple(found)
+            reasons.append(f"the words run one by one: {paths}")
+        return tuple(reasons)
 
     @cached_property
     def fades(self) -> bool:
@@ -98,8 +98,8 @@ class Ways:
         intervals = Intervals.of(self.container, every_slot=effects.noiseless)
         joined = intervals.joined(scene)
 
-        def fall(part: range) -> Fallen:
-            return charge_of_rows(joined, None, self.sensor, effects, seeds, frame, part)
+        def fall(part_rows: range) -> Fallen:
+            return charge_of_rows(joined, None, self.sensor, effects, seeds, frame, part_rows)
 
         rows = range(scene.light.shape[0]) if rows is None else rows
         return self.run(scene, loaded, effects, seeds, frame, rows, fall, threads)
@@ -124,23 +124,25 @@ class Ways:
         begins = paths.begins(loaded, scene.light.shape)
         if among is not None:
             begins = np.where(among, begins, -1)  # they have come to an end
-        return _Run(self, paths, scene, effects, seeds, frame).rows(rows, begins, fall, threads)
+        return _LookingFrame(self, paths, scene, effects, seeds, frame).rows(
+            rows, begins, fall, threads
+        )
 
     def _paths(self, effects: Selection) -> Paths | str:
         """The paths where bits are kept as long as effects let them be, or why there are none."""
         return paths_of(self.container, retention_us(effects, self.sensor))
 
     @remembered
-    def program(self, paths: Paths, starts: tuple[int, ...]) -> Program:
+    def loop_words(self, paths: Paths, starts: tuple[int, ...]) -> Program:
         """The words, where intervals begin with these slots."""
         return program_of(self.container, paths.words, starts)
 
 
 @dataclass(frozen=True, eq=False)
-class _Run:
+class _LookingFrame:
     """One frame."""
 
-    ways: Ways
+    program: LookingProgram
     paths: Paths
     scene: Scene
     effects: Selection
@@ -149,14 +151,14 @@ class _Run:
 
     @cached_property
     def intervals(self) -> Intervals:
-        return Intervals.of(self.ways.container, every_slot=self.effects.noiseless)
+        return Intervals.of(self.program.container, every_slot=self.effects.noiseless)
 
     def rows(
         self, rows: range, begins: NDArray[np.int64], fall: Callable[[range], Fallen], threads: int
     ) -> Executed:
         """Consecutive rows; `begins` (rows, cols) of all of them."""
         cols = self.scene.light.shape[1]
-        shape = (len(self.ways.container.buckets), len(rows), cols)
+        shape = (len(self.program.container.buckets), len(rows), cols)
         exposure, saturated_by = np.empty(shape), np.empty(shape, np.uint8)
         valid, ends = np.empty(shape[1:], np.bool_), np.empty(shape[1:], np.int32)
         pace = self.intervals.paced(self.scene, self.effects)
@@ -165,32 +167,35 @@ class _Run:
 
         def fill(first: int, stop: int) -> None:
             for top in range(first, stop, step):
-                part = rows[top : min(top + step, stop)]
-                here, of_array = slice(top, top + len(part)), slice(part.start, part.stop)
-                fallen = fall(part)
-                found = self._loop(
-                    bound, fallen.charge, pace(of_array, fallen.light), begins[of_array], part
+                part_rows = rows[top : min(top + step, stop)]
+                out_rows, of_array = (
+                    slice(top, top + len(part_rows)),
+                    slice(part_rows.start, part_rows.stop),
                 )
-                exposure[:, here], saturated_by[:, here], ends[here] = found
-                valid[here] = fallen.valid
+                fallen = fall(part_rows)
+                results = self._loop(
+                    bound, fallen.charge, pace(of_array, fallen.light), begins[of_array], part_rows
+                )
+                exposure[:, out_rows], saturated_by[:, out_rows], ends[out_rows] = results
+                valid[out_rows] = fallen.valid
 
         in_parts(fill, len(rows), threads)
-        told = self.paths.endings.items()
-        planes = {name: bits.astype(np.bool_)[ends] for name, bits in told}
-        good = np.isfinite(exposure) & valid
-        return Executed(Exposure(exposure, good, saturated_by), planes)
+        endings = self.paths.endings.items()
+        planes = {name: bits.astype(np.bool_)[ends] for name, bits in endings}
+        is_valid = np.isfinite(exposure) & valid
+        return Executed(Exposure(exposure, is_valid, saturated_by), planes)
 
     @cached_property
     def _bound(self) -> Callable[..., None]:
         """The loop with what all rows have in common."""
-        container, paths = self.ways.container, self.paths
+        container, paths = self.program.container, self.paths
         seed, device_seed = self.seeds
-        return run_ways.bound(
+        return run_paths.bound(
             switches=switches_of(container, self.effects),
-            numbers=numbers_of(container, self.ways.sensor, self.effects),
+            numbers=numbers_of(container, self.program.sensor, self.effects),
             device=device_of(device_seed),
-            keys=Keys(**draws_keys(Keys, seed, WORD_DRAWS)),
-            program=self.ways.program(paths, self.intervals.starts),
+            keys=PathKeys(**draws_keys(PathKeys, seed, WORD_DRAWS)),
+            program=self.program.loop_words(paths, self.intervals.starts),
             segments=Segments(paths.start, paths.acting, paths.following),
             readouts=readouts_of(container),
         )
@@ -204,8 +209,8 @@ class _Run:
         rows: range,
     ) -> tuple[NDArray[Any], ...]:
         """Exposures and what cut them off (buckets, rows, cols), and endings (rows, cols)."""
-        container, pixels = self.ways.container, begins.size
-        sizes = Sizes(
+        container, pixels = self.program.container, begins.size
+        sizes = PathSizes(
             pixels=pixels,
             first_place=rows.start * begins.shape[1],
             intervals=len(self.intervals),
@@ -230,13 +235,13 @@ class _Run:
                 compares=np.empty(sizes.steps, np.uint64),
                 words=np.empty(sizes.steps * sizes.numbered, np.uint64),
             ),
-            block=Block(
+            block=BlockScratch(
                 head=np.full(sizes.segments, -1, np.int64), behind=np.empty(BLOCK, np.int64),
-                reached=np.empty(BLOCK, np.int64), part=np.empty(BLOCK),
+                reached=np.empty(BLOCK, np.int64), fallen_fraction=np.empty(BLOCK),
                 normals=np.empty((1 + sizes.numbered) * BLOCK),
             ),
             fixed=Fixed.of(BLOCK), result=Result.of(BLOCK),
-            held=Held.of(len(container.target.analog_registers), BLOCK),
+            contents=RegisterContents.of(len(container.target.analog_registers), BLOCK),
         )  # fmt: skip
         shape = (len(out), *begins.shape)
         return out.reshape(shape), marked.reshape(shape), ends.reshape(begins.shape)
