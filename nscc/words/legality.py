@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import NEIGHBOURS, STEERING, Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.encoding import matching, no_operation
 
@@ -65,11 +65,16 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
 
 def target_fault(operation: Op, target: Target) -> str | None:
     """Why `target` does not take this word, as half a sentence; None if it does."""
-    known = (*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT")
+    known = (
+        *target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT",
+        *(NEIGHBOURS if "NEWS" in target.analog_registers else ()),
+    )  # fmt: skip
     for register in operation.destinations + operation.sources:
         if register not in known:
             return f"{target.name} has no register {register}"
     count, row = len(operation.sources), operation.operation
+    if (fault := _neighbour_fault(operation, target)) is not None:
+        return fault
     if row.effect is Effect.FLAG_DIGITAL:
         kind, limit = "a WHERE", target.where_sources
     else:
@@ -80,6 +85,26 @@ def target_fault(operation: Op, target: Target) -> str | None:
     reads_flag = row.effect is Effect.FLAG_DIGITAL and "FLAG" in operation.sources
     if reads_flag and not target.where_reads_flag:
         return f"WHERE writes FLAG, and on {target.name} it cannot read it as well"
+    return None
+
+
+def _neighbour_fault(operation: Op, target: Target) -> str | None:
+    """Why `target` does not take a word that reaches neighbours; None if it does."""
+    row = operation.operation
+    digital = row.effect is Effect.DIGITAL_NEIGHBOURS
+    written = NEIGHBOURS.keys() & operation.destinations
+    if not (digital or written or NEIGHBOURS.keys() & operation.sources):
+        return None
+    if not target.sees_neighbours:
+        return f"the pixels of {target.name} do not see their neighbours"
+    if digital:
+        missing = [name for name in STEERING if name not in target.digital_registers]
+        return f"{target.name} has no register {missing[0]}" if missing else None
+    most = target.directed_sources
+    if len(operation.sources) > most:
+        return f"a word of {target.name} that reaches a neighbour reads at most {most} sources"
+    if row.divisor > 1 and not target.directed_halving:
+        return f"a word of {target.name} that reads a neighbour does not divide"
     return None
 
 
