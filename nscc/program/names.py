@@ -65,7 +65,7 @@ class Declarations:
     @property
     def looking(self) -> bool:
         """Whether the shutters depend on more than the code and the slot."""
-        reads = self.reads if self.version < 3 else ()
+        reads = () if self.pictures or self.reports else self.reads
         return bool(self.senses or self.states or self.nexts or reads or self.reset)
 
     @property
@@ -245,7 +245,12 @@ class _Gatherer:
         elif isinstance(rule, tree.Open):
             if self._once("open when", rules[0] if rules else None, rule):
                 rules.append(rule)
-        # Buckets have names of their own (the key cannot be a name): no expression reads them.
+        elif self.found.version > 2 and not self._unused(
+            rule.name, f"`{rule.name.text}` is declared twice", rule.name.text
+        ):
+            return
+        # Buckets have names of their own (the key cannot be a name): until version 3, no expression
+        # reads them.
         elif self._unused(
             rule.name, f"two buckets are called `{rule.name.text}`", f"bucket {rule.name.text}"
         ):

@@ -1,0 +1,330 @@
+"""From images and planes to words: which register holds what, item by item in the order of the text.
+
+An analog value is known up to its sign, for every word inverts. Kernels become programs of one
+input (`nscc.neighbours.synthesis`); sums, absolute values and choices are written out here. A value
+stays in its register while something still reads it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from nscc.chips.target import Target
+from nscc.neighbours.bits import BitWords
+from nscc.neighbours.programs import IDENTITY, Program, Taps, added, product
+from nscc.neighbours.synthesis import Ranged, Synthesis, gains, values_of
+from nscc.operations import NEIGHBOURS, Op, op
+from nscc.words import pictures as p
+
+Leveled = tuple[Op, int | None]
+"""A word and the steps of IN that it needs."""
+
+
+class Refused(Exception):
+    """An image does not fit the chip: `kind` is "registers", "range" or "planes"; `name` is the
+    image or plane, `needed` and `available` are numbers of what `kind` says."""
+
+    def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
+        super().__init__(kind, name, needed, available)
+        self.kind, self.name, self.needed, self.available = kind, name, needed, available
+
+
+@dataclass(frozen=True)
+class Held:
+    """A register that holds a value times `sign`, somewhere from `low` to `high` electrons;
+    `mine` if nobody else reads it."""
+
+    register: str
+    sign: int
+    low: float
+    high: float
+    mine: bool
+
+    def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
+        """The range of what a kernel makes of the value, whose weights add and take so much."""
+        return (
+            float(up) * self.low - float(down) * self.high,
+            float(up) * self.high - float(down) * self.low,
+        )
+
+
+@dataclass(frozen=True)
+class Cost:
+    """What an item took: `words`, how much of a word's error reaches it, its largest value."""
+
+    words: int
+    peak_gain: float
+
+
+class Lowering:
+    """The words of all items; `registers` then says where what leaves the chip is held."""
+
+    def __init__(
+        self,
+        pictures: p.Pictures,
+        target: Target,
+        buckets: dict[str, tuple[str, int]],
+        digital: Sequence[str],
+        synthesis: Synthesis,
+    ) -> None:
+        self.pictures, self.target, self.synthesis = pictures, target, synthesis
+        self.weights = pictures.weights
+        self.words: list[Leveled] = [(op("all"), None)]
+        self.free = [r for r in target.analog_available if r not in {b[0] for b in buckets.values()}]
+        self.now = ""
+        self.held = {
+            name: Held(register, sign, 0.0, pictures.limits_e[name], mine=False)
+            for name, (register, sign) in buckets.items()
+        }
+        self.bits = BitWords(self, digital)
+        self.costs: dict[str, Cost] = {}
+        self.uses = self._uses()
+        for name in list(self.held):
+            self._release(name)
+
+    def _uses(self) -> dict[str, int]:
+        """How often each image and bucket is still read; what leaves the chip once more."""
+        found: dict[str, int] = dict.fromkeys(self.held, 0)
+        for item in self.pictures.items:
+            found[item.name] = 0
+            for node in p.every(item.node):
+                if isinstance(node, p.Source):
+                    found[node.name] += 1
+        for name in self.pictures.wanted:
+            found[name] = found.get(name, 0) + 1
+        return found
+
+    def run(self) -> dict[str, str]:
+        """Computes every item; returns by name the registers of what leaves the chip."""
+        for item in self.pictures.items:
+            self.now, before = item.name, len(self.words)
+            if isinstance(item.node, p.Condition):
+                self.bits.declare(item.name, item.node)
+                self.costs[item.name] = Cost(len(self.words) - before, 0.0)
+            else:
+                value = self.value(item.node)
+                if item.name in self.pictures.wanted and value.sign < 0:
+                    value = self.negated(value)
+                if not value.mine:  # another name of a value that is held already
+                    value = self.negated(self.negated(value))
+                self.held[item.name] = Held(value.register, value.sign, value.low, value.high, False)
+                most = max(abs(value.low), abs(value.high))
+                gain = most / max(self.pictures.limits_e.values())
+                self.costs[item.name] = Cost(len(self.words) - before, gain)
+                self._release(item.name)
+        registers = {}
+        for name in self.pictures.wanted:
+            if name in self.held:
+                registers[name] = self.held[name].register
+            else:
+                registers[name] = self.bits.register_of(name)
+        return registers
+
+    # --- registers
+
+    def word(self, made: Op, level: int | None = None) -> None:
+        """The next word."""
+        self.words.append((made, level))
+
+    def everywhere(self) -> None:
+        """FLAG is 1 in all pixels."""
+        if self.words[-1][0].name != "all":
+            self.word(op("all"))
+
+    def take(self) -> str:
+        """A register that is free."""
+        if not self.free:
+            count = len(self.target.analog_available)
+            raise Refused("registers", self.now, count + 1, count)
+        return self.free.pop(0)
+
+    def give(self, *values: Held) -> None:
+        """Registers of values that nobody reads any more."""
+        for value in values:
+            if value.mine and value.register not in self.free:
+                self.free.append(value.register)
+                self.free.sort(key=self.target.analog_available.index)
+
+    def _release(self, name: str) -> None:
+        """Gives the register of a name back if nothing reads it any more."""
+        if not self.uses.get(name) and name in self.held:
+            value = self.held.pop(name)
+            self.give(Held(value.register, value.sign, value.low, value.high, True))
+
+    def source(self, name: str) -> Held:
+        """A value that has a name; the last one to read it may have its register."""
+        value = self.held[name]
+        self.uses[name] -= 1
+        if self.uses[name]:
+            return value
+        del self.held[name]
+        return Held(value.register, value.sign, value.low, value.high, mine=True)
+
+    def checked(self, low: float, high: float) -> None:
+        """Refuses a value that a register does not hold."""
+        target, slack = self.target, 1 + 1e-9
+        if high > target.register_max_e * slack or low < target.register_min_e * slack:
+            over = max(high / target.register_max_e, low / target.register_min_e)
+            raise Refused("range", self.now, over, 1.0)
+
+    # --- values
+
+    def value(self, node: p.Value) -> Held:
+        """The words that compute a value, and where it then is."""
+        match node:
+            case p.Source():
+                return self.source(node.name)
+            case p.Filtered():
+                taps, inner = self._merged(node)
+                return self.filtered(self.value(inner), taps)
+            case p.Sum():
+                return self.sum(node)
+            case p.Absolute():
+                return self.absolute(self.value(node.value))
+            case p.Chosen():
+                return self.chosen(node)
+
+    def _merged(self, node: p.Value) -> tuple[Taps, p.Value]:
+        """Kernels of kernels, and factors of one value, as one kernel."""
+        if isinstance(node, p.Filtered):
+            taps, inner = self._merged(node.value)
+            return product(self.weights[node.kernel].taps, taps), inner
+        if isinstance(node, p.Sum):
+            parts = [(factor, *self._merged(part)) for factor, part in node.terms]
+            if parts and all(inner == parts[0][2] for _, _, inner in parts):
+                return added(*((factor, taps) for factor, taps, _ in parts)), parts[0][2]
+        return IDENTITY, node
+
+    def filtered(self, value: Held, taps: Taps) -> Held:
+        """A value weighted by a kernel."""
+        if dict(taps) == IDENTITY:
+            return value
+        if dict(taps) == {(0, 0): Fraction(-1)}:
+            return Held(value.register, -value.sign, -value.high, -value.low, value.mine)
+        best = self._program(taps, value)
+        register = self.run_program(best.program, value)
+        low, high = value.scaled(*gains(taps))
+        return Held(register, value.sign, low, high, mine=True)
+
+    def _program(self, taps: Taps, value: Held) -> Ranged:
+        """The shortest program whose values fit the registers."""
+        found = self.synthesis.programs(taps)
+        least = float("inf")
+        for each in found:
+            over = max(self._excess(value, taps_) for taps_ in values_of(each.program))
+            if over <= 1 + 1e-9:
+                return each
+            least = min(least, over)
+        raise Refused("range", self.now, least, 1.0)
+
+    def _excess(self, value: Held, taps: Taps) -> float:
+        """How many times the registers' range what a kernel makes of a value may be."""
+        low, high = value.scaled(*gains(taps))
+        ends = (low, high) if value.sign > 0 else (-high, -low)
+        return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
+
+    def run_program(self, program: Program, value: Held) -> str:
+        """The words of a program; returns the register of its result."""
+        self.everywhere()
+        last: dict[str, int] = {}
+        for number, word in enumerate(program):
+            for name in (*word.sources, *word.destinations):
+                last[name] = number
+        result = program[-1].destinations[0]
+        places = {"x": value.register}
+        for number, word in enumerate(program):
+            names = []
+            for name in word.destinations:
+                if name != "NEWS" and name not in NEIGHBOURS and name not in places:
+                    places[name] = self.take()
+                names.append(places.get(name, name))
+            sources = [places.get(name, name) for name in word.sources]
+            self.word(op("bus2" if word.halves else "bus", names, sources))
+            for name, at in last.items():
+                if at == number and name in places and name != result:
+                    if name != "x" or value.mine:
+                        self.give(Held(places[name], 1, 0.0, 0.0, True))
+        return places[result]
+
+    def negated(self, value: Held) -> Held:
+        """A value with the other sign, in a register of its own."""
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], [value.register]))
+        self.give(value)
+        return Held(register, -value.sign, value.low, value.high, mine=True)
+
+    def sum(self, node: p.Sum) -> Held:
+        """A sum of values: terms of one value are one kernel."""
+        taps, inner = self._merged(node)
+        if inner is not node:
+            return self.filtered(self.value(inner), taps)
+        if not node.terms:
+            register = self.take()
+            self.word(op("bus", [register]))
+            return Held(register, 1, 0.0, 0.0, mine=True)
+        common = abs(node.terms[0][0])
+        if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
+            plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
+            return self.filtered(self.value(plain), {(0, 0): common})
+        parts = []
+        for factor, value in node.terms:
+            part = self.filtered(self.value(value), {(0, 0): abs(factor)})
+            parts.append((1 if factor > 0 else -1, part))
+        return self._added(parts)
+
+    def _added(self, parts: list[tuple[int, Held]]) -> Held:
+        """The sum of values that are held, each with its sign in the sum."""
+        low = sum(v.low if sign > 0 else -v.high for sign, v in parts)
+        high = sum(v.high if sign > 0 else -v.low for sign, v in parts)
+        self.checked(low, high)
+        plus = [v for sign, v in parts if sign * v.sign > 0]
+        minus = [v for sign, v in parts if sign * v.sign < 0]
+        # The fewer ones are inverted, all together; a word adds at most four sources.
+        total, few = (1, minus) if len(plus) >= len(minus) else (-1, plus)
+        many = plus if total > 0 else minus
+        if few:
+            self.everywhere()
+            self.word(op("bus", ["NEWS"], [v.register for v in few[:4]]))
+        sources = [*(v.register for v in many), *(["NEWS"] if few else [])]
+        if len(sources) > 4 or len(few) > 4:
+            raise Refused("registers", self.now, len(parts), 4)
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], sources))
+        self.give(*(v for _, v in parts))
+        return Held(register, -total, low, high, mine=True)
+
+    def absolute(self, value: Held) -> Held:
+        """A value without its sign.
+
+        NEWS and the result are minus the value; where that is below 0 it is inverted again.
+        """
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", ["NEWS"], [value.register]))
+        self.word(op("bus", [register], [value.register]))
+        self.word(op("where", [], [value.register]))
+        self.word(op("bus", [register], ["NEWS"]))
+        self.everywhere()
+        self.give(value)
+        most = max(abs(value.low), abs(value.high))
+        least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
+        return Held(register, 1, least, most, mine=True)
+
+    def chosen(self, node: p.Chosen) -> Held:
+        """One value where a condition is 1, another one where it is 0."""
+        then, otherwise = self.value(node.then), self.value(node.otherwise)
+        if then.sign != otherwise.sign:
+            then = self.negated(then)
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register], [otherwise.register]))
+        self.bits.to_flag(node.condition)
+        self.word(op("bus", [register], [then.register]))
+        self.everywhere()
+        self.give(then, otherwise)
+        low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
+        return Held(register, -then.sign, low, high, mine=True)

@@ -1,0 +1,343 @@
+"""Short programs for a kernel: rows of the table, turned, chained, added, and a way that always ends.
+
+The search is deterministic and counts its steps. What it returns is ordered by words; programs of
+more words stay only where their intermediate values are smaller.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cache
+
+from nscc.neighbours.programs import (
+    IDENTITY,
+    TURNS,
+    Offset,
+    Program,
+    Taps,
+    Word,
+    added,
+    chained,
+    kernel_of,
+    moved,
+    program_from_text,
+    renamed,
+    turned,
+    turned_taps,
+)
+from nscc.neighbours.table import ROWS
+from nscc.operations import NEIGHBOURS, STEPS
+
+STEPS_OF_LEVEL = (400, 2_000, 20_000, 60_000)
+"""Kernels that a search may take apart, by the level of optimisation."""
+_MOST_KEPT = 6
+_MOST_DEPTH = 7
+
+_Key = frozenset[tuple[Offset, Fraction]]
+_HALVED: Taps = {(0, 0): Fraction(-1, 2)}
+_HALVE: Program = (Word(("h", "NEWS"), ("x",)),)
+_NEGATE: Program = (Word(("m",), ("x",)),)
+
+
+@cache
+def rows() -> dict[_Key, Program]:
+    """The programs of the table and their turns, by what they compute."""
+    found: dict[_Key, Program] = {}
+    for line in ROWS.split("\n"):
+        if line:
+            program = program_from_text(line)
+            taps = kernel_of(program)
+            for turn in TURNS:
+                key = frozenset(turned_taps(taps, turn).items())
+                if len(program) < len(found.get(key, program * 2)):
+                    found[key] = turned(program, turn)
+    return found
+
+
+@dataclass(frozen=True)
+class Ranged:
+    """A program with the largest factors that its values have: of exposures that are added, and of
+    those that are subtracted."""
+
+    program: Program
+    peak: Fraction
+
+
+class Synthesis:
+    """Programs for kernels, found within so many steps."""
+
+    def __init__(self, steps: int) -> None:
+        self.steps = steps
+        self._known: dict[_Key, list[Ranged]] = {}
+
+    def programs(self, taps: Taps) -> list[Ranged]:
+        """Programs for a kernel, the shortest first, the others with smaller values in between.
+
+        Each is proved: its words compute the kernel.
+        """
+        found = [*self._programs(dict(taps), _MOST_DEPTH), _ranged(accumulated(taps))]
+        found = [_ranged(tidied(each.program)) for each in found]
+        assert all(kernel_of(each.program) == dict(taps) for each in found)
+        return _best(found)
+
+    def _programs(self, taps: dict[Offset, Fraction], depth: int) -> list[Ranged]:
+        key = frozenset(taps.items())
+        if taps == IDENTITY:
+            return [Ranged((), Fraction(1))]
+        known = self._known.get(key)
+        if known is not None:
+            return known
+        if self.steps <= 0 or depth <= 0:
+            return []
+        self.steps -= 1
+        self._known[key] = []
+        found = [_ranged(program) for program in self._made(taps, key, depth)]
+        self._known[key] = _best(found)
+        return self._known[key]
+
+    def _made(self, taps: dict[Offset, Fraction], key: _Key, depth: int) -> Iterator[Program]:
+        table = rows()
+        if key in table:
+            yield table[key]
+        inverse = added((Fraction(-1), taps))
+        inverse_key = frozenset(inverse.items())
+        if inverse_key in table:
+            yield chained(table[inverse_key], _NEGATE)
+        if taps == {(0, 0): Fraction(-1)}:
+            yield _NEGATE
+            return
+        if max(weight.denominator for weight in taps.values()) > 1:
+            doubled = added((Fraction(-2), taps))
+            for rest in self._programs(doubled, depth - 1):
+                yield chained(_HALVE, rest.program)
+                if rest.program:
+                    yield chained(rest.program, _HALVE)
+        for factor, program in table.items():
+            quotient = divided(taps, dict(factor))
+            if quotient is not None and quotient != IDENTITY:
+                for rest in self._programs(quotient, depth - 1):
+                    yield chained(program, rest.program)
+        yield from self._sums(inverse, depth)
+
+    def _sums(self, inverse: dict[Offset, Fraction], depth: int) -> Iterator[Program]:
+        """Programs whose last word adds two values; `inverse` is what they add up to."""
+        table = rows()
+        if len(inverse) < 2:
+            return
+        rest = added((Fraction(1), inverse), (Fraction(-1), IDENTITY))
+        if rest and (0, 0) in inverse and abs(rest.get((0, 0), 0)) < abs(inverse[0, 0]):
+            for each in self._programs(rest, depth - 2):
+                yield (*each.program, Word(("q",), (each.program[-1].destinations[0], "x")))
+        for key, program in table.items():
+            rest = added((Fraction(1), inverse), (Fraction(-1), dict(key)))
+            other = table.get(frozenset(rest.items()))
+            if other is not None:
+                yield _summed(program, other)
+
+
+def _summed(first: Program, second: Program) -> Program:
+    """Both programs, and a word that adds their results."""
+    a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
+    return (*a, *b, Word(("s",), (a[-1].destinations[0], b[-1].destinations[0])))
+
+
+def divided(taps: Taps, factor: Taps) -> dict[Offset, Fraction] | None:
+    """The kernel that gives `taps` together with `factor`; None where there is none.
+
+    A factor of one weight divides every kernel, and tells nothing.
+    """
+    if len(factor) < 2:
+        return None
+    size = [max(z) - min(z) for z in zip(*taps, strict=True)]
+    of_factor = [max(z) - min(z) for z in zip(*factor, strict=True)]
+    if any(a < b for a, b in zip(size, of_factor, strict=True)):
+        return None
+    low = [min(z) for z in zip(*taps, strict=True)]
+    least = [min(z) for z in zip(*factor, strict=True)]
+    room = [range(a - b, a - b + c - d + 1) for a, b, c, d in zip(low, least, size, of_factor,
+                                                                  strict=True)]  # fmt: skip
+    lead = max(factor)
+    rest, found = dict(taps), {}
+    while rest:
+        top = max(rest)
+        at = (top[0] - lead[0], top[1] - lead[1])
+        if at[0] not in room[0] or at[1] not in room[1]:
+            return None
+        weight = rest[top] / factor[lead]
+        found[at] = weight
+        rest = added((Fraction(1), rest), (-weight, moved(factor, *at)))
+    return found
+
+
+# --- a way that always ends -----------------------------------------------------------------------
+
+_OF_STEP = {step: name for name, step in STEPS.items()}
+_OPPOSITE = {name: _OF_STEP[-x, -y] for name, (x, y) in STEPS.items()}
+
+
+def accumulated(taps: Taps) -> Program:
+    """A program that adds one neighbour after the other, for any kernel.
+
+    The input is halved first as often as the weights need it, so that all are integers. The sum so
+    far changes its sign with every word.
+    """
+    halvings = max(weight.denominator for weight in taps.values()).bit_length() - 1
+    words = [
+        Word((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
+        for number in range(halvings)
+    ]
+    multiples = _Multiples(f"h{halvings}" if halvings else "x", words)
+    order = sorted(taps, key=lambda at: (-abs(at[0]) - abs(at[1]), at))
+    total: tuple[str, ...] = ()
+    for index, at in enumerate(order):
+        sign = (-1) ** (halvings + len(order) - 1 - index)
+        factor = int(taps[at] * 2**halvings) * sign
+        if at == (0, 0):
+            sources = (multiples.of(-factor), *total)
+        else:
+            sources = (_moved_by(at, multiples.of(factor), words), *total)
+        total = (f"s{index}",)
+        words.append(Word(total, sources))
+    return tuple(words)
+
+
+def _moved_by(at: Offset, register: str, words: list[Word]) -> str:
+    """The source by which the next word reads minus a register of the pixel at `at`: NEWS after
+    one step to a neighbour, a neighbour's NEWS after two."""
+    x, y = at
+    steps = [_OF_STEP[1 if x > 0 else -1, 0]] * abs(x) + [_OF_STEP[0, 1 if y > 0 else -1]] * abs(y)
+    while len(steps) > 2:
+        first, second, *steps = steps
+        words.append(Word((_OPPOSITE[first],), (register,)))
+        register = f"{register}{first}{second}"
+        words.append(Word((register,), (second,)))
+    words.append(Word((_OPPOSITE[steps[0]],), (register,)))
+    return steps[1] if len(steps) == 2 else "NEWS"
+
+
+class _Multiples:
+    """Integer multiples of a register, made when they are first asked for."""
+
+    def __init__(self, source: str, words: list[Word]) -> None:
+        self.words = words
+        self.held = {1: source}
+
+    def of(self, factor: int) -> str:
+        """The register that holds so many times the source."""
+        if factor not in self.held:
+            name = f"m{factor}"
+            sources: tuple[str, ...] = ()
+            if -factor in self.held or factor == -1:
+                sources = (self.of(-factor),)
+            else:
+                sign = 1 if factor > 0 else -1
+                half = sign << (abs(factor).bit_length() - 1)
+                half = half // 2 if half == factor else half
+                first, rest = self.of(-half), factor - half
+                if rest == half:
+                    self.words.append(Word(("NEWS",), (self.of(half),)))
+                    sources = (first, "NEWS")
+                else:
+                    sources = (first, self.of(-rest))
+            self.words.append(Word((name,), sources))
+            self.held[factor] = name
+        return self.held[factor]
+
+
+# --- choosing -------------------------------------------------------------------------------------
+
+
+def values_of(program: Program) -> list[dict[Offset, Fraction]]:
+    """What the destinations of each word hold, as kernels."""
+    return [kernel_of(program[: index + 1]) for index in range(len(program))]
+
+
+def _ranged(program: Program) -> Ranged:
+    peak = Fraction(1)
+    for taps in values_of(program):
+        peak = max(peak, *gains(taps))
+    return Ranged(program, peak)
+
+
+def gains(taps: Taps) -> tuple[Fraction, Fraction]:
+    """How much of the largest exposure a kernel gives at most, and how much it takes away."""
+    added_up = sum((weight for weight in taps.values() if weight > 0), Fraction(0))
+    taken = sum((-weight for weight in taps.values() if weight < 0), Fraction(0))
+    return added_up, taken
+
+
+def _best(found: list[Ranged]) -> list[Ranged]:
+    """The shortest programs, and longer ones of smaller values."""
+    kept: list[Ranged] = []
+    for each in sorted(found, key=lambda each: (len(each.program), each.peak)):
+        if not kept or each.peak < kept[-1].peak:
+            kept.append(each)
+    return kept[:_MOST_KEPT]
+
+
+def tidied(program: Program) -> Program:
+    """A program without words for values that are held already, or that nobody reads."""
+    held: dict[str, dict[Offset, Fraction]] = {"x": dict(IDENTITY)}
+    names: dict[str, str] = {"x": "x"}
+    words: list[Word] = []
+    values = values_of(program)
+    for number, (word, value) in enumerate(zip(program, values, strict=True)):
+        sources = tuple(names.get(name, name) for name in word.sources)
+        first = word.destinations[0]
+        if len(word.destinations) == 1:
+            if first in NEIGHBOURS or first == "NEWS":
+                step = STEPS.get(first, (0, 0))
+                placed = moved(value, -step[0], -step[1])
+                if held.get("NEWS") == placed:
+                    continue
+            else:
+                same = next((n for n, v in held.items() if v == value and n != "NEWS"), None)
+                if same is not None and number + 1 < len(program):
+                    names[first] = same
+                    continue
+        for name in word.destinations:
+            step = STEPS.get(name, (0, 0))
+            held["NEWS" if name in NEIGHBOURS else name] = moved(value, -step[0], -step[1])
+            names[name] = name
+        words.append(Word(word.destinations, sources))
+    return _used(words)
+
+
+def _used(words: Sequence[Word]) -> Program:
+    """The words whose results are read."""
+    kept: list[Word] = []
+    wanted: set[str] = set(words[-1].destinations[:1]) if words else set()
+    for word in reversed(words):
+        writes = {"NEWS" if name in NEIGHBOURS else name for name in word.destinations}
+        if not writes & wanted:
+            continue
+        kept.append(word)
+        wanted -= writes
+        wanted |= {"NEWS" if name in NEIGHBOURS else name for name in word.sources}
+    return tuple(reversed(kept))
+
+
+def noise_gain(program: Program) -> float:
+    """By how much the error of one word grows until the result: all errors are independent."""
+    errors: dict[str, dict[int, dict[Offset, Fraction]]] = {"x": {}}
+    found: dict[int, dict[Offset, Fraction]] = {}
+    for number, word in enumerate(program):
+        factor = Fraction(-1, len(word.destinations))
+        found = {}
+        for name in word.sources:
+            step = STEPS.get(name, (0, 0))
+            held = errors.get("NEWS" if name in NEIGHBOURS else name, {})
+            for source, taps in held.items():
+                part = (factor, moved(taps, *step))
+                found[source] = added((Fraction(1), found.get(source, {})), part)
+        for index, name in enumerate(word.destinations):
+            step = STEPS.get(name, (0, 0))
+            own = {**found, 2 * number + index: dict(IDENTITY)}
+            moved_errors = {k: moved(taps, -step[0], -step[1]) for k, taps in own.items()}
+            errors["NEWS" if name in NEIGHBOURS else name] = moved_errors
+            found = own if index == 0 and len(word.destinations) == 1 else found
+    result = errors[program[-1].destinations[0]] if program else {}
+    total = sum((w * w for taps in result.values() for w in taps.values()), Fraction(0))
+    return float(total) ** 0.5

@@ -1,0 +1,27 @@
+"""Short programs of one input that a search found (`docs/kernel_programs.py`), as text.
+
+`nscc.neighbours.programs.program_from_text` reads them. A row says no kernel: what it computes is
+worked out from its words.
+"""
+
+from __future__ import annotations
+
+ROWS = """
+n=x a=E b=a,n
+n=x a=E b=a,W
+n=x a=E b=a c=b,W
+W=x a=S b=a,W
+n=x a=E b=x,a c=b,W
+W=x a2=x,n bn=x,a c=b,W
+n=x a=E b=x,W c=a,b,n
+n=x a=E b=W c=x,a,b d=c,n
+n=x a=E b=x,a n=x,a c=b,S
+n=x a=N b=S n=x,a,b c=E d=c,W
+n=x a=N b=x c=b,S n=x,a,c d=E e=d,W
+n=x a=N b=E c=x,a,b N=a,b d=c,W
+n=x a=N b=E c=S d=a,b,c e=d,W
+n=x a=x,N b=x,E c=x,S d=x,W e=a,b,c,d
+n=x a=x,N b=x,E c=x,S d=a,b,c,n e=d,W
+n=x a=N b=x,N c=x,E d=x,W N=a,b e=b,c,d,n
+n=x a=N b=S c=x n=x,a,b d=c,E e=a,b,d f=e,W
+"""
