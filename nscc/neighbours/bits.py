@@ -47,10 +47,6 @@ class BitWords:
         self.planes[name] = register
         self._release(name)
 
-    def register_of(self, name: str) -> str:
-        """Where a plane that leaves the chip is held."""
-        return self.planes[name]
-
     def take(self) -> str:
         """A register that is free."""
         if not self.free:

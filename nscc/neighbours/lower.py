@@ -1,4 +1,4 @@
-"""From images and planes to words: which register holds what, item by item in the order of the text.
+"""From images and planes to words: which register holds what, item by item in the text's order.
 
 An analog value is known up to its sign, for every word inverts. Kernels become programs of one
 input (`nscc.neighbours.synthesis`); sums, absolute values and choices are written out here. A value
@@ -7,15 +7,16 @@ stays in its register while something still reads it.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
+from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
 from nscc.neighbours.programs import IDENTITY, Program, Taps, added, product
 from nscc.neighbours.synthesis import Ranged, Synthesis, gains, values_of
-from nscc.operations import NEIGHBOURS, Op, op
+from nscc.operations import NEIGHBOURS, Effect, Op, op
 from nscc.words import pictures as p
 
 Leveled = tuple[Op, int | None]
@@ -33,14 +34,17 @@ class Refused(Exception):
 
 @dataclass(frozen=True)
 class Held:
-    """A register that holds a value times `sign`, somewhere from `low` to `high` electrons;
-    `mine` if nobody else reads it."""
+    """A register that holds a value times `sign`, somewhere from `low` to `high` electrons.
+
+    `name` is that of an image or a bucket, which others may read as well; None for a value that
+    only whoever has it reads.
+    """
 
     register: str
     sign: int
     low: float
     high: float
-    mine: bool
+    name: str | None = None
 
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
         """The range of what a kernel makes of the value, whose weights add and take so much."""
@@ -70,19 +74,23 @@ class Lowering:
         synthesis: Synthesis,
     ) -> None:
         self.pictures, self.target, self.synthesis = pictures, target, synthesis
-        self.weights = pictures.weights
+        self.weights = pictures.weights_by_name
         self.words: list[Leveled] = [(op("all"), None)]
-        self.free = [r for r in target.analog_available if r not in {b[0] for b in buckets.values()}]
+        taken = {register for register, _ in buckets.values()}
+        self.free = [name for name in target.analog_available if name not in taken]
+        self.masked = False
+        self.registers: dict[str, str] = {}
         self.now = ""
         self.held = {
-            name: Held(register, sign, 0.0, pictures.limits_e[name], mine=False)
+            name: Held(register, sign, 0.0, pictures.limits_e[name], name)
             for name, (register, sign) in buckets.items()
         }
         self.bits = BitWords(self, digital)
         self.costs: dict[str, Cost] = {}
         self.uses = self._uses()
-        for name in list(self.held):
-            self._release(name)
+        for name, value in list(self.held.items()):
+            self.uses[name] += 1
+            self.give(value)
 
     def _uses(self) -> dict[str, int]:
         """How often each image and bucket is still read; what leaves the chip once more."""
@@ -96,8 +104,8 @@ class Lowering:
             found[name] = found.get(name, 0) + 1
         return found
 
-    def run(self) -> dict[str, str]:
-        """Computes every item; returns by name the registers of what leaves the chip."""
+    def run(self) -> None:
+        """Computes every item; `registers` then holds what leaves the chip, by name."""
         for item in self.pictures.items:
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Condition):
@@ -107,30 +115,33 @@ class Lowering:
                 value = self.value(item.node)
                 if item.name in self.pictures.wanted and value.sign < 0:
                     value = self.negated(value)
-                if not value.mine:  # another name of a value that is held already
+                if value.name is not None:  # another name of a value that is held already
                     value = self.negated(self.negated(value))
-                self.held[item.name] = Held(value.register, value.sign, value.low, value.high, False)
+                value = self.held[item.name] = replace(value, name=item.name)
+                self.uses[item.name] += 1
+                self.give(value)
                 most = max(abs(value.low), abs(value.high))
                 gain = most / max(self.pictures.limits_e.values())
                 self.costs[item.name] = Cost(len(self.words) - before, gain)
-                self._release(item.name)
-        registers = {}
         for name in self.pictures.wanted:
-            if name in self.held:
-                registers[name] = self.held[name].register
-            else:
-                registers[name] = self.bits.register_of(name)
-        return registers
+            held = self.held.get(name)
+            self.registers[name] = held.register if held else self.bits.planes[name]
+        self.everywhere()
 
     # --- registers
 
     def word(self, made: Op, level: int | None = None) -> None:
         """The next word."""
+        effect = made.operation.effect
+        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL):
+            self.masked = True
+        elif effect is Effect.FLAG_ALL:
+            self.masked = False
         self.words.append((made, level))
 
     def everywhere(self) -> None:
         """FLAG is 1 in all pixels."""
-        if self.words[-1][0].name != "all":
+        if self.masked:
             self.word(op("all"))
 
     def take(self) -> str:
@@ -141,26 +152,15 @@ class Lowering:
         return self.free.pop(0)
 
     def give(self, *values: Held) -> None:
-        """Registers of values that nobody reads any more."""
+        """Values have been read; their registers are free where nothing else reads them."""
         for value in values:
-            if value.mine and value.register not in self.free:
-                self.free.append(value.register)
-                self.free.sort(key=self.target.analog_available.index)
-
-    def _release(self, name: str) -> None:
-        """Gives the register of a name back if nothing reads it any more."""
-        if not self.uses.get(name) and name in self.held:
-            value = self.held.pop(name)
-            self.give(Held(value.register, value.sign, value.low, value.high, True))
-
-    def source(self, name: str) -> Held:
-        """A value that has a name; the last one to read it may have its register."""
-        value = self.held[name]
-        self.uses[name] -= 1
-        if self.uses[name]:
-            return value
-        del self.held[name]
-        return Held(value.register, value.sign, value.low, value.high, mine=True)
+            if value.name is not None:
+                self.uses[value.name] -= 1
+                if self.uses[value.name]:
+                    continue
+                del self.held[value.name]
+            self.free.append(value.register)
+            self.free.sort(key=self.target.analog_available.index)
 
     def checked(self, low: float, high: float) -> None:
         """Refuses a value that a register does not hold."""
@@ -175,7 +175,7 @@ class Lowering:
         """The words that compute a value, and where it then is."""
         match node:
             case p.Source():
-                return self.source(node.name)
+                return self.held[node.name]
             case p.Filtered():
                 taps, inner = self._merged(node)
                 return self.filtered(self.value(inner), taps)
@@ -202,11 +202,10 @@ class Lowering:
         if dict(taps) == IDENTITY:
             return value
         if dict(taps) == {(0, 0): Fraction(-1)}:
-            return Held(value.register, -value.sign, -value.high, -value.low, value.mine)
+            return replace(value, sign=-value.sign, low=-value.high, high=-value.low)
         best = self._program(taps, value)
-        register = self.run_program(best.program, value)
         low, high = value.scaled(*gains(taps))
-        return Held(register, value.sign, low, high, mine=True)
+        return Held(self.run_program(best.program, value), value.sign, low, high)
 
     def _program(self, taps: Taps, value: Held) -> Ranged:
         """The shortest program whose values fit the registers."""
@@ -226,7 +225,7 @@ class Lowering:
         return max(ends[1] / self.target.register_max_e, ends[0] / self.target.register_min_e)
 
     def run_program(self, program: Program, value: Held) -> str:
-        """The words of a program; returns the register of its result."""
+        """The words of a program; returns the register of its result. The value has been read."""
         self.everywhere()
         last: dict[str, int] = {}
         for number, word in enumerate(program):
@@ -244,8 +243,8 @@ class Lowering:
             self.word(op("bus2" if word.halves else "bus", names, sources))
             for name, at in last.items():
                 if at == number and name in places and name != result:
-                    if name != "x" or value.mine:
-                        self.give(Held(places[name], 1, 0.0, 0.0, True))
+                    spare = replace(value, register=places[name], name=None)
+                    self.give(value if name == "x" else spare)
         return places[result]
 
     def negated(self, value: Held) -> Held:
@@ -254,17 +253,54 @@ class Lowering:
         register = self.take()
         self.word(op("bus", [register], [value.register]))
         self.give(value)
-        return Held(register, -value.sign, value.low, value.high, mine=True)
+        return Held(register, -value.sign, value.low, value.high)
 
     def sum(self, node: p.Sum) -> Held:
         """A sum of values: terms of one value are one kernel."""
         taps, inner = self._merged(node)
         if inner is not node:
-            return self.filtered(self.value(inner), taps)
+            return self._shortest(
+                lambda: self.filtered(self.value(inner), taps), lambda: self._term_by_term(node)
+            )
+        return self._term_by_term(node)
+
+    def _shortest(self, *ways: Callable[[], Held]) -> Held:
+        """The value by that way which takes the fewest words, of those that fit."""
+        best: tuple[int, int] | None = None
+        refused: Refused | None = None
+        for number, way in enumerate(ways):
+            state = self._state()
+            try:
+                way()
+            except Refused as error:
+                refused = refused or error
+            else:
+                best = min(best or (len(self.words), number), (len(self.words), number))
+            self._restore(state)
+        if best is None:
+            assert refused is not None
+            raise refused
+        return ways[best[1]]()
+
+    def _state(self) -> tuple[Any, ...]:
+        bits = self.bits
+        return (
+            len(self.words), self.free[:], dict(self.held), dict(self.uses), self.masked,
+            bits.free[:], dict(bits.planes), dict(bits.uses), bits.steered,
+        )  # fmt: skip
+
+    def _restore(self, state: tuple[Any, ...]) -> None:
+        bits = self.bits
+        words, self.free, self.held, self.uses, self.masked, *of_bits = state
+        del self.words[words:]
+        bits.free, bits.planes, bits.uses, bits.steered = of_bits
+
+    def _term_by_term(self, node: p.Sum) -> Held:
+        """A sum whose terms are computed one after the other."""
         if not node.terms:
             register = self.take()
             self.word(op("bus", [register]))
-            return Held(register, 1, 0.0, 0.0, mine=True)
+            return Held(register, 1, 0.0, 0.0)
         common = abs(node.terms[0][0])
         if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
             plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
@@ -295,7 +331,7 @@ class Lowering:
         register = self.take()
         self.word(op("bus", [register], sources))
         self.give(*(v for _, v in parts))
-        return Held(register, -total, low, high, mine=True)
+        return Held(register, -total, low, high)
 
     def absolute(self, value: Held) -> Held:
         """A value without its sign.
@@ -312,7 +348,7 @@ class Lowering:
         self.give(value)
         most = max(abs(value.low), abs(value.high))
         least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
-        return Held(register, 1, least, most, mine=True)
+        return Held(register, 1, least, most)
 
     def chosen(self, node: p.Chosen) -> Held:
         """One value where a condition is 1, another one where it is 0."""
@@ -327,4 +363,4 @@ class Lowering:
         self.everywhere()
         self.give(then, otherwise)
         low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
-        return Held(register, -then.sign, low, high, mine=True)
+        return Held(register, -then.sign, low, high)

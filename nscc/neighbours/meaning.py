@@ -37,7 +37,7 @@ class Reach(NamedTuple):
 def reaches(pictures: p.Pictures) -> dict[str, Reach]:
     """The reach of every image and plane by the text."""
     found: dict[str, Reach] = {}
-    weights = pictures.weights
+    weights = pictures.weights_by_name
 
     def reach(node: p.Node) -> Reach:
         if isinstance(node, p.Source | p.Bit):
@@ -62,7 +62,7 @@ class Meaning:
     """The images and planes of a text on the array of `forms`, by name."""
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
-        self.pictures, self.forms, self.weights = pictures, forms, pictures.weights
+        self.pictures, self.forms, self.weights = pictures, forms, pictures.weights_by_name
         self.images: dict[str, Fields] = {}
         self.planes: dict[str, Bits] = {}
         for bucket in pictures.limits_e:

@@ -81,7 +81,7 @@ def prove(container: Container, kernels: Sequence[Sequence[Op]]) -> Proof:
         return _prove_looks(container, kernels, noise.levels(slots, 1)[:, 0])
     replay = Replay(container, kernels, lights=1)
     frames = (_frame(replay, noise.levels(slots, 1), n) for n in range(1, FRAMES + 1))
-    failure = next(filter(None, frames), None) or _readout(container)
+    failure = next(filter(None, frames), None) or _readout(container) or _pictures(container)
     return Proof(codes, slots, FRAMES, failure)
 
 
@@ -89,6 +89,16 @@ def _readout(container: Container) -> Failure | None:
     """What is wrong with the words between frame and readout."""
     fault = readout_fault(container)
     return Failure(fault[1], FRAMES, fault[0]) if fault else None
+
+
+def _pictures(container: Container) -> Failure | None:
+    """What is wrong with the words of images and planes."""
+    if container.pictures is None:
+        return None
+    from nscc.prove.pictures import pictures_fault
+
+    fault = pictures_fault(container)
+    return Failure(fault, FRAMES) if fault else None
 
 
 def _prove_looks(

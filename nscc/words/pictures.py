@@ -184,7 +184,7 @@ class Pictures:
     say, after all words of the exposure; `registers` then hold what is read or reported.
     """
 
-    kernels_used: tuple[Weights, ...]
+    weights: tuple[Weights, ...]
     items: tuple[Picture, ...]
     outside: int | None
     limits_e: Mapping[str, float]
@@ -195,9 +195,9 @@ class Pictures:
     registers: Mapping[str, str] = field(default_factory=dict)
 
     @property
-    def weights(self) -> dict[str, Weights]:
-        """The kernels of the text by name."""
-        return {kernel.name: kernel for kernel in self.kernels_used}
+    def weights_by_name(self) -> dict[str, Weights]:
+        """The kernels of the text."""
+        return {kernel.name: kernel for kernel in self.weights}
 
     @property
     def wanted(self) -> tuple[str, ...]:
