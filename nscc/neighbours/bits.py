@@ -98,9 +98,7 @@ class BitWords:
             case p.Near():
                 return self._near(node), True
 
-    def _made(
-        self, name: str, sources: Sequence[str], used: Sequence[tuple[str, bool]]
-    ) -> str:
+    def _made(self, name: str, sources: Sequence[str], used: Sequence[tuple[str, bool]]) -> str:
         """A register that a word fills; the bits that were `used` are then given back."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))

@@ -29,7 +29,7 @@ class Diagrams:
         self._number: dict[object, int] = {}
         self._known: dict[tuple[str, int, int], int] = {}
         self._support: dict[int, frozenset[int]] = {}
-        self.variables = 0
+        self._order: list[tuple[int, int, int]] = []
         self.zero, self.one = self.leaf(Fraction(0)), self.leaf(Fraction(1))
 
     def leaf(self, value: Fraction) -> int:
@@ -40,10 +40,15 @@ class Diagrams:
             self._values[number] = value
         return number
 
-    def new_variable(self) -> int:
-        """The bit of an answer that nothing depends on yet."""
-        self.variables += 1
-        return self._node(self.variables - 1, self.zero, self.one)
+    def new_variable(self, at: tuple[int, int]) -> int:
+        """The bit of an answer that nothing depends on yet, asked at a place of the array.
+
+        Answers of places that are near each other stand near each other in the order of variables:
+        what planes make of their neighbours' bits then stays small.
+        """
+        x, y = at
+        self._order.append((y, x, len(self._order)))
+        return self._node(len(self._order) - 1, self.zero, self.one)
 
     def value(self, node: int) -> Fraction | None:
         """The number of a leaf; None for a node that depends on answers."""
@@ -125,7 +130,8 @@ class Diagrams:
             if va == vb == _LEAF:
                 found = self.leaf(op(self._values[a], self._values[b]))
             else:
-                top = min(v for v in (va, vb) if v != _LEAF)
+                asked = (v for v in (va, vb) if v != _LEAF)
+                top = min(asked, key=self._order.__getitem__)
                 lows = la if va == top else a, lb if vb == top else b
                 highs = ha if va == top else a, hb if vb == top else b
                 low = self._apply(name, *lows, op)

@@ -75,8 +75,8 @@ class Forms:
         }
         return {unknown: number for unknown, number in found.items() if number != zero}
 
-    def positive(self, form: Form) -> int:
-        """The bit that says whether a form is above 0.
+    def positive(self, form: Form, at: tuple[int, int]) -> int:
+        """The bit that says whether a form of the pixel `at` is above 0.
 
         Of a form and its negative one is taken to be positive: comparators do not tell whether two
         charges are equal.
@@ -92,21 +92,20 @@ class Forms:
         key = tuple((u, diagrams.scaled(scale, form[u])) for u in unknowns)
         answer = self._answers.get(key)
         if answer is None:
-            answer = diagrams.new_variable()
+            answer = diagrams.new_variable(at)
             self._answers[key] = answer
             if self.depends_beyond(form):
                 self._beyond |= diagrams.support(answer)
         return answer if first > 0 else diagrams.inverse(answer)
 
-    def unknown_bit(self) -> int:
-        """A bit that nobody wrote."""
-        return self.diagrams.new_variable()
+    def unknown_bit(self, at: tuple[int, int]) -> int:
+        """A bit of a pixel that nobody wrote."""
+        return self.diagrams.new_variable(at)
 
     def depends_beyond(self, value: Form | int) -> bool:
         """Whether a form, or a bit, depends on light beyond the array."""
         if isinstance(value, int):
             return bool(self._beyond and self.diagrams.support(value) & self._beyond)
         return any(
-            unknown[0] == BEYOND or self.depends_beyond(number)
-            for unknown, number in value.items()
+            unknown[0] == BEYOND or self.depends_beyond(number) for unknown, number in value.items()
         )

@@ -14,11 +14,12 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
-from nscc.neighbours.programs import IDENTITY, Program, Taps, added, product
-from nscc.neighbours.synthesis import Ranged, Synthesis, gains, values_of
+from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
+from nscc.neighbours.synthesis import Ranged, Synthesis, gains
 from nscc.operations import NEIGHBOURS, Effect, Op, op
 from nscc.words import pictures as p
 
+Weights = dict[tuple[int, int], Fraction]
 Leveled = tuple[Op, int | None]
 """A word and the steps of IN that it needs."""
 
@@ -186,24 +187,34 @@ class Lowering:
             case p.Chosen():
                 return self.chosen(node)
 
-    def _merged(self, node: p.Value) -> tuple[Taps, p.Value]:
+    def _merged(self, node: p.Value) -> tuple[Weights, p.Value]:
         """Kernels of kernels, and factors of one value, as one kernel."""
         if isinstance(node, p.Filtered):
             taps, inner = self._merged(node.value)
-            return product(self.weights[node.kernel].taps, taps), inner
+            return _after(self.weights[node.kernel].taps, taps), inner
         if isinstance(node, p.Sum):
             parts = [(factor, *self._merged(part)) for factor, part in node.terms]
             if parts and all(inner == parts[0][2] for _, _, inner in parts):
-                return added(*((factor, taps) for factor, taps, _ in parts)), parts[0][2]
-        return IDENTITY, node
+                total: Weights = {}
+                for factor, taps, _ in parts:
+                    total = _total(total, factor, taps)
+                return total, parts[0][2]
+        return {(0, 0): Fraction(1)}, node
 
-    def filtered(self, value: Held, taps: Taps) -> Held:
+    def filtered(self, value: Held, weights: Weights) -> Held:
         """A value weighted by a kernel."""
-        if dict(taps) == IDENTITY:
+        if weights == {(0, 0): 1}:
             return value
-        if dict(taps) == {(0, 0): Fraction(-1)}:
+        if not weights:
+            self.give(value)
+            return self._nothing()
+        if weights == {(0, 0): -1}:
             return replace(value, sign=-value.sign, low=-value.high, high=-value.low)
-        best = self._program(taps, value)
+        try:
+            taps = exact_taps(weights)
+            best = self._program(taps, value)
+        except ValueError:
+            raise Refused("registers", self.now, 41, 40) from None
         low, high = value.scaled(*gains(taps))
         return Held(self.run_program(best.program, value), value.sign, low, high)
 
@@ -298,9 +309,7 @@ class Lowering:
     def _term_by_term(self, node: p.Sum) -> Held:
         """A sum whose terms are computed one after the other."""
         if not node.terms:
-            register = self.take()
-            self.word(op("bus", [register]))
-            return Held(register, 1, 0.0, 0.0)
+            return self._nothing()
         common = abs(node.terms[0][0])
         if common != 1 and all(abs(factor) == common for factor, _ in node.terms):
             plain = p.Sum(tuple((factor / common, value) for factor, value in node.terms))
@@ -310,6 +319,13 @@ class Lowering:
             part = self.filtered(self.value(value), {(0, 0): abs(factor)})
             parts.append((1 if factor > 0 else -1, part))
         return self._added(parts)
+
+    def _nothing(self) -> Held:
+        """A value that is 0."""
+        self.everywhere()
+        register = self.take()
+        self.word(op("bus", [register]))
+        return Held(register, 1, 0.0, 0.0)
 
     def _added(self, parts: list[tuple[int, Held]]) -> Held:
         """The sum of values that are held, each with its sign in the sum."""
@@ -364,3 +380,20 @@ class Lowering:
         self.give(then, otherwise)
         low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
         return Held(register, -then.sign, low, high)
+
+
+def _total(weights: Weights, factor: Fraction, taps: Weights) -> Weights:
+    """A kernel and another one times a factor."""
+    found = dict(weights)
+    for at, weight in taps.items():
+        found[at] = found.get(at, Fraction(0)) + factor * weight
+    return {at: weight for at, weight in found.items() if weight}
+
+
+def _after(outer: Weights, inner: Weights) -> Weights:
+    """The kernel of one kernel after another."""
+    found: Weights = {}
+    for (x, y), weight in outer.items():
+        moved = {(x + right, y + down): part for (right, down), part in inner.items()}
+        found = _total(found, weight, moved)
+    return found

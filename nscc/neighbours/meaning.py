@@ -93,7 +93,7 @@ class Meaning:
                 inner = self.fields(value.value)
                 return {
                     at: forms.chosen(
-                        forms.positive(form), form, forms.sum((Fraction(-1), form))
+                        forms.positive(form, at), form, forms.sum((Fraction(-1), form))
                     )
                     for at, form in inner.items()
                 }  # fmt: skip
@@ -108,9 +108,7 @@ class Meaning:
         found = {}
         for x, y in forms.places():
             near = ((weight, (x + right, y + down)) for (right, down), weight in taps.items())
-            terms = [
-                (weight, inner[at] if at in inner else forms.beyond()) for weight, at in near
-            ]
+            terms = [(weight, inner[at] if at in inner else forms.beyond()) for weight, at in near]
             found[x, y] = forms.sum(*terms)
         return found
 
@@ -126,7 +124,7 @@ class Meaning:
             case p.Above():
                 level = {IN: diagrams.leaf(Fraction(-condition.steps))} if condition.steps else {}
                 return {
-                    at: forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)))
+                    at: forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
                     for at, form in self.fields(condition.value).items()
                 }
             case p.Inverse():

@@ -10,6 +10,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
 from nscc.neighbours.lower import Leveled, Lowering, Refused
 from nscc.neighbours.meaning import reaches
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
+from nscc.operations import Op
 from nscc.program.program import Program
 from nscc.source import Span
 from nscc.syntax.parse import parse
@@ -46,15 +47,17 @@ def with_pictures(
     found = replace(container, pictures=made)
     most = container.target.store_words
     if found.words_stored > most:
-        refused = Refused("store", made.items[-1].name, found.words_stored, most)
-        return container, [_refusal(refused, container, program, level)]
+        full = Refused("store", made.items[-1].name, found.words_stored, most)
+        return container, [_refusal(full, container, program, level)]
     return found, []
 
 
 def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
     """The words of images and planes after a container's exposure. Raises Refused."""
     target = container.target
-    buckets = {each.bucket: (each.register, 1 if each.gain > 0 else -1) for each in container.readouts}
+    buckets = {
+        each.bucket: (each.register, 1 if each.gain > 0 else -1) for each in container.readouts
+    }
     guarded = (target.mask_register, target.masked_register)
     digital = [
         name for name in target.digital_registers
@@ -67,16 +70,16 @@ def lowered(container: Container, pictures: Pictures, level: int) -> Lowering:
 
 def grouped(
     words: Sequence[Leveled],
-) -> tuple[list[tuple[object, ...]], tuple[TailLaunch, ...]]:
+) -> tuple[list[tuple[Op, ...]], tuple[TailLaunch, ...]]:
     """Words in kernels, one for each value of IN; equal kernels are stored once."""
-    runs: list[tuple[list[object], int | None]] = []
+    runs: list[tuple[list[Op], int | None]] = []
     for word, level in words:
         if not runs or (level is not None and runs[-1][1] not in (None, level)):
             runs.append(([], None))
         run, before = runs[-1]
         run.append(word)
         runs[-1] = run, before if level is None else level
-    number: dict[tuple[object, ...], int] = {}
+    number: dict[tuple[Op, ...], int] = {}
     launches = [
         TailLaunch(number.setdefault(tuple(run), len(number)), level) for run, level in runs
     ]
@@ -101,8 +104,8 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
             if size > limit:
                 return Diagnostic(
                     "NS0541",
-                    f"`{name}` depends on pixels {size} {what} away; the most is {limit}, a quarter "
-                    f"of the array of {target.name}",
+                    f"`{name}` depends on pixels {size} {what} away; the most is {limit}, a "
+                    f"quarter of the array of {target.name}",
                     source=program.source,
                     label=Label(_place(program, name), "reaches this far"),
                     helps=("use smaller kernels, or fewer of them one after another",),
@@ -111,16 +114,16 @@ def _too_far(pictures: Pictures, program: Program) -> Diagnostic | None:
     return None
 
 
-def _refusal(
-    refused: Refused, container: Container, program: Program, level: int
-) -> Diagnostic:
+def _refusal(refused: Refused, container: Container, program: Program, level: int) -> Diagnostic:
     name, needed, available = refused.name, refused.needed, refused.available
     label = Label(_place(program, name), "computed here")
     if refused.kind == "range":
         return _beyond_range(refused, container, program, level)
     what = {
-        "registers": "analog registers", "planes": "digital registers", "store": "words in the store",
-    }[refused.kind]  # fmt: skip
+        "registers": "analog registers",
+        "planes": "digital registers",
+        "store": "words in the store",
+    }[refused.kind]
     holders = ", ".join(f"{each.register} holds {each.bucket}" for each in container.readouts)
     return Diagnostic(
         "NS0535",
@@ -146,7 +149,7 @@ def _beyond_range(
     helps = [f"divide: `/ {2**halvings}` keeps every value within the registers"]
     share = int(100 / over)
     while share >= 1:
-        limits = {name: share / 100 * target.full_well_e for name in pictures.limits_e}
+        limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
         try:
             lowered(container, replace(pictures, limits_e=limits), level)
         except Refused:

@@ -14,8 +14,11 @@ from fractions import Fraction
 from nscc.operations import NEIGHBOURS, STEPS
 
 Offset = tuple[int, int]
-Taps = Mapping[Offset, Fraction]
+UNIT = 1 << 40
+"""Weights are whole numbers of 1 / UNIT: exact, as all divisors are powers of two."""
+Taps = Mapping[Offset, int]
 """A kernel's weights by where their pixels lie: columns to the right, rows down. None is 0."""
+Polynomial = dict[Offset, int]
 
 
 @dataclass(frozen=True)
@@ -34,49 +37,66 @@ class Word:
 Program = tuple[Word, ...]
 """Its result is in the first destination of the last word."""
 
-IDENTITY: Taps = {(0, 0): Fraction(1)}
+IDENTITY: Taps = {(0, 0): UNIT}
 
 
-def added(*terms: tuple[Fraction, Taps]) -> dict[Offset, Fraction]:
-    """The sum of kernels times factors."""
-    found: dict[Offset, Fraction] = {}
+def exact_taps(weights: Mapping[Offset, Fraction]) -> Polynomial:
+    """A kernel in units of 1 / UNIT; ValueError for weights that are finer."""
+    found = {at: weight * UNIT for at, weight in weights.items()}
+    if any(weight.denominator > 1 for weight in found.values()):
+        raise ValueError(f"weights finer than 1 / {UNIT}")
+    return {at: int(weight) for at, weight in found.items()}
+
+
+def added(*terms: tuple[int, Taps]) -> Polynomial:
+    """The sum of kernels times whole factors."""
+    found: Polynomial = {}
     for factor, taps in terms:
         for at, weight in taps.items():
-            found[at] = found.get(at, Fraction(0)) + factor * weight
+            found[at] = found.get(at, 0) + factor * weight
     return {at: weight for at, weight in found.items() if weight}
 
 
-def moved(taps: Taps, right: int, down: int) -> dict[Offset, Fraction]:
+def moved(taps: Taps, right: int, down: int) -> Polynomial:
     """The kernel of the pixel so far away."""
     return {(x + right, y + down): weight for (x, y), weight in taps.items()}
 
 
-def product(first: Taps, second: Taps) -> dict[Offset, Fraction]:
-    """The kernel of one kernel after another."""
-    return added(*((weight, moved(second, *at)) for at, weight in first.items()))
+def halved(taps: Taps) -> Polynomial:
+    """Half a kernel; ValueError for weights that are too fine for it."""
+    if any(weight % 2 for weight in taps.values()):
+        raise ValueError(f"weights finer than 1 / {UNIT}")
+    return {at: weight // 2 for at, weight in taps.items()}
 
 
-def kernel_of(program: Program) -> dict[Offset, Fraction]:
-    """The kernel that a program computes, by running its words on exact polynomials.
+def kernel_of(program: Program) -> Polynomial:
+    """The kernel that a program computes."""
+    return values_of(program)[-1] if program else dict(IDENTITY)
+
+
+def values_of(program: Program) -> list[Polynomial]:
+    """What each word writes, as a kernel, by running the words on exact polynomials.
 
     KeyError for a program that reads what it has not written.
     """
-    held: dict[str, dict[Offset, Fraction]] = {"x": dict(IDENTITY)}
-    found: dict[Offset, Fraction] = {}
+    held: dict[str, Polynomial] = {"x": dict(IDENTITY)}
+    values: list[Polynomial] = []
     for word in program:
         parts = [
             moved(held["NEWS"], *STEPS[name]) if name in NEIGHBOURS else held[name]
             for name in word.sources
         ]
-        factor = Fraction(-1, len(word.destinations))
-        found = added(*((factor, part) for part in parts))
+        found = added(*((-1, part) for part in parts))
+        if word.halves:
+            found = halved(found)
+        values.append(found)
         for name in word.destinations:
             if name in NEIGHBOURS:
                 right, down = STEPS[name]
                 held["NEWS"] = moved(found, -right, -down)
             else:
                 held[name] = found
-    return found
+    return values
 
 
 # --- symmetries and joining -----------------------------------------------------------------------
@@ -93,7 +113,7 @@ TURNS = range(len(_TURNS))
 _OF_STEP = {step: name for name, step in STEPS.items()}
 
 
-def turned_taps(taps: Taps, turn: int) -> dict[Offset, Fraction]:
+def turned_taps(taps: Taps, turn: int) -> Polynomial:
     """A kernel, turned or mirrored."""
     a, b, c, d = _TURNS[turn]
     return {(a * x + b * y, c * x + d * y): weight for (x, y), weight in taps.items()}

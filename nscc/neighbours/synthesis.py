@@ -1,4 +1,4 @@
-"""Short programs for a kernel: rows of the table, turned, chained, added, and a way that always ends.
+"""Short programs for a kernel: rows of a table, turned, chained and added; and one for any kernel.
 
 The search is deterministic and counts its steps. What it returns is ordered by words; programs of
 more words stay only where their intermediate values are smaller.
@@ -10,22 +10,27 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cache
+from math import sqrt
 
 from nscc.neighbours.programs import (
     IDENTITY,
     TURNS,
+    UNIT,
     Offset,
+    Polynomial,
     Program,
     Taps,
     Word,
     added,
     chained,
+    halved,
     kernel_of,
     moved,
     program_from_text,
     renamed,
     turned,
     turned_taps,
+    values_of,
 )
 from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS, STEPS
@@ -35,8 +40,7 @@ STEPS_OF_LEVEL = (400, 2_000, 20_000, 60_000)
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
 
-_Key = frozenset[tuple[Offset, Fraction]]
-_HALVED: Taps = {(0, 0): Fraction(-1, 2)}
+_Key = frozenset[tuple[Offset, int]]
 _HALVE: Program = (Word(("h", "NEWS"), ("x",)),)
 _NEGATE: Program = (Word(("m",), ("x",)),)
 
@@ -70,7 +74,7 @@ class Synthesis:
 
     def __init__(self, steps: int) -> None:
         self.steps = steps
-        self._known: dict[_Key, list[Ranged]] = {}
+        self._known: dict[_Key, tuple[int, list[Ranged]]] = {}
 
     def programs(self, taps: Taps) -> list[Ranged]:
         """Programs for a kernel, the shortest first, the others with smaller values in between.
@@ -82,34 +86,35 @@ class Synthesis:
         assert all(kernel_of(each.program) == dict(taps) for each in found)
         return _best(found)
 
-    def _programs(self, taps: dict[Offset, Fraction], depth: int) -> list[Ranged]:
+    def _programs(self, taps: Polynomial, depth: int) -> list[Ranged]:
         key = frozenset(taps.items())
         if taps == IDENTITY:
             return [Ranged((), Fraction(1))]
-        known = self._known.get(key)
-        if known is not None:
+        at_depth, known = self._known.get(key, (0, []))
+        if at_depth >= depth:
             return known
         if self.steps <= 0 or depth <= 0:
-            return []
+            return known
         self.steps -= 1
-        self._known[key] = []
+        self._known[key] = depth, known
         found = [_ranged(program) for program in self._made(taps, key, depth)]
-        self._known[key] = _best(found)
-        return self._known[key]
+        best = _best([*known, *found])
+        self._known[key] = depth, best
+        return best
 
-    def _made(self, taps: dict[Offset, Fraction], key: _Key, depth: int) -> Iterator[Program]:
+    def _made(self, taps: Polynomial, key: _Key, depth: int) -> Iterator[Program]:
         table = rows()
         if key in table:
             yield table[key]
-        inverse = added((Fraction(-1), taps))
+        inverse = added((-1, taps))
         inverse_key = frozenset(inverse.items())
         if inverse_key in table:
             yield chained(table[inverse_key], _NEGATE)
-        if taps == {(0, 0): Fraction(-1)}:
+        if taps == {(0, 0): -UNIT}:
             yield _NEGATE
             return
-        if max(weight.denominator for weight in taps.values()) > 1:
-            doubled = added((Fraction(-2), taps))
+        if halvings_of(taps):
+            doubled = added((-2, taps))
             for rest in self._programs(doubled, depth - 1):
                 yield chained(_HALVE, rest.program)
                 if rest.program:
@@ -121,17 +126,17 @@ class Synthesis:
                     yield chained(program, rest.program)
         yield from self._sums(inverse, depth)
 
-    def _sums(self, inverse: dict[Offset, Fraction], depth: int) -> Iterator[Program]:
+    def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
         """Programs whose last word adds two values; `inverse` is what they add up to."""
         table = rows()
         if len(inverse) < 2:
             return
-        rest = added((Fraction(1), inverse), (Fraction(-1), IDENTITY))
+        rest = added((1, inverse), (-1, IDENTITY))
         if rest and (0, 0) in inverse and abs(rest.get((0, 0), 0)) < abs(inverse[0, 0]):
             for each in self._programs(rest, depth - 2):
                 yield (*each.program, Word(("q",), (each.program[-1].destinations[0], "x")))
         for key, program in table.items():
-            rest = added((Fraction(1), inverse), (Fraction(-1), dict(key)))
+            rest = added((1, inverse), (-1, dict(key)))
             other = table.get(frozenset(rest.items()))
             if other is not None:
                 yield _summed(program, other)
@@ -143,7 +148,7 @@ def _summed(first: Program, second: Program) -> Program:
     return (*a, *b, Word(("s",), (a[-1].destinations[0], b[-1].destinations[0])))
 
 
-def divided(taps: Taps, factor: Taps) -> dict[Offset, Fraction] | None:
+def divided(taps: Taps, factor: Taps) -> Polynomial | None:
     """The kernel that gives `taps` together with `factor`; None where there is none.
 
     A factor of one weight divides every kernel, and tells nothing.
@@ -165,10 +170,24 @@ def divided(taps: Taps, factor: Taps) -> dict[Offset, Fraction] | None:
         at = (top[0] - lead[0], top[1] - lead[1])
         if at[0] not in room[0] or at[1] not in room[1]:
             return None
-        weight = rest[top] / factor[lead]
+        weight, remainder = divmod(rest[top] * UNIT, factor[lead])
+        if remainder:
+            return None
         found[at] = weight
-        rest = added((Fraction(1), rest), (-weight, moved(factor, *at)))
+        for (x, y), part in factor.items():
+            place = (x + at[0], y + at[1])
+            left = rest.get(place, 0) - weight * part // UNIT
+            if left:
+                rest[place] = left
+            else:
+                rest.pop(place, None)
     return found
+
+
+def halvings_of(taps: Taps) -> int:
+    """How often a kernel of whole weights is halved to give this one."""
+    lowest = min((weight & -weight).bit_length() for weight in taps.values())
+    return max(0, UNIT.bit_length() - lowest)
 
 
 # --- a way that always ends -----------------------------------------------------------------------
@@ -183,7 +202,7 @@ def accumulated(taps: Taps) -> Program:
     The input is halved first as often as the weights need it, so that all are integers. The sum so
     far changes its sign with every word.
     """
-    halvings = max(weight.denominator for weight in taps.values()).bit_length() - 1
+    halvings = halvings_of(taps)
     words = [
         Word((f"h{number + 1}", "NEWS"), (f"h{number}" if number else "x",))
         for number in range(halvings)
@@ -193,7 +212,7 @@ def accumulated(taps: Taps) -> Program:
     total: tuple[str, ...] = ()
     for index, at in enumerate(order):
         sign = (-1) ** (halvings + len(order) - 1 - index)
-        factor = int(taps[at] * 2**halvings) * sign
+        factor = taps[at] * 2**halvings // UNIT * sign
         if at == (0, 0):
             sources = (multiples.of(-factor), *total)
         else:
@@ -249,11 +268,6 @@ class _Multiples:
 # --- choosing -------------------------------------------------------------------------------------
 
 
-def values_of(program: Program) -> list[dict[Offset, Fraction]]:
-    """What the destinations of each word hold, as kernels."""
-    return [kernel_of(program[: index + 1]) for index in range(len(program))]
-
-
 def _ranged(program: Program) -> Ranged:
     peak = Fraction(1)
     for taps in values_of(program):
@@ -263,9 +277,9 @@ def _ranged(program: Program) -> Ranged:
 
 def gains(taps: Taps) -> tuple[Fraction, Fraction]:
     """How much of the largest exposure a kernel gives at most, and how much it takes away."""
-    added_up = sum((weight for weight in taps.values() if weight > 0), Fraction(0))
-    taken = sum((-weight for weight in taps.values() if weight < 0), Fraction(0))
-    return added_up, taken
+    added_up = sum(weight for weight in taps.values() if weight > 0)
+    taken = sum(-weight for weight in taps.values() if weight < 0)
+    return Fraction(added_up, UNIT), Fraction(taken, UNIT)
 
 
 def _best(found: list[Ranged]) -> list[Ranged]:
@@ -279,12 +293,14 @@ def _best(found: list[Ranged]) -> list[Ranged]:
 
 def tidied(program: Program) -> Program:
     """A program without words for values that are held already, or that nobody reads."""
-    held: dict[str, dict[Offset, Fraction]] = {"x": dict(IDENTITY)}
+    held: dict[str, Polynomial] = {"x": dict(IDENTITY)}
     names: dict[str, str] = {"x": "x"}
     words: list[Word] = []
     values = values_of(program)
     for number, (word, value) in enumerate(zip(program, values, strict=True)):
         sources = tuple(names.get(name, name) for name in word.sources)
+        if len(set(sources)) < len(sources):
+            return program  # the same register twice is one source
         first = word.destinations[0]
         if len(word.destinations) == 1:
             if first in NEIGHBOURS or first == "NEWS":
@@ -320,24 +336,29 @@ def _used(words: Sequence[Word]) -> Program:
 
 
 def noise_gain(program: Program) -> float:
-    """By how much the error of one word grows until the result: all errors are independent."""
-    errors: dict[str, dict[int, dict[Offset, Fraction]]] = {"x": {}}
-    found: dict[int, dict[Offset, Fraction]] = {}
-    for number, word in enumerate(program):
-        factor = Fraction(-1, len(word.destinations))
-        found = {}
+    """How large the error of a program's result is, where each word has one of standard deviation
+    1 for every destination, and all are independent."""
+    last = program[-1].destinations[0] if program else ""
+    total = 0.0
+    for number in range(len(program)):
+        for name in program[number].destinations:
+            taps = _error_of(program, number, name).get(last, {})
+            total += sum((weight / UNIT) ** 2 for weight in taps.values())
+    return sqrt(total)
+
+
+def _error_of(program: Program, number: int, destination: str) -> dict[str, Polynomial]:
+    """What registers hold at the end of a unit error that one word makes in one destination."""
+    held: dict[str, Polynomial] = {}
+    for index, word in enumerate(program[number:], number):
+        found: Polynomial = {}
         for name in word.sources:
-            step = STEPS.get(name, (0, 0))
-            held = errors.get("NEWS" if name in NEIGHBOURS else name, {})
-            for source, taps in held.items():
-                part = (factor, moved(taps, *step))
-                found[source] = added((Fraction(1), found.get(source, {})), part)
-        for index, name in enumerate(word.destinations):
-            step = STEPS.get(name, (0, 0))
-            own = {**found, 2 * number + index: dict(IDENTITY)}
-            moved_errors = {k: moved(taps, -step[0], -step[1]) for k, taps in own.items()}
-            errors["NEWS" if name in NEIGHBOURS else name] = moved_errors
-            found = own if index == 0 and len(word.destinations) == 1 else found
-    result = errors[program[-1].destinations[0]] if program else {}
-    total = sum((w * w for taps in result.values() for w in taps.values()), Fraction(0))
-    return float(total) ** 0.5
+            part = held.get("NEWS" if name in NEIGHBOURS else name, {})
+            found = added((1, found), (-1, moved(part, *STEPS.get(name, (0, 0)))))
+        for name in word.destinations:
+            right, down = STEPS.get(name, (0, 0))
+            value = halved(found) if word.halves else found
+            if index == number and name == destination:
+                value = added((1, value), (1, IDENTITY))
+            held["NEWS" if name in NEIGHBOURS else name] = moved(value, -right, -down)
+    return held

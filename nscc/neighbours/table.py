@@ -24,4 +24,15 @@ n=x a=x,N b=x,E c=x,S d=x,W e=a,b,c,d
 n=x a=x,N b=x,E c=x,S d=a,b,c,n e=d,W
 n=x a=N b=x,N c=x,E d=x,W N=a,b e=b,c,d,n
 n=x a=N b=S c=x n=x,a,b d=c,E e=a,b,d f=e,W
+an=x b=E c=b,W
+n=x a=E b2=a,n
+W=x a2=x,n E=a b2=a,n
+n=x a=x,E b=x,W cn=a,b
+an=x b=E c=x,b,n d=c,W
+an=x b=E c=b d=c,W
+n=x a=E b=a c=b,W
+n=x a=E E=x,a b2=a,n c2=b,n
+S=x a=E bn=x,a c=x,S d=x,W en=c,d
+W=x a=n b=E c=x,a,b E=x,a d=c,W
+a=x n=a b=x,E c=x,W n=a,b,c d=x,E e=x,W f=b,c,d,e
 """

@@ -138,7 +138,8 @@ class Reader:
         fixes: tuple[Fix, ...] = ()
         if number > 0:
             near = nearest_power(number)
-            helps = (f"`/ {near}` changes the result by {100 * abs(number / near - 1):.0f} %", *helps)
+            percent = 100 * abs(number / near - 1)
+            helps = (f"`/ {near}` changes the result by {percent:.0f} %", *helps)
             fixes = (Fix(f"divide by {near}", span, str(near), sure=False),)
         notes = ("one word halves a value; there is no other division",)
         return self._wrong(
@@ -155,8 +156,8 @@ class Reader:
             )  # fmt: skip
         if name in ("any", "all"):
             raise self._wrong(
-                "NS0531", f"`{name}` makes a plane, and an image belongs here", call.span, "a plane",
-                (f"declare it: `plane p = {name}(..)`, then choose: `A if p else B`",),
+                "NS0531", f"`{name}` makes a plane, and an image belongs here", call.span,
+                "a plane", (f"declare it: `plane p = {name}(..)`, then choose: `A if p else B`",),
             )  # fmt: skip
         if name != "abs" and name not in self.kernels:
             if name in self.declared.kernels:
@@ -187,11 +188,11 @@ class Reader:
                 return self._compare(expr)
             case tree.Place():
                 self._needs_outside(expr.span)
-                right = constant(expr.right, self.constants, self.problems, "columns to the right")
-                down = constant(expr.down, self.constants, self.problems, "rows down")
-                if right is None or down is None:
+                x = constant(expr.right, self.constants, self.problems, "columns to the right")
+                y = constant(expr.down, self.constants, self.problems, "rows down")
+                if x is None or y is None:
                     raise _Wrong
-                return p.At(self._named_plane(expr.base), right, down)
+                return p.At(self._named_plane(expr.base), x, y)
             case tree.Call():
                 return self._near(expr)
         raise self._wrong(
@@ -250,7 +251,8 @@ class Reader:
         for op, left, right in zip(compare.ops, operands, compare.rest, strict=False):
             if op in ("==", "!="):
                 raise self._wrong(
-                    "NS0533", "charges are compared by `>` and `<`", compare.span, f"this is `{op}`",
+                    "NS0533", "charges are compared by `>` and `<`", compare.span,
+                    f"this is `{op}`",
                     ("a pixel compares with both sides of a small range: "
                      "`-2% < image < 2%`",),
                     notes=("no comparator can tell whether two charges are equal",),

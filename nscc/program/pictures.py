@@ -88,17 +88,18 @@ class _Maker:
             self.problems.error(
                 "NS0536", "nothing of this program leaves the chip", self._place(),
                 "computed, and never read",
-                helps=("send images and planes with the frame: `read NAME`", "or `report any PLANE`"),
+                helps=("send it with the frame: `read NAME`", "or say less: `report any PLANE`"),
             )  # fmt: skip
         return Pictures(tuple(known.values()), tuple(items), outside, limits, reads, reports)
 
     def _place(self) -> Span:
         declared = self.declared
-        first = next(iter([*declared.pictures, *declared.reports, *declared.kernels.values()]), None)
+        kernels = declared.kernels.values()
+        first = next(iter([*declared.pictures, *declared.reports, *kernels]), None)
         return first.span if first else declared.assumes[0].span
 
     def _possible(self) -> bool:
-        """Whether the chip has what images take, and the program only what can stand beside them."""
+        """Whether the chip has what images take, and the program nothing else beside them."""
         target = self.target
         lacks = None
         if target.streamed:
@@ -194,7 +195,8 @@ class _Maker:
         if divisor > 0:
             near = nearest_power(divisor)
             error = 100 * abs(divisor / near - 1)
-            text = f"`/ {near}` makes everything {error:.0f} % {'larger' if near < divisor else 'smaller'}"
+            more = "larger" if near < divisor else "smaller"
+            text = f"`/ {near}` makes everything {error:.0f} % {more}"
             helps = (f"{text}; choose levels to match", *helps)
             fixes = (Fix(f"divide by {near}", span, str(near), sure=False),)
         self.problems.error(
@@ -244,7 +246,8 @@ class _Maker:
             most = count
         listed = report.most is not None and report.most.text == "most"
         if (kind == "events") != listed or (listed and not 1 <= most <= MOST_EVENTS):
-            self._bad_report(report.span, f"events are at most 1 to {MOST_EVENTS}, others have no limit")
+            message = f"events are at most 1 to {MOST_EVENTS}, other reports have no limit"
+            self._bad_report(report.span, message)
             return None
         return Report(cast(Literal["any", "events", "box"], kind), plane, most)
 

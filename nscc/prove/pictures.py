@@ -20,7 +20,7 @@ from nscc.neighbours.meaning import Bits, Fields, Meaning, Reach, reaches
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
 from nscc.words.container import Container
 from nscc.words.encoding import matching
-from nscc.words.legality import split_pairs, target_fault
+from nscc.words.legality import picture_fault, split_pairs
 
 
 class Wrong(Exception):
@@ -40,7 +40,7 @@ def picture_words(container: Container) -> list[tuple[Op, int | None]]:
         ops = []
         for word in words:
             op = matching(word, target.words)
-            if op is None or target_fault(op, target) is not None:
+            if op is None or picture_fault(op, target) is not None:
                 raise Wrong(f"the target does not take the word {word}")
             ops.append(op)
         if split_pairs("pictures", ops):
@@ -157,7 +157,7 @@ class PictureReplay:
             else:
                 self.analog[name] = {at: self._junk(name, *at) for at in places}
         for name in (*target.digital_registers, "FLAG", "SELECT", "bus"):
-            self.digital[name] = {at: forms.unknown_bit() for at in places}
+            self.digital[name] = {at: forms.unknown_bit(at) for at in places}
 
     def _junk(self, name: str, x: int, y: int) -> Form:
         return {(f"what {name} held", x, y): self.forms.diagrams.one}
@@ -175,7 +175,7 @@ class PictureReplay:
                 self.digital["FLAG"] = self._some(op)
             case Effect.FLAG_ANALOG:
                 before = self.digital["FLAG"]
-                found = {at: forms.positive(total) for at, total in self._totals(op, level).items()}
+                found = {at: forms.positive(total, at) for at, total in self._totals(op, level).items()}
                 if self.container.target.where_obeys_flag:
                     found = {at: forms.diagrams.times(bit, before[at]) for at, bit in found.items()}
                 self.digital["FLAG"] = found

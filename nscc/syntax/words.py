@@ -28,7 +28,7 @@ def names_in(version: int) -> frozenset[str]:
 
 def statement_words(version: int) -> tuple[str, ...]:
     """The words that begin statements in a version of the language."""
-    words = STATEMENT_WORDS
+    words: tuple[str, ...] = STATEMENT_WORDS
     words += LOOKING_WORDS if version > 1 else ()
     return words + (PICTURE_WORDS if version > 2 else ())
 

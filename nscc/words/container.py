@@ -127,6 +127,13 @@ class Container:
         return len(self.slot_us)
 
     @property
+    def buckets_read(self) -> tuple[str, ...]:
+        """The buckets that come with a frame, in its order."""
+        if self.pictures is None:
+            return self.buckets
+        return tuple(name for name in self.pictures.reads if name in self.buckets)
+
+    @property
     def words_stored(self) -> int:
         """How many words the chip's store holds."""
         after = self.pictures.kernels if self.pictures else ()

@@ -38,7 +38,7 @@ from nscc.words.stream import Stream
 MAGIC = b"\x89ICW\r\n\x1a\n"
 VERSIONS = (1, 2, 3, 4)
 """The second one is that of programs that look: a machine, and launches with levels. The third is
-that of chips without logic: planes of bits. The fourth is that of programs with images and planes."""
+that of chips without logic: planes of bits. The fourth is that of programs with images."""
 _PREAMBLE = Struct("<8sIIQ")
 _DIGEST = 32
 LARGEST_FILE = 1 << 31

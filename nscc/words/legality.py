@@ -31,6 +31,18 @@ def refuse_planes(target: Target, what: str, help_text: str) -> None:
         )
 
 
+def refuse_pictures(container: Container, what: str, help_text: str) -> None:
+    """NS0542 (status 1) for `what` (half a sentence), which knows no images and planes yet."""
+    if container.pictures is not None:
+        raise rejected(
+            "NS0542",
+            f"{what}: images and planes are not supported there yet",
+            notes=("this program computes images or planes after its last slot",),
+            helps=(help_text,),
+            status=1,
+        )
+
+
 def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     """The operations of every kernel, in order.
 
@@ -64,7 +76,19 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
 
 
 def target_fault(operation: Op, target: Target) -> str | None:
-    """Why `target` does not take this word, as half a sentence; None if it does."""
+    """Why `target` does not take this word while it exposes, as half a sentence; None if it does.
+
+    Words that reach neighbours follow an exposure: see `picture_fault`.
+    """
+    digital = operation.operation.effect is Effect.DIGITAL_NEIGHBOURS
+    if digital or NEIGHBOURS.keys() & {*operation.destinations, *operation.sources}:
+        return "only the words of images and planes reach neighbours, after the last slot"
+    return picture_fault(operation, target)
+
+
+def picture_fault(operation: Op, target: Target) -> str | None:
+    """Why `target` does not take this word after an exposure, as half a sentence; None if it
+    does."""
     known = (
         *target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT",
         *(NEIGHBOURS if "NEWS" in target.analog_registers else ()),

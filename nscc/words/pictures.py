@@ -168,7 +168,8 @@ class Report:
 
 @dataclass(frozen=True)
 class TailLaunch:
-    """Kernel number `kernel` of the pictures runs, with IN at `level` steps; None: IN is not read."""
+    """Kernel number `kernel` of the pictures runs, with IN at `level` steps; None: IN is not
+    read."""
 
     kernel: int
     level: int | None
@@ -255,9 +256,11 @@ def from_plain(plain: Any) -> Node:
     try:
         name, *values = plain
         if name == "Sum":
-            return Sum(tuple((Fraction(n, d), from_plain(value)) for n, d, value in values))  # type: ignore[misc]
-        parts = [from_plain(v) if isinstance(v, list) else v for v in values]
-        node: Node = _NODES[name](*parts)
+            terms: Any = tuple((Fraction(n, d), from_plain(value)) for n, d, value in values)
+            return Sum(terms)
+        parts: list[Any] = [from_plain(v) if isinstance(v, list) else v for v in values]
+        make: Any = _NODES[name]
+        node: Node = make(*parts)
     except (TypeError, KeyError, ValueError, ZeroDivisionError) as error:
         raise ValueError("an expression of its pictures is malformed") from error
     return node

@@ -1,4 +1,4 @@
-"""Images and planes in a container's file: what its header says of them, and whether it is sound."""
+"""Images and planes in a container's file: what its header says, and whether it is sound."""
 
 from __future__ import annotations
 
@@ -50,9 +50,7 @@ def pictures_from(header: Any) -> Pictures:
             {str(name): float(limit) for name, limit in header["limits_e"].items()},
             tuple(map(str, header["reads"])),
             tuple(Report(kind, str(plane), int(most)) for kind, plane, most in header["reports"]),
-            tuple(
-                tuple((a, b, c, d, e) for a, b, c, d, e in kernel) for kernel in header["words"]
-            ),
+            tuple(tuple((a, b, c, d, e) for a, b, c, d, e in kernel) for kernel in header["words"]),
             tuple(TailLaunch(kernel, level) for kernel, level in header["launches"]),
             {str(name): str(register) for name, register in header["registers"].items()},
         )

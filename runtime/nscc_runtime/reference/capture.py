@@ -311,12 +311,13 @@ class _Pixels(Pixels):
     def _read_out(self) -> tuple[Values, NDArray[np.uint8]]:
         exposures = np.empty((len(self.container.buckets), len(self.lanes)))
         marked = np.empty(exposures.shape, np.uint8)
+        stays = self.container.pictures is not None  # images are made of it before readout
         for order, readout in enumerate(self.container.readouts):
             value = self.register[readout.register] * readout.gain
-            for held in self.at("hold"):
+            for held in () if stays else self.at("hold"):
                 value = value * held(self, order * self.container.target.readout_us * 1e-6)
             bucket = self.container.buckets.index(readout.bucket)
-            for leaves in self.at("readout"):
+            for leaves in () if stays else self.at("readout"):
                 value = leaves(self, value, bucket)
             # -0 + 0 is +0.
             exposures[bucket] = value + 0.0

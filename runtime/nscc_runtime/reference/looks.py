@@ -115,7 +115,7 @@ class LookingReference:
             fallen = charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
             here = slice(part.start, part.stop)
             places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
-            pixels = _LookingPixels(
+            pixels = WordPixels(
                 sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
                 places=places, program=self, pace=pace(here, fallen.light),
                 code={name: plane[here].reshape(-1) for name, plane in loaded.items()},
@@ -147,7 +147,7 @@ def executed(
 
 
 @dataclass(eq=False, kw_only=True)
-class _LookingPixels(Pixels):
+class WordPixels(Pixels):
     """Some pixels while the words of one frame run. All arrays are (pixels,) but `pace`, which
     `nscc_runtime.reference.intervals` has made."""
 
@@ -273,8 +273,12 @@ class _LookingPixels(Pixels):
                     level = found(self, level, word)
                 total = total + level
             else:
-                total = total + self.register[name]
+                total = total + self._source(name)
         return total
+
+    def _source(self, name: str) -> Values:
+        """What a word reads of an analog register."""
+        return self.register[name]
 
     def _bus(self, op: Op) -> None:
         word = self._running(op)

@@ -1,0 +1,170 @@
+"""The whole array while the words after an exposure run: registers shifted from pixel to pixel.
+
+The words of one pixel are those of `nscc_runtime.reference.looks`. Here NEWS of a neighbour is read
+and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0, and
+`tainted` says which registers of which pixels depend on it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.words.cost import word_us
+from nscc_runtime.reference.looks import Bits, Running, Values, WordPixels
+from nscc_runtime.reference.weights import error_sign
+
+RANGE_BIT = 32
+"""In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
+_FIRST_NUMBER = 1 << 16
+"""Analog words after an exposure are numbered from here: their errors are draws of their own."""
+
+
+@dataclass(eq=False, kw_only=True)
+class ArrayPixels(WordPixels):
+    """All pixels of an array, `shape` its rows and columns; other arrays are (pixels,).
+
+    `exposed` and `exposed_by` are what registers hold of an exposure, and the bits of what cut it
+    off. `cut_by` and `tainted` have by register what cut a value off, and where it depends on what
+    is beyond the array.
+    """
+
+    shape: tuple[int, int]
+    exposed: Mapping[str, Values]
+    exposed_by: Mapping[str, NDArray[np.uint8]]
+    cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
+    tainted: dict[str, Bits] = field(init=False)
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        self.number = _FIRST_NUMBER
+        self.register |= self.exposed
+        pixels = len(self.places)
+        nothing, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
+        self.cut_by = {**dict.fromkeys((*self.register, "IN"), nothing), **self.exposed_by}
+        self.tainted = dict.fromkeys((*self.register, *self.bits, "IN"), untainted)
+
+    def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
+        """Words in their order, each with the steps of IN."""
+        for op, level in words:
+            if level is not None:
+                self.in_e = level * self.target.electrons_per_step
+            self.after_us += word_us(op, self.target)
+            self._run(op)
+
+    def held(self, seconds: float) -> None:
+        """Registers lose a part of their values in so long."""
+        for kept in self.at("hold"):
+            share = kept(self, seconds)
+            self.register = {name: value * share for name, value in self.register.items()}
+
+    # --- words
+
+    def _run(self, op: Op) -> None:
+        effect = op.operation.effect
+        if effect is Effect.DIGITAL_NEIGHBOURS:
+            self._near(op)
+            return
+        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL, Effect.FLAG_ALL):
+            self.tainted["FLAG"] = self._taint(op)
+        elif effect is Effect.DIGITAL:
+            self._taint_bits(op)
+        super()._run(op)
+
+    def _taint(self, op: Op) -> Bits:
+        """Where any source of a word depends on what is beyond the array."""
+        found = np.zeros(len(self.places), np.bool_)
+        for name in op.sources:
+            if name in NEIGHBOURS:
+                found = found | self.moved(self.tainted["NEWS"], *STEPS[name], beyond=True)
+            else:
+                found = found | self.tainted[name]
+        return found
+
+    def _taint_bits(self, op: Op) -> None:
+        if op.operation.phase is not Phase.WRITE:
+            self.tainted["bus"] = self._taint(op)
+        if op.operation.phase is Phase.READ:
+            return
+        for name in op.destinations:
+            found = self.tainted["bus"]
+            if name == self.target.masked_register:
+                found = found | self.tainted[name]
+            self.tainted[name] = found
+
+    def _source(self, name: str) -> Values:
+        if name in NEIGHBOURS:
+            return self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
+        return self.register[name]
+
+    def _bus(self, op: Op) -> None:
+        word = self._running(op)
+        here = self._read("FLAG")
+        everywhere = bool(here.all()) and not self.tainted["FLAG"].any()
+        result = self._total(word) / -op.operation.divisor
+        cut, taint = np.zeros(len(self.places), np.uint8), self._taint(op)
+        for source in op.sources:
+            if source in NEIGHBOURS:
+                cut = cut | self.moved(self.cut_by["NEWS"], *STEPS[source], beyond=np.uint8(0))
+            else:
+                cut = cut | self.cut_by[source]
+        for index, name in enumerate(op.destinations):
+            value, by, tainted = self._written(result, word, index, name), cut, taint
+            over = (value > self.target.register_max_e) | (value < self.target.register_min_e)
+            if over.any():
+                by = by | over.astype(np.uint8) * np.uint8(RANGE_BIT)
+            for bends in self.at("registers"):
+                value = bends(self, value)
+            if name in NEIGHBOURS:
+                right, down = STEPS[name]
+                value = self.moved(value, -right, -down, beyond=0.0)
+                by = self.moved(by, -right, -down, beyond=np.uint8(0))
+                tainted = self.moved(tainted, -right, -down, beyond=True)
+                name = "NEWS"
+            if not everywhere:
+                value = np.where(here, value, self.register[name])
+                by = np.where(here, by, self.cut_by[name])
+                kept = np.where(here, tainted, self.tainted[name])
+                tainted = kept | self.tainted["FLAG"]
+            self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
+
+    def _written(self, result: Values, word: Running, index: int, name: str) -> Values:
+        """What a word writes of its exact result."""
+        register = "NEWS" if name in NEIGHBOURS else name
+        for written in self.at("words"):
+            sign = error_sign(register, self.container)
+            result = written(self, result, word, index, sign)
+        return result
+
+    def _near(self, op: Op) -> None:
+        """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
+        source, outside = op.sources[0], op.operation.inverted
+        found = np.zeros(len(self.places), np.bool_)
+        tainted = np.zeros(len(self.places), np.bool_)
+        for name, (right, down) in STEERING.items():
+            chosen = self._read(name)
+            if chosen.any():
+                found |= chosen & self.moved(self._read(source), right, down, beyond=outside)
+                far = self.moved(self.tainted[source], right, down, beyond=False)
+                tainted |= chosen & far
+            tainted |= self.tainted[name]
+        self._write(op.destinations[0], found)
+        self.tainted[op.destinations[0]] = tainted
+
+    def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: object) -> NDArray[Any]:
+        """What the pixels so far to the right and down hold."""
+        rows, cols = self.shape
+        found = np.full(self.shape, beyond, values.dtype)
+        there, here = _overlap(cols, right), _overlap(cols, -right)
+        found[_overlap(rows, -down), here] = values.reshape(self.shape)[_overlap(rows, down), there]
+        return found.reshape(-1)
+
+
+def _overlap(size: int, step: int) -> slice:
+    """Those of so many places that lie on the array a step before, as well."""
+    return slice(max(0, step), size + min(0, step))
