@@ -20,7 +20,7 @@ author = "nscc contributors"
 copyright = "nscc contributors"
 release = version = nscc.__version__
 
-extensions = ["sphinx.ext.autodoc", "myst_nb", "nscc_site"]
+extensions = ["sphinx.ext.autodoc", "sphinx.ext.napoleon", "myst_nb", "nscc_site"]
 root_doc = "docs/index"
 include_patterns = [
     "*.md",
@@ -58,6 +58,8 @@ autodoc_member_order = "bysource"
 autodoc_typehints_format = "short"
 autodoc_preserve_defaults = True
 python_use_unqualified_type_names = True
+napoleon_google_docstring = False
+napoleon_use_rtype = False
 linkcheck_timeout = 20
 
 html_theme = "furo"

@@ -56,7 +56,12 @@ def _line() -> _Line:
 
 
 def load_ipython_extension(shell: Any) -> None:
-    """Adds `%%nsl` to an IPython shell: `%load_ext nscc` calls this."""
+    """Add the cell magic `%%nsl` to an IPython shell; `%load_ext nscc` calls this function.
+
+    Parameters
+    ----------
+    shell : IPython.core.interactiveshell.InteractiveShell
+    """
 
     def nsl(line: str, cell: str) -> ShutterProgram:
         """Compile the cell, show its shutters and costs; NAME, if given, becomes the program."""

@@ -47,11 +47,18 @@ _TEXT = "<text>"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class ShutterProgram:
-    """A program whose words are proved, or were loaded.
+    """A compiled program: words that were proved, or that were loaded from a file.
 
-    `name` is what messages call it, `container` its words as the runtime takes them. `compiled`
-    holds all that the compiler knows of it, `options` how it was compiled; both are None of a
-    loaded one.
+    Parameters
+    ----------
+    name : str
+        The name in messages.
+    container : Container
+        The words with their launches, planes and decode table, as the runtime executes them.
+    compiled : Compiled, optional
+        Everything that the compiler found out; None for a loaded program.
+    options : Options, optional
+        The options of the compilation; None for a loaded program.
     """
 
     name: str
@@ -100,20 +107,36 @@ class ShutterProgram:
 
     @property
     def code_at_pixels(self) -> NDArray[np.int32]:
-        """Which code each pixel holds, int32 (rows, cols): `codes[field][code_at_pixels]` is a map.
+        """Index of each pixel's code, int32 (rows, cols): `codes[field][code_at_pixels]` is a map.
 
-        Raises Rejected (NS0741) for a program without data; `with_pixels` gives it some.
+        Raises
+        ------
+        Rejected
+            NS0741 if the program has no pixel data. `with_pixels` adds it.
         """
         codes = self._with_data.container.pixel_codes
         assert codes is not None  # what has none is rejected
         return codes
 
     def shutters(self, *, pixels: bool = False) -> NDArray[np.bool_]:
-        """When shutters are open, by replaying the words: bool (buckets, codes, slots).
+        """Replay the words and return when each shutter is open.
 
-        With `pixels`, the shutter of every pixel: bool (buckets, slots, rows, cols), the mask of
-        snapshot compressive imaging. Raises Rejected: NS0741 for `pixels` without data, NS0442 for
-        words that open no shutters, and for pixels that look at the light.
+        Parameters
+        ----------
+        pixels : bool
+            Return the shutter of every pixel instead of every code.
+
+        Returns
+        -------
+        array of bool
+            Shape (buckets, codes, slots); with `pixels` (buckets, slots, rows, cols), the mask of
+            snapshot compressive imaging.
+
+        Raises
+        ------
+        Rejected
+            NS0741 for `pixels` without pixel data, NS0442 if the words open no shutters or if the
+            pixels look at their light.
         """
         table = self.container.table
         at_code = self._replayed[table.shutter_of_code].transpose(1, 0, 2)
@@ -136,9 +159,12 @@ class ShutterProgram:
 
     @cached_property
     def report(self) -> dict[str, Any]:
-        """What was compiled, what it costs, what was proved: `nscc build --emit report`.
+        """The report of `nscc build --emit report`: the program, its cost and its proof.
 
-        Raises Rejected (NS0743) for a program that was loaded: words do not tell it.
+        Raises
+        ------
+        Rejected
+            NS0743 for a loaded program, which has no report.
         """
         from nscc.emit.report import report
 
@@ -151,12 +177,25 @@ class ShutterProgram:
         return report(all_lowerings(found.program, options), found.proof)
 
     def save(self, path: str | os.PathLike[str]) -> Path:
-        """Write the program, whole or not at all, as its name's ending says; where it went.
+        """Write the program to a file, completely or not at all.
 
-        `.icw` words, as `nscc.load` reads them, with the pixels' codes; `.asm`, `.cpp`, `.dot`,
-        `.graphml`, `.report.json` and the others of `nscc build --emit` where it was compiled.
-        Raises Rejected: NS0505 for other endings, NS0743 for what a loaded program cannot give,
-        NS0784 where nothing can be written.
+        Parameters
+        ----------
+        path : str or PathLike
+            The ending selects the format: `.icw` for words, which `nscc.load` reads; `.asm`,
+            `.cpp`, `.dot`, `.graphml`, `.report.json` and the other formats of `nscc build --emit`
+            for compiled programs.
+
+        Returns
+        -------
+        Path
+            The file that was written.
+
+        Raises
+        ------
+        Rejected
+            NS0505 for other endings, NS0743 if a loaded program cannot give this format, NS0784 if
+            the file cannot be written.
         """
         from nscc.emit.products import SUFFIXES
 
@@ -175,11 +214,24 @@ class ShutterProgram:
     def with_pixels(
         self, codes: str | os.PathLike[str] | None = None, /, **fields: NDArray[np.integer[Any]]
     ) -> ShutterProgram:
-        """The same words with other codes: those of an `.npz` file, or integers (rows, cols) by
-        field: `p.with_pixels(stop=array)`.
+        """Return the same words with other pixel codes.
 
-        Compile with `codes="open"` for codes that the program's own pixels do not have. Raises
-        Rejected: NS0314 for arrays that do not fit, NS0319 for codes it was not compiled for.
+        Parameters
+        ----------
+        codes : str or PathLike, optional
+            An `.npz` file with an integer array (rows, cols) for each field.
+        **fields : array of int
+            The same arrays by field name: `p.with_pixels(stop=array)`.
+
+        Returns
+        -------
+        ShutterProgram
+
+        Raises
+        ------
+        Rejected
+            NS0314 for arrays that do not fit, NS0319 for codes that the program was not compiled
+            for. Compile with `codes="open"` to allow all legal codes.
         """
         if codes is not None and fields:
             raise wrong_argument("with_pixels takes a file or fields, not both")
@@ -279,14 +331,34 @@ def compile(
 ) -> ShutterProgram:
     """Compile a program and prove its words.
 
-    `source` is a path, or a text: a str is a path if it is one line that ends in `.nsl`, else the
-    program itself. The rest are the options of `nscc build`: `target` a chip's name, its TOML file
-    or a `Target`; `level` 0 to 3, how long to search; `codes` "fixed" to those in use, or "open" to
-    all legal ones; `lowering` how exposure is gathered; `max_words_per_slot` a limit; `cache`
-    whether search results are kept. Paths in a text are relative to `folder`, by default the
-    current one; those in a file to the file.
+    Parameters
+    ----------
+    source : str or PathLike
+        A path, or the text of a program. A string is a path if it is one line that ends in `.nsl`.
+    target : Target, str or PathLike, optional
+        A chip by name, by its TOML file, or as a `Target`; by default the one that the program
+        names.
+    level : {0, 1, 2, 3}
+        Optimization level: how long to search for few words.
+    codes : {"fixed", "open"}
+        Compile for the codes that the pixels use, or for all legal codes.
+    lowering : {"auto", "accumulate", "latch", "edges"}
+        How the exposure is computed from photodiode values.
+    max_words_per_slot : int, optional
+        Limit on the words between two slots.
+    cache : bool
+        Keep and reuse search results.
+    folder : str or PathLike, optional
+        The folder that paths in a program text are relative to; by default the current folder.
 
-    Raises Rejected with everything that is wrong, each with its place; warnings are Python's.
+    Returns
+    -------
+    ShutterProgram
+
+    Raises
+    ------
+    Rejected
+        With all errors and their places. Warnings are Python warnings.
     """
     one_of("nscc.compile", "level", level, LEVELS)
     one_of("nscc.compile", "codes", codes, get_args(Codes))
@@ -310,7 +382,22 @@ def compile(
 
 
 def load(path: str | os.PathLike[str]) -> ShutterProgram:
-    """The compiled program in an `.icw` file. Raises Rejected where there is none."""
+    """Read a compiled program.
+
+    Parameters
+    ----------
+    path : str or PathLike
+        An `.icw` file.
+
+    Returns
+    -------
+    ShutterProgram
+
+    Raises
+    ------
+    Rejected
+        If the file is not a valid container.
+    """
     found = _path("nscc.load", path)
     if found.suffix.lower() == ".nsl":
         raise wrong_argument(

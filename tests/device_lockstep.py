@@ -37,7 +37,7 @@ class Lockstep(Firmware):
 
     def poll(self, now_us: int, room: int) -> bytes:
         """One step of the loader."""
-        self.put(b"I", _STEP.pack(now_us, room) + self._arrived)
+        self.write_record(b"I", _STEP.pack(now_us, room) + self._arrived)
         self._arrived = b""
         exposing = False
         while True:

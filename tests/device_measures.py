@@ -31,7 +31,7 @@ from loader_twin.loader import Loader
 
 from nscc.operations import op
 from nscc_runtime.device import firmware, tasks
-from nscc_runtime.device.faults import Faults
+from nscc_runtime.device.faults import LineFaults
 from nscc_runtime.device.host import Silent, Stalled
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.serving import Loaded
@@ -107,7 +107,7 @@ def large_upload() -> Upload:
     return upload_of(container, bytes(32))
 
 
-def upload_s(upload: Upload, faults: Faults) -> float:
+def upload_s(upload: Upload, faults: LineFaults) -> float:
     """How long the upload takes at 3 Mbit/s."""
     host = new_host(1)
     loader = Loader(target_of((256, 256)), chip_of(examples()[0]), "bench")
@@ -122,7 +122,7 @@ def good_line() -> bool:
     bytes_s = len(upload.stream) * 10 / BAUD
     well = True
     for delay_ms in (0, 1, 4):
-        took = upload_s(upload, Faults(delay_s=delay_ms / 1000))
+        took = upload_s(upload, LineFaults(delay_s=delay_ms / 1000))
         over = "" if took <= LIMIT_LINE_S or delay_ms > 1 else "  OVER"
         well = well and not over
         print(
@@ -131,7 +131,7 @@ def good_line() -> bool:
         )
     for after in (10_000, 60_000, 120_000):
         outage_s = 1.0
-        took = upload_s(upload, Faults(disconnect_after=after, outage_s=outage_s))
+        took = upload_s(upload, LineFaults(disconnect_after=after, outage_s=outage_s))
         unsent_s = (len(upload.stream) - after) * 10 / BAUD
         extra = took - after * 10 / BAUD - outage_s - unsent_s
         over = "" if extra <= LIMIT_RESUME_S else "  OVER"

@@ -21,11 +21,11 @@ from nscc.chips.target import Target
 from nscc.words.container import Container, Readout
 from nscc_runtime.device import firmware, tasks
 from nscc_runtime.device.board import EmulatedChip
-from nscc_runtime.device.faults import Faults
+from nscc_runtime.device.faults import LineFaults
+from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import Upload, upload_of
 from nscc_runtime.device.serving import Loaded
-from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 
@@ -120,14 +120,14 @@ def new_host(seed: int, **more: float) -> Host:
     return Host(lambda: numbers.randrange(1, 1 << 32), **more)
 
 
-def faults_of(seed: int, length: int) -> Faults:
+def faults_of(seed: int, length: int) -> LineFaults:
     """A bad cable: every kind of fault, alone and together, somewhere in a session."""
     numbers = random.Random(f"faults {seed}")
     rates = [numbers.choice([0.0, 10 ** numbers.uniform(-5, -2.7)]) for _ in range(2)]
     accidents = [
         numbers.randrange(1, 2 * length) if numbers.random() < 0.5 else None for _ in range(2)
     ]
-    return Faults(
+    return LineFaults(
         corrupt=rates[0],
         drop=rates[1],
         delay_s=numbers.choice([0.0, 0.001, 0.02, 0.05]),
@@ -140,11 +140,11 @@ def faults_of(seed: int, length: int) -> Faults:
 
 def uploaded_and_captured(
     host: Host, upload: Upload, number: int, channels: int = BOTH
-) -> Callable[[], Task[tasks.Taken]]:
+) -> Callable[[], Task[tasks.FetchedFrame]]:
     """The work of a session."""
-    wanted = Wanted(number, channels, upload)
+    wanted = FrameRequest(number, channels, upload)
 
-    def work() -> Task[tasks.Taken]:
+    def work() -> Task[tasks.FetchedFrame]:
         yield from tasks.upload(host, upload)
         return (yield from tasks.capture(host, wanted))
 
@@ -168,6 +168,6 @@ def session(
     line = line_of(host, loader_of(example), faults_of(seed, length))
     work = uploaded_and_captured(host, example.upload, seed + 1, channels)
     taken = line.run(host.lasting(work), limit_s=300)
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     whole = len(example.frame) if channels == BOTH else TARGET.rows * TARGET.cols
     return taken.data == example.frame[:whole], line

@@ -10,7 +10,7 @@ from collections import deque
 from collections.abc import Generator
 from dataclasses import dataclass
 
-from nscc_runtime.device.faults import Accidents, Faults, Spoiler
+from nscc_runtime.device.faults import Accidents, LineFaults, Spoiler
 from nscc_runtime.device.host import Host
 from nscc_runtime.device.packets import Packet
 from nscc_runtime.device.serving import Loaded
@@ -42,10 +42,10 @@ class Simulation:
     """A host and a loader with `faults` between them. `now` is the virtual time in seconds."""
 
     def __init__(
-        self, host: Host, loader: Loaded, faults: Faults | None = None, *, baud: float = 3e6
+        self, host: Host, loader: Loaded, faults: LineFaults | None = None, *, baud: float = 3e6
     ) -> None:
         self.host, self.loader = host, loader
-        self.faults = faults or Faults()
+        self.faults = faults or LineFaults()
         self.now = 0.0
         self.events: list[tuple[float, str]] = []
         self._byte_s = _BITS_A_BYTE / baud

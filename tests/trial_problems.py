@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from nscc_training.config import settings_of
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
-from nscc_training.loop.setup import Parts, make_parts
+from nscc_training.loop.setup import TrainingSetup, make_setup
 from nscc_training.loop.steps import decoded, loss_of
 from nscc_training.loop.trials import pull, trial_of
 from nscc_training.sensor_model import laid
@@ -41,22 +41,24 @@ def squared(prediction: Any, truth: Any) -> Any:
 
 def parts_of(
     decoder: Any, loss: Any = squared, sensor_noise: bool = False, **shutter: Any
-) -> Parts:
+) -> TrainingSetup:
     """Parts with that decoder and loss; by default of class b, 64 slots, a tile of 2 x 2."""
     values = {"class": "b", "slots": 64, "tile": [2, 2], "relaxation": "tried", **shutter}
     sensor, cpu = {"noise": sensor_noise}, {"device": "cpu"}
-    found = make_parts(settings_of({"shutter": values, "sensor": sensor, "train": cpu}))
+    found = make_setup(settings_of({"shutter": values, "sensor": sensor, "train": cpu}))
     return replace(found, decoder=decoder, loss=loss)
 
 
-def batch_of(parts: Parts, light: Any, truth: Any, shape: tuple[int, int] = (20, 20)) -> Batch:
+def batch_of(
+    parts: TrainingSetup, light: Any, truth: Any, shape: tuple[int, int] = (20, 20)
+) -> Batch:
     """One patch: light and truth over the frame in full wells."""
     light = torch.as_tensor(light, dtype=torch.float32).expand(shape)[None]
     truth = torch.as_tensor(truth, dtype=torch.float32).expand(shape)[None]
     return Batch(light * parts.model.full_well_e, truth, torch.tensor([1.0]), ("one",))
 
 
-def tried_gradients(parts: Parts, batch: Batch, trials: int) -> list[NDArray[np.float64]]:
+def tried_gradients(parts: TrainingSetup, batch: Batch, trials: int) -> list[NDArray[np.float64]]:
     """The gradients of each parameter, (trials, ..), of that many trials."""
     found: list[list[NDArray[np.float64]]] = []
     for seed in range(trials):
@@ -72,7 +74,7 @@ def tried_gradients(parts: Parts, batch: Batch, trials: int) -> list[NDArray[np.
     return [np.stack(each) for each in zip(*found, strict=True)]
 
 
-def open_share(parts: Parts, batch: Batch, steps: int, rate: float) -> float:
+def open_share(parts: TrainingSetup, batch: Batch, steps: int, rate: float) -> float:
     """The part of the frame that pixels are open for after so many steps of learning."""
     optimiser = torch.optim.Adam(parts.encoder.parameters(), betas=(0.5, 0.9))
     for step in range(steps):

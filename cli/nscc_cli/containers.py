@@ -128,7 +128,7 @@ def shutters(file: Path, out: Path, **options: Any) -> None:
     `mask` (rows, cols, N).
     """
     from nscc_runtime.formats import check_ending, endings, file_of
-    from nscc_runtime.formats.frames import shutter_content
+    from nscc_runtime.formats.frame_content import shutter_content
 
     check_ending(out, endings("arrays"), "shutters")
     from nscc.prove.shutters import shutters_of_pixels

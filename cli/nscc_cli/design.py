@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from nscc.chips.target import Target
-    from nscc_runtime.scenes.load import Laid
+    from nscc_runtime.scenes.load import PlacedLight
     from nscc_training.design import Design
     from nscc_training.search.choose import Kind
 
@@ -120,7 +120,7 @@ def _seen(
     scenes: tuple[str, ...], target: Target, options: dict[str, Any]
 ) -> list[NDArray[np.float64]]:
     """The light of each scene (rows, cols): electrons over the frame."""
-    return [laid.where.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
+    return [laid.placement.cut(laid.light.total_e()) for laid in _laid(scenes, target, options)]
 
 
 def _moving(
@@ -131,11 +131,14 @@ def _moving(
     starts = [slots * part // _CLIP_PARTS for part in range(_CLIP_PARTS)]
     starts = sorted(set(starts))
     return [
-        laid.where.cut(laid.light.joined(starts).dense()) for laid in _laid(scenes, target, options)
+        laid.placement.cut(laid.light.joined(starts).dense())
+        for laid in _laid(scenes, target, options)
     ]
 
 
-def _laid(scenes: tuple[str, ...], target: Target, options: dict[str, Any]) -> Iterator[Laid]:
+def _laid(
+    scenes: tuple[str, ...], target: Target, options: dict[str, Any]
+) -> Iterator[PlacedLight]:
     """Each scene in the slots of the frame on the chip's array."""
     slot_us = [options["slot_us"]] * options["slots"]
     for name in scenes or (None,):

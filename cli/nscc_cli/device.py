@@ -60,10 +60,10 @@ def serve(**options: Any) -> None:
     """
     from nscc.chips.load import load_target
     from nscc_runtime.device import stand_in
-    from nscc_runtime.device.faults import Faults, parse_faults
+    from nscc_runtime.device.faults import LineFaults, parse_faults
     from nscc_runtime.emulator.loops import expose_block
 
-    faults = parse_faults(options["fault"]) if options["fault"] else Faults()
+    faults = parse_faults(options["fault"]) if options["fault"] else LineFaults()
     target = load_target(options["target"], Path())
     sensor = sensor_of(target, options)
     scene = scene_of(options, "nothing for the stand-in to see: --scene is missing")
@@ -96,12 +96,12 @@ def _report(error: Exception) -> None:
 @shared.link_options
 def info(port: str, as_json: bool, baud: int, patience: float) -> None:
     """Say what the loader at PORT is, what it has room for and what it holds."""
-    from nscc_runtime.device.chip import Chip
     from nscc_runtime.device.description import info_json, info_text
-    from nscc_runtime.device.link import Link
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
 
-    with Link(port, baud=baud, patience_s=patience) as link:
-        found = Chip(link).info()
+    with SerialLink(port, baud=baud, patience_s=patience) as link:
+        found = DeviceChip(link).info()
         status = link.run(link.host.status)
     click.echo(info_json(found, status) if as_json else info_text(found, status), nl=False)
 
@@ -114,13 +114,13 @@ def info(port: str, as_json: bool, baud: int, patience: float) -> None:
 @shared.build_options
 def upload(port: str, program: Path, **options: Any) -> None:
     """Bring a program to the device at PORT; what it has of it already is not sent again."""
-    from nscc_runtime.device.chip import Chip
-    from nscc_runtime.device.link import Link
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
 
     container, messages = load_program(program, options)
     say(list(messages))
-    with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
-        sent = Chip(link, progress=progress).upload(container)
+    with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
+        sent = DeviceChip(link, progress=progress).upload(container)
     done(f"{port} holds '{program.name}': {sent.words} words, {len(sent.stream)} bytes")
 
 
@@ -158,9 +158,9 @@ def capture(port: str, program: Path | None, **options: Any) -> None:
 
 
 def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
-    from nscc_runtime.device.chip import Chip
-    from nscc_runtime.device.frames import capture_to, numbered_paths, target_of
-    from nscc_runtime.device.link import Link
+    from nscc_runtime.device.captured_frames import capture_to, numbered_paths, target_of
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
 
     container = None
@@ -173,8 +173,8 @@ def _capture(port: str, program: Path | None, options: dict[str, Any]) -> None:
             "--pixels belongs to a program, and none is named",
             helps=("name the program: `nscc device capture PORT FILE --pixels CODES.npz`",),
         )
-    with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
-        chip = Chip(link, progress=progress)
+    with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
+        chip = DeviceChip(link, progress=progress)
         target = container.target if container else target_of(chip, options["target"])
         sensor = sensor_of(target, options)
         check_adc(target)
@@ -202,13 +202,13 @@ def calibrate(port: str, out: Path, **options: Any) -> None:
     """
     from nscc.chips.load import target_toml
     from nscc.files import write_whole
-    from nscc_runtime.device.chip import Chip
-    from nscc_runtime.device.frames import target_of
-    from nscc_runtime.device.link import Link
+    from nscc_runtime.device.captured_frames import target_of
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.device.measured_times import measured
 
-    with Link(port, baud=options["baud"], patience_s=options["patience"]) as link:
-        target = target_of(Chip(link), options["target"])
+    with SerialLink(port, baud=options["baud"], patience_s=options["patience"]) as link:
+        target = target_of(DeviceChip(link), options["target"])
         times = measured(link, target)
     write_whole(out, target_toml(times.of(target)).encode())
     done(

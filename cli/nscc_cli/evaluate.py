@@ -67,7 +67,7 @@ def sci8(
 
     The yardsticks see the truth, not the measurement, and say so in the result ("sees").
     """
-    from nscc_training.baselines.loops import denoise
+    from nscc_training.baselines.tv_loop import denoise
     from nscc_training.evaluation.baselines import evaluate_sci8
 
     names = [path.name for path in clips]
@@ -148,7 +148,7 @@ def looks(data: Path, results: Path, seed: int, **outputs: Any) -> None:
     at 10 and 50 % of saturated pixels, with all effects of the sensor, and with comparators of 1, 2
     and 4 % of noise and offset.
     """
-    from nscc_training.sweep.looks import looks_table
+    from nscc_training.sweep.looks_table import looks_table
 
     found, text = looks_table(data, results, seed, progress)
     _finish(found, text, {}, **outputs)

@@ -129,7 +129,7 @@ def write_frame(
     from nscc.prove.shutters import replayed
     from nscc_runtime.decode_table import with_table
     from nscc_runtime.formats import file_of
-    from nscc_runtime.formats.frames import frame_content
+    from nscc_runtime.formats.frame_content import frame_content
     from nscc_runtime.frame_file import FrameFile
 
     with timings.part("write_s"):
@@ -155,9 +155,9 @@ def _picture(
     title: str,
 ) -> Product:  # fmt: skip
     """The picture of `--png`: of the first frame, where there are several."""
-    from nscc_runtime.formats.sheet import content_sheet
+    from nscc_runtime.formats.content_sheet import content_sheet
     from nscc_runtime.merge import readouts
-    from nscc_runtime.pictures.frames import frame_sheet
+    from nscc_runtime.pictures.frame_sheet import frame_sheet
     from nscc_runtime.pictures.sheet import png_of
 
     if content.colour:

@@ -21,9 +21,9 @@ _SCENE = ("exposure", "transfer", "fps", "crop", "frames_are")
 def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...]) -> None:
     """Expose on the device at `options["place"]`, as `nscc run` does on the emulator."""
     from nscc.words.readout import converter_of
-    from nscc_runtime.device.chip import Chip
-    from nscc_runtime.device.frames import exposed
-    from nscc_runtime.device.link import Link
+    from nscc_runtime.device.captured_frames import exposed
+    from nscc_runtime.device.device_chip import DeviceChip
+    from nscc_runtime.device.link import SerialLink
     from nscc_runtime.frame_file import check_adc
     from nscc_runtime.response import response_of
     from nscc_runtime.timings import Timings
@@ -45,9 +45,9 @@ def run_on_device(program: Path, options: dict[str, Any], keep: tuple[str, ...])
     out = frame_path(program, options)
     with (
         timings.part("expose_s"),
-        Link(place, baud=options["baud"], patience_s=options["patience"]) as link,
+        SerialLink(place, baud=options["baud"], patience_s=options["patience"]) as link,
     ):
-        chip = Chip(link, sensor, progress)
+        chip = DeviceChip(link, sensor, progress)
         frame, meta = exposed(chip, container, light, options["repeat"], progress)
         effects = chip.effects
     title = f"{program.name}  ·  on the device"

@@ -97,14 +97,14 @@ def command(
     title = named if frame is None else f"{frame.name}  ·  {named}"
     products = {out: file_of(out, content, what)}
     if png is not None:
-        from nscc_runtime.formats.sheet import content_sheet
+        from nscc_runtime.formats.content_sheet import content_sheet
         from nscc_runtime.pictures.sheet import png_of
 
         products[png] = png_of(content_sheet, content, title)
     write_together(products)
     done("\n".join(f"wrote {path.as_posix()}" for path in products))
     if png is not None or FORMATS[ending].shown:
-        done(f"shown with the {content.told}")
+        done(f"shown with the {content.tone_text}")
 
 
 def _of_measurement(

@@ -56,7 +56,7 @@ def command(
     """
     from nscc_runtime.pool import processors
     from nscc_training.sweep.grid import of_parts, read_grid
-    from nscc_training.sweep.run import How, failures, known, sweep, told
+    from nscc_training.sweep.run_sweep import How, failures, known, summary_lines, sweep
 
     if scheduler is not None and workers is not None:
         raise click.UsageError("--workers starts processes here, --scheduler has its own")
@@ -66,8 +66,8 @@ def command(
         count, here = known(of_parts(asked, parts), out, how)
         click.echo(f"{count} points: {here} known, {count - here} to compute")
         return 0
-    found = sweep(asked, out, how, parts=parts, parquet=parquet, track=progress, report=done)
-    for line in told(found):
+    found = sweep(asked, out, how, grid_parts=parts, parquet=parquet, track=progress, report=done)
+    for line in summary_lines(found):
         done(line)
     if found.failed:
         raise failures(found)

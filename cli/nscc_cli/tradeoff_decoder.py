@@ -39,7 +39,7 @@ def command(runs: tuple[Path, ...], trust_code: bool, **options: Any) -> int:
     with other codes apart; without runs random bits, and 2 x 2 stops for stills.
     """
     from nscc_runtime.pictures.sheet import png_of
-    from nscc_training.baselines.loops import denoise
+    from nscc_training.baselines.tv_loop import denoise
     from nscc_training.run_folder import load_run
     from nscc_training.tradeoff.decoder import Settings, cases, measure, not_measured
     from nscc_training.tradeoff.diagrams import TITLES, decoder_diagram

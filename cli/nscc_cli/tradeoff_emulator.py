@@ -23,7 +23,7 @@ from nscc_cli.tradeoff_files import kept_rows, output_files, write_files
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
-    from nscc_runtime.tradeoff.study import Scene, Settings, Study
+    from nscc_runtime.tradeoff.study import NamedLight, Study, StudySettings
 
 
 @click.command("emulator", cls=CommonCommand)
@@ -62,7 +62,7 @@ def command(program: Path | None, **options: Any) -> int:
     from nscc_runtime.execution.program import analysed
     from nscc_runtime.tradeoff.naive import copy_gb_per_s
     from nscc_runtime.tradeoff.study import measure
-    from nscc_runtime.tradeoff.study_text import kept, studies_text
+    from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
 
     files = output_files(options, "calibration", "budget")
     container, messages = _container(program, options)
@@ -79,7 +79,9 @@ def command(program: Path | None, **options: Any) -> int:
         )
         click.echo(studies_text(studies, gb_per_s))
         write_files(files, _makers(studies, options["repeats"]), rows)
-    return 0 if all(kept(each) for study in studies for each in study.asked) else 1
+    return (
+        0 if all(keeps_promise(each) for study in studies for each in study.measured_plans) else 1
+    )
 
 
 def _refuse(container: Container) -> None:
@@ -114,11 +116,11 @@ def _container(
     return with_pixels(made, path, options["pixels"]), ()
 
 
-def _settings(options: dict[str, Any]) -> Settings:
-    from nscc_runtime.tradeoff.study import Settings
+def _settings(options: dict[str, Any]) -> StudySettings:
+    from nscc_runtime.tradeoff.study import StudySettings
 
     named = ("frames", "repeats", "seed", "device_seed")
-    return Settings(
+    return StudySettings(
         tuple(options["tolerances"].split(",")),
         options["budget"],
         *(options[name] for name in named),
@@ -127,9 +129,9 @@ def _settings(options: dict[str, Any]) -> Settings:
 
 def _scenes(
     container: Container, options: dict[str, Any], messages: tuple[Diagnostic, ...]
-) -> list[Scene]:
+) -> list[NamedLight]:
     """The scenes, by the shortest names that tell them apart."""
-    from nscc_runtime.tradeoff.study import SCENES, Scene
+    from nscc_runtime.tradeoff.study import SCENES, NamedLight
 
     specs = list(dict.fromkeys(options["scenes"] or SCENES))
     names = [spec if spec.startswith("builtin:") else Path(spec).stem for spec in specs]
@@ -142,7 +144,7 @@ def _scenes(
         scene = scene_of({**options, "scene": spec})
         light = scene.light(container.slot_us, container.target, said.append, progress)
         say(said)
-        found.append(Scene(name, light))
+        found.append(NamedLight(name, light))
     return found
 
 

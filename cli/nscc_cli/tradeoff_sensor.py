@@ -88,7 +88,7 @@ def command(**options: Any) -> int:
     not fit the chip is a row that says so. Ends with status 1 where nothing fits.
     """
     from nscc_runtime.pictures.sheet import png_of
-    from nscc_training.baselines.loops import denoise
+    from nscc_training.baselines.tv_loop import denoise
     from nscc_training.tradeoff.diagrams import sensor_diagram
     from nscc_training.tradeoff.sensor import Settings, measure, refusals_text
 

@@ -13,9 +13,9 @@ from nscc_cli.support import CommonCommand, OutPath, done, progress
 def _print_schema(context: click.Context, _option: click.Parameter, value: bool) -> None:
     if value and not context.resilient_parsing:
         from nscc_training.config import config_toml
-        from nscc_training.settings import Settings
+        from nscc_training.settings import RunSettings
 
-        click.echo(config_toml(Settings(), remarks=True), nl=False)
+        click.echo(config_toml(RunSettings(), remarks=True), nl=False)
         context.exit()
 
 

@@ -55,10 +55,10 @@ def _shutters(program: Path, options: dict[str, Any]) -> bytes:
     from nscc_runtime.pictures.sheet import png_of
 
     if container.machine is not None:
-        from nscc_runtime.pictures.courses import course_sheet
+        from nscc_runtime.pictures.looking_chart import course_sheet
 
         return png_of(course_sheet, container, program.name)
-    from nscc_runtime.pictures.shutters import shutter_sheet
+    from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 
     return png_of(shutter_sheet, container, program.name)
 
@@ -78,7 +78,7 @@ def _gates(program: Path, options: dict[str, Any]) -> bytes:
     )
     assert compiled.lowered is not None  # what does not fit is rejected
     from nscc.emit.looking_network import network_of
-    from nscc_runtime.pictures.gates import gate_sheet
+    from nscc_runtime.pictures.gate_sheet import gate_sheet
     from nscc_runtime.pictures.sheet import png_of
 
     return png_of(gate_sheet, network_of(compiled.lowered), program.name)

@@ -10,11 +10,15 @@ __all__ = ["Diagnostic", "Fix", "Label", "Rejected", "Severity"]
 
 
 class Rejected(Exception):
-    """The user's input cannot be accepted: carries every diagnostic found and the exit status.
+    """Raised for input that nscc cannot accept; its text is what the command line prints.
 
-    Exit status 1: the program is rejected; 2: wrong usage or configuration; 3: device or
-    emulator failure. At least one diagnostic is an error. As text it is all of them, as the command
-    line shows them: with place, notes and help.
+    Parameters
+    ----------
+    diagnostics : Diagnostic or sequence of Diagnostic
+        All diagnostics found. At least one is an error.
+    status : int
+        Exit status of the command line: 1 for an invalid program, 2 for wrong usage or
+        configuration, 3 for a failure of device or emulator.
     """
 
     def __init__(self, diagnostics: Sequence[Diagnostic] | Diagnostic, status: int = 1) -> None:

@@ -41,14 +41,32 @@ class Fix:
 
 @dataclass(frozen=True)
 class Diagnostic:
-    """One message.
+    """An error, warning or note.
 
-    `code` is NSxxxx and has a page of that name in `nscc/diagnostics/pages` (`nscc explain`).
-    `message` is one line. `label` is the place the user can change; `related` are further
-    places (where a limit comes from). `notes` are printed after `=`, `helps` after `help:`;
-    `ways_out` describe nearby programs that were compiled and fit, and are printed as a list.
-    `data` is for programs (JSON values only); a resource error's holds `resource`, `required`,
-    `available` and `proved`. `source` is None for messages about no text.
+    Parameters
+    ----------
+    code : str
+        `NSxxxx`, the name of a page in `nscc/diagnostics/pages` (`nscc explain NSxxxx`).
+    message : str
+        One line that says what is wrong.
+    severity : Severity
+    source : Source, optional
+        The text that the diagnostic is about.
+    label : Label, optional
+        The place in the text that the user can change.
+    related : tuple of Label
+        Further places, such as the origin of a limit.
+    notes : tuple of str
+        Facts, printed after `=`.
+    helps : tuple of str
+        Suggestions, printed after `help:`.
+    ways_out : tuple of str
+        Similar programs that were compiled and fit.
+    fixes : tuple of Fix
+        Changes of the text that would resolve the diagnostic.
+    data : mapping
+        JSON values for programs. For a resource error: `resource`, `required`, `available`,
+        `proved`.
     """
 
     code: str

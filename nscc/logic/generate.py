@@ -157,6 +157,17 @@ class GeneratorFault:
         )
 
 
+def note_fault(
+    error: Exception, name: str, level: int, faults: list[GeneratorFault] | None
+) -> None:
+    """Adds an exception of `name` to `faults`; raises it again where nobody lists faults, and
+    where it is a diagnostic or a lack of memory."""
+    if faults is None or isinstance(error, (Rejected, MemoryError)):
+        raise error
+    said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
+    faults.append(GeneratorFault(name, level, said, "".join(traceback.format_exception(error))))
+
+
 def solutions(
     problem: Problem, machine: Machine, level: int, faults: list[GeneratorFault] | None = None
 ) -> Iterator[Solution]:
@@ -183,14 +194,8 @@ def solutions(
                         for solution in _tried(name, each, problem, machine, allowed):
                             yield solution
                             some = True
-                    except (Rejected, MemoryError):
-                        raise
                     except Exception as error:
-                        if faults is None:
-                            raise
-                        said = " ".join(f"{type(error).__name__}: {error}".split())[:200]
-                        trace = "".join(traceback.format_exception(error))
-                        faults.append(GeneratorFault(name, level, said, trace))
+                        note_fault(error, name, level, faults)
         return some
 
     direct = list(made("direct"))

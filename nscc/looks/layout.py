@@ -15,11 +15,11 @@ import numpy as np
 from nscc.chips.target import Target
 from nscc.logic.problem import Gate, Problem, Segment, Solution
 from nscc.looks.plan import LookingPlan, Moment
-from nscc.looks.solve import RESET, LookingSolution, SetIn
+from nscc.looks.solve import LookingSolution, SetIn
 from nscc.lower.allocate import Allocation, allocate, refresh_words, words
 from nscc.lower.decoding import Decoding
 from nscc.lower.lowered import Lowered
-from nscc.lower.plan import ExposurePlan, Step
+from nscc.lower.plan import RESET, ExposurePlan, Step
 from nscc.lower.schedule import Schedule, kernel_us, refreshed_registers
 from nscc.lower.timeline import Timeline
 from nscc.operations import Op, op

@@ -19,7 +19,7 @@ from itertools import chain
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.lower.plan import Misfit
+from nscc.lower.plan import Misfit, analog_registers
 from nscc.operations import Op, op
 from nscc.program.program import Program
 from nscc.truth import vector
@@ -104,23 +104,14 @@ class LookingPlan:
 
 def plan_looks(program: Program, machine: Machine) -> LookingPlan | Misfit:
     """The plan of a program, or the analog registers that it lacks."""
-    target, buckets = program.target, program.buckets
-    free = target.analog_available
-    required = len(buckets) + 1
-    if required > len(free):
-        return Misfit(
-            f"edges needs {required} analog registers beside {target.analog_scratch}: "
-            f"{len(buckets)} buckets and the reset level; there are {len(free)}",
-            "analog registers", required, len(free),
-        )  # fmt: skip
-    own, reference = free[: len(buckets)], free[len(buckets)]
-    holders = {
-        register: f"exposure of {bucket.name}"
-        for register, bucket in zip(own, buckets, strict=True)
-    }
-    holders |= {reference: "reset level of PIX", target.analog_scratch: "scratch of analog words"}
-    moments = tuple(_moments(machine))
-    return LookingPlan(program, machine, moments, holders, own, reference, target.analog_scratch)
+    analog = analog_registers(program, "edges", reference=True)
+    if isinstance(analog, Misfit):
+        return analog
+    assert analog.reference is not None
+    return LookingPlan(
+        program, machine, tuple(_moments(machine)), analog.holders, analog.buckets,
+        analog.reference, analog.scratch,
+    )  # fmt: skip
 
 
 def _moments(machine: Machine) -> Iterator[Moment]:

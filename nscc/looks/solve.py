@@ -13,12 +13,10 @@ from nscc.logic.problem import Gate, GaveUp, Machine
 from nscc.looks.encode import Encoding, Held
 from nscc.looks.plan import LookingPlan, Moment
 from nscc.looks.synthesis import FLAG, Board, update
+from nscc.lower.plan import RESET
 from nscc.operations import Op, op
 from nscc.truth import columns, vector
 from nscc.words.machine import LIGHT, Comparison
-
-RESET = (op("rpix"), op("rpix"), op("nop"))
-"""Twice and a pause, as the library's respix does: one word is too short to empty the well."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from nscc.cache.results import Result, Results
-from nscc.logic.generate import GeneratorFault, solutions
+from nscc.logic.generate import GeneratorFault, note_fault, solutions
 from nscc.logic.problem import Machine, Solution
 from nscc.lower.decoding import Decoding, problem_of
 from nscc.lower.lowered import Lowered, lay_out
@@ -120,8 +120,11 @@ def lower(
         if level >= 2 and searched and found:
             from nscc.logic.improve import refine  # with networkx, which `check` does without
 
-            best = refine(found, problem, machine, level, priced, target.store_words)
-            found.insert(0, best)
+            try:
+                best = refine(found, problem, machine, level, priced, target.store_words)
+                found.insert(0, best)
+            except Exception as error:
+                note_fault(error, "improve", level, faults)
         if level > 0 and searched and (level > 1 or not found or not found[0].fits):
             # More steps end some generators elsewhere and leave out others: not always better.
             below = cheapest(level - 1)

@@ -84,6 +84,18 @@ class Misfit:
     searched: bool = False
 
 
+class AnalogRegisters(NamedTuple):
+    """Who holds which analog register: one a bucket, the reset level where it is held, and scratch.
+
+    `holders` maps every register to its holder.
+    """
+
+    buckets: tuple[str, ...]
+    reference: str | None
+    scratch: str
+    holders: dict[str, str]
+
+
 Opens = tuple[tuple[int, ...], ...]
 """For every bucket, the truth vector of the open shutters in each slot."""
 
@@ -127,23 +139,37 @@ def levels(program: Program) -> Opens:
 
 def plan_exposure(program: Program, lowering: Lowering, opens: Opens) -> ExposurePlan | Misfit:
     """The plan of `lowering` for `program`, or why there is none. `opens` is `levels(program)`."""
-    buckets = len(program.buckets)
-    free = program.target.analog_available
-    reference_needed = lowering != "edges" or buckets < len(free)
-    required = buckets + reference_needed
-    if required > len(free):
-        return Misfit(
-            f"{lowering} needs {required} analog registers beside {program.target.analog_scratch}: "
-            f"{buckets} buckets{' and the reset level' * reference_needed}; there are {len(free)}",
-            "analog registers",
-            required,
-            len(free),
-        )
+    free = len(program.target.analog_available)
+    reference = lowering != "edges" or len(program.buckets) < free
+    registers = analog_registers(program, lowering, reference=reference)
+    if isinstance(registers, Misfit):
+        return registers
     shutters = program.table.shutters
     if lowering == "latch" and np.any(shutters[:, :, 1:] & ~shutters[:, :, :-1]):
         return Misfit("latch serves only shutters that open with slot 0 and close once")
-    reference = free[buckets] if reference_needed else None
-    return _Builder(program, lowering, opens, reference).build()
+    return _Builder(program, lowering, opens, registers).build()
+
+
+def analog_registers(
+    program: Program, lowering: Lowering, *, reference: bool
+) -> AnalogRegisters | Misfit:
+    """The registers of a lowering, one for the reset level if it needs a `reference`."""
+    target, buckets = program.target, program.buckets
+    free = target.analog_available
+    required = len(buckets) + reference
+    if required > len(free):
+        return Misfit(
+            f"{lowering} needs {required} analog registers beside {target.analog_scratch}: "
+            f"{len(buckets)} buckets{' and the reset level' * reference}; there are {len(free)}",
+            "analog registers", required, len(free),
+        )  # fmt: skip
+    pairs = zip(free[: len(buckets)], buckets, strict=True)
+    holders = {register: f"exposure of {bucket.name}" for register, bucket in pairs}
+    level = free[len(buckets)] if reference else None
+    if level is not None:
+        holders[level] = "reset level of PIX"
+    holders[target.analog_scratch] = "scratch of analog words"
+    return AnalogRegisters(free[: len(buckets)], level, target.analog_scratch, holders)
 
 
 def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
@@ -165,23 +191,21 @@ def _analog_writes(program: Program, steps: Sequence[Step]) -> tuple[int, int]:
 
 
 # Twice and a pause, as the library's respix does: one word is too short to empty the well.
-_RESET = (op("rpix"), op("rpix"), op("nop"))
+RESET = (op("rpix"), op("rpix"), op("nop"))
 
 
 class _Builder:
     """Collects the steps of one plan in the order in which they run."""
 
     def __init__(
-        self, program: Program, lowering: Lowering, opens: Opens, reference: str | None
+        self, program: Program, lowering: Lowering, opens: Opens, analog: AnalogRegisters
     ) -> None:
         self.program = program
         self.lowering = lowering
         self.opens = opens
-        self.reference = reference
-        self.zero = () if reference is None else (reference,)
+        self.registers, self.reference, self.scratch, self.holders = analog
+        self.zero = () if self.reference is None else (self.reference,)
         self.slots = len(program.frame.slot_us)
-        self.registers = program.target.analog_available[: len(program.buckets)]
-        self.scratch = program.target.analog_scratch
         self.everywhere = (1 << len(program.table.shutters)) - 1
         self.steps: list[Step] = []
 
@@ -189,22 +213,11 @@ class _Builder:
         self._setup()
         lowerings = {"accumulate": self._accumulate, "latch": self._latch, "edges": self._edges}
         lowerings[self.lowering]()
-        holders = {
-            register: f"exposure of {bucket.name}"
-            for register, bucket in zip(self.registers, self.program.buckets, strict=True)
-        }
-        if self.reference is not None:
-            holders[self.reference] = "reset level of PIX"
-        holders[self.scratch] = "scratch of analog words"
         return ExposurePlan(
-            self.lowering,
-            tuple(self.steps),
-            holders,
-            tuple(self.registers),
-            len(self.program.table.shutters),
-            self.slots,
+            self.lowering, tuple(self.steps), self.holders, self.registers,
+            len(self.program.table.shutters), self.slots,
             _analog_writes(self.program, self.steps),
-        )
+        )  # fmt: skip
 
     def _step(
         self, boundary: int, role: Role, bucket: int, predicate: int, words: tuple[Op, ...]
@@ -221,7 +234,7 @@ class _Builder:
         sample: tuple[Op, ...] = ()
         if self.reference is not None:
             sample = (op("bus", (scratch,), ("PIX",)), op("bus", (self.reference,), (scratch,)))
-        self.steps.append(Step(0, "reset", -1, None, (*_RESET, *sample)))
+        self.steps.append(Step(0, "reset", -1, None, (*RESET, *sample)))
 
     def _add(self, register: str) -> tuple[Op, ...]:
         """register += PIX - reference."""
@@ -237,7 +250,7 @@ class _Builder:
         adds = [self._add(register) for register in self.registers]
         for slot, lit in enumerate(zip(*self.opens, strict=True)):
             if slot and any(lit):
-                self.steps.append(Step(slot, "reset", -1, None, _RESET))
+                self.steps.append(Step(slot, "reset", -1, None, RESET))
             for bucket, add in enumerate(adds):
                 self._step(slot + 1, "open", bucket, lit[bucket], add)
 
@@ -258,7 +271,7 @@ class _Builder:
         """Falls before rises: a rise may reset what another bucket's fall still has to read."""
         falls = [self._add(register) for register in self.registers]
         resets = self._can_reset_at_rise()
-        rises = [_RESET if resets else self._subtract(register) for register in self.registers]
+        rises = [RESET if resets else self._subtract(register) for register in self.registers]
         # With a reference, PIX stands at it at boundary 0: there is nothing to subtract.
         first_rise = 0 if self.reference is None else 1
         for boundary, changes in self._changes():

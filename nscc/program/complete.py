@@ -13,8 +13,14 @@ from nscc.program.advice import judge_bumps, judge_names, judge_rules
 from nscc.program.classes import Recognised, recognise
 from nscc.program.limits import SURVEY_LIMIT
 from nscc.program.looking import Looking
-from nscc.program.looking_advice import judge_looked_names, judge_looking, shutters_in_the_dark
-from nscc.program.looking_size import Part, largest_part, most_looks
+from nscc.program.looking_advice import (
+    Part,
+    judge_looked_names,
+    judge_looking,
+    largest_part,
+    most_looks,
+    shutters_in_the_dark,
+)
 from nscc.program.machine import build_machine
 from nscc.program.names import Declarations, Rule
 from nscc.program.open_time import with_open_times

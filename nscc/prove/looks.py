@@ -2,336 +2,219 @@
 
 From every node in which a frame can start, all outcomes of all comparisons are followed. At each
 boundary the program's own comparisons must be made, each once, by a `where` that sums exactly
-level - signal, or signal - level; which is answered makes two lanes of each. When the frame ends
+level - signal, or signal - level; each lane becomes two, one for each answer. When the frame ends,
 every bucket holds the light of the slots in which the program was open, code and states are held as
 the container says, and a second frame starts from whatever the first one left behind.
+
+An analog value is a number for one random light, and what it owes: it is `owes` times the exposure
+that each bucket should hold by now, plus a rest. Lanes that agree in node, bits, what they owe and
+rests go on alike whatever exposure they have gathered: they are merged, or accumulating programs
+would have 2^looks histories. A merged lane carries the numbers of one of its histories, and `exact`
+says whether all of them had the same exposures.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import replace
-from math import inf
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.operations import Op
-from nscc.prove.interpreter import Interpreter
-from nscc.prove.noise import Noise
-from nscc.prove.pixels import UNKNOWN, Bits, Floats, Lanes
+from nscc.prove.pixels import (
+    TOLERANCE,
+    WRONG_CODE,
+    WRONG_EXPOSURE,
+    Bits,
+    Pixels,
+    Values,
+    Wrong,
+)
+from nscc.truth import rows
 from nscc.words.container import Container
 from nscc.words.machine import LIGHT, Machine
 
-TOLERANCE = 1e-9
 MOST_LANES = 10**7
 """Most transitions that are followed in a frame."""
 
-
-class Wrong(Exception):
-    """What the words do wrong: in words, and in which bucket or behaviour."""
-
-    def __init__(self, what: str, bucket: str | None = None, behaviour: int | None = None) -> None:
-        super().__init__(what)
-        self.what, self.bucket, self.behaviour = what, bucket, behaviour
+_DIGITS = 1e8
+"""Rests that differ by less than a part in so many of the frame's light are the same."""
 
 
-class Looks(Interpreter[Bits]):
-    """A container with a machine, its words, and the pixels that run them."""
+class Looks(Pixels):
+    """The nodes of a container's machine, and the answers that lead to them.
 
-    def __init__(
-        self, container: Container, kernels: Sequence[Sequence[Op]], light: Floats, seed: int
-    ) -> None:
+    By lane: `node` and the `outcome` of the look so far, int64 (lanes,); `due` (lanes, buckets),
+    the exposure that the program wants; `since` (lanes,), its `light`; `exact` bool (lanes,).
+    """
+
+    def __init__(self, container: Container, kernels: Sequence[Sequence[Op]]) -> None:
         assert container.machine is not None
-        self.container, self.kernels, self.light = container, kernels, light
         self.machine: Machine = container.machine
-        self.target = container.target
-        self.scale = float(light.sum())
-        self.noise = Noise(seed)
-        self.registers = (*self.target.digital_registers, "FLAG", "SELECT", "bus")
-        self.place = {name: i for i, name in enumerate(self.registers)}
-        self.analog = {name: i for i, name in enumerate((*self.target.analog_registers, "PIX"))}
-        self.reset_level = self._random()
-        self.level: int | None = None
-        self.now_us = 0.0
-        self.written_us = dict.fromkeys(self.registers, 0.0)
-        self.loaded = set(self.registers)
-        self.boundary = 0
-        self.transitions = 0
-        self.pending: list[int] = []
-        self.lanes = self._first()
-
-    def _random(self) -> float:
-        return float(self.noise.levels(1, 1)[0, 0])
-
-    def _first(self) -> Lanes:
-        """Every node of stage 0, with the registers that a device loads."""
+        self.full_e = container.target.full_well_e
         nodes = np.arange(self.machine.first[1], dtype=np.int64)
-        bits = np.full((len(self.registers), len(nodes)), UNKNOWN, np.int8)
-        encoding = self.container.encoding[self.machine.behaviour[nodes]]
-        for name in self.container.code_registers:
-            column = self.target.digital_registers.index(name)
-            bits[self.place[name]] = encoding[:, column]
-        for name, values in self._held(nodes, kept=True).items():
-            bits[self.place[name]] = values
-        return self._started(nodes, bits)
+        encoding = container.encoding[self.machine.behaviour[nodes]]
+        super().__init__(container, kernels, encoding, terms=len(container.buckets))
+        self.pending: list[int] = []
+        self._start(nodes)
+        self.bits |= self._state_bits(kept=True)
 
-    def _started(self, nodes: NDArray[np.int64], bits: Bits) -> Lanes:
-        """Lanes at boundary 0: what analog registers hold is anything."""
-        count, buckets = len(nodes), len(self.container.buckets)
-        analog = np.array([[self._random()] * count for _ in self.analog])
-        return Lanes(
-            nodes, np.zeros(count, np.int64), bits, analog,
-            np.zeros((len(self.analog), buckets, count)), np.zeros((buckets, count)),
-            np.zeros(count), np.ones(count, np.bool_),
-        )  # fmt: skip
+    def _start(self, nodes: NDArray[np.int64]) -> None:
+        """Lanes at boundary 0."""
+        self.node, self.outcome = nodes, np.zeros_like(nodes)
+        self.due = np.zeros((len(nodes), len(self.container.buckets)))
+        self.since = np.zeros(len(nodes))
+        self.exact = np.ones(len(nodes), np.bool_)
 
-    def _held(self, nodes: NDArray[np.int64], *, kept: bool) -> dict[str, Bits]:
-        """What the registers of states, kept ones only where `kept`, hold at these nodes."""
+    def choose(self, lanes: NDArray[np.intp]) -> None:
+        """Keeps some of the lanes, some perhaps twice."""
+        super().choose(lanes)
+        self.node, self.outcome = self.node[lanes], self.outcome[lanes]
+        self.due, self.since, self.exact = self.due[lanes], self.since[lanes], self.exact[lanes]
+
+    def _state_bits(self, *, kept: bool) -> dict[str, Bits]:
+        """What the registers of states, kept ones only where `kept`, hold in each lane."""
         found: dict[str, Bits] = {}
         for k, state in enumerate(self.machine.states):
             planes = self.container.state_planes.get(state.name)
             if planes is None or (kept and not state.kept):
                 continue
-            rows = dict(zip(planes.values, planes.bits, strict=True))
-            values = self.machine.values[nodes, k].tolist()
-            if not rows.keys() >= set(values):
+            bits = dict(zip(planes.values, planes.bits, strict=True))
+            values = self.machine.values[self.node, k].tolist()
+            if not bits.keys() >= set(values):
                 raise Wrong(f"no bits stand for some value of the state `{state.name}`")
-            bits = np.array([rows[value] for value in values], np.int8).reshape(len(values), -1)
-            found |= zip(planes.registers, bits.T, strict=True)
+            held = np.array([bits[value] for value in values], np.bool_)
+            registers = held.reshape(len(values), -1)
+            found |= zip(planes.registers, self.known(registers), strict=True)
         return found
 
-    def frame(self) -> None:
-        """Runs one frame; raises Wrong with the first thing that is."""
-        container, machine = self.container, self.machine
-        start_us = self.now_us
-        boundary_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-        launches = iter(container.launches)
-        launch = next(launches, None)
-        stage = 0
-        for boundary in range(container.slots + 1):
-            self.boundary = boundary
-            self.now_us = start_us + float(boundary_us[boundary])
-            looks = stage < len(machine.looks) and machine.looks[stage] == boundary
+    def prove_frame(self, light: Values) -> None:
+        """Runs one frame in `light` (N,); raises Wrong with the first thing that is."""
+        machine, slots = self.machine, self.container.slots
+        light_e = light * (self.full_e / light.sum())
+        self.start_frame()
+        self._merge({})
+        for boundary in range(slots + 1):
+            looks = boundary in machine.looks
             self.pending = machine.order(boundary) if looks else []
-            while launch is not None and launch.instant == boundary:
-                self.level = launch.level if launch.level is not None else self.level
-                for word in self.kernels[launch.kernel]:
-                    self._run(word)
-                launch = next(launches, None)
+            self.run_launches(boundary)
             if self.pending:
                 level = machine.at(boundary)[self.pending[0]].level
                 raise Wrong(f"nothing is compared with {level} steps of IN at boundary {boundary}")
             if looks:
-                self._step()
-                stage += 1
-            if boundary < container.slots:
-                self._fall(boundary)
+                self.node = machine.steps[self.node, self.outcome].astype(np.int64)
+                self.outcome = np.zeros_like(self.node)
+                self._merge(self._readouts())
+            if boundary < slots:
+                self._fall(boundary, float(light_e[boundary]))
+        self.end_frame()
         self._check_end()
-        self._next_frame(start_us + float(boundary_us[-1]))
+        self._next_frame()
 
-    def _step(self) -> None:
-        """The program's own step: answers lead to the next nodes."""
-        lanes = self.lanes
-        node = self.machine.steps[lanes.node, lanes.outcome].astype(np.int64)
-        lanes = replace(lanes, node=node, outcome=np.zeros_like(node))
-        self.lanes = lanes.merged(self._readouts(), self.scale)
+    def _readouts(self) -> dict[str, int]:
+        """The bucket that an analog register ends up as."""
+        buckets = self.container.buckets
+        return {r.register: buckets.index(r.bucket) for r in self.container.readouts}
 
-    def _readouts(self) -> dict[int, int]:
-        return {
-            self.analog[readout.register]: self.container.buckets.index(readout.bucket)
-            for readout in self.container.readouts
-        }
-
-    def _fall(self, slot: int) -> None:
+    def _fall(self, slot: int, light_e: float) -> None:
         """The program's resets, and the light of a slot."""
-        lanes, light = self.lanes, float(self.light[slot])
-        since = np.where(self.machine.resets[lanes.node, slot], 0.0, lanes.since) + light
-        due = lanes.due + self.machine.opens[lanes.node, :, slot].T * light
-        analog = lanes.analog.copy()
-        analog[self.analog["PIX"]] += light
+        self.since = np.where(self.machine.resets[self.node, slot], 0.0, self.since) + light_e
         # What a register holds stays; said by exposures that grow, its rest shrinks.
-        self.lanes = replace(lanes, since=since, due=due, analog=analog)
+        self.due += self.machine.opens[self.node, :, slot] * light_e
+        self.analog["PIX"][:, 0] += light_e
 
     def _check_end(self) -> None:
-        lanes, container = self.lanes, self.container
-        rests = lanes.rests()
-        for bucket, name in enumerate(container.buckets):
-            readout = next((r for r in container.readouts if r.bucket == name), None)
-            if readout is None:
+        gains = {readout.bucket: readout for readout in self.container.readouts}
+        for bucket, name in enumerate(self.container.buckets):
+            if name not in gains:
                 raise Wrong("no register is read out", name)
-            register = self.analog[readout.register]
-            value = lanes.analog[register] * readout.gain - lanes.due[bucket]
-            owes = lanes.owes[register] * readout.gain
-            owes[bucket] -= 1.0
-            told = (np.abs(owes) <= TOLERANCE).all(axis=0)
-            told &= np.abs(rests[register]) <= TOLERANCE * self.scale
-            right = np.where(lanes.exact, np.abs(value) <= TOLERANCE * self.scale, told)
+            value = self.analog[gains[name].register] * gains[name].gain
+            right = self._amounts_to(value, bucket, self.due[:, bucket])
             if not right.all():
-                worst = int(self.machine.behaviour[lanes.node[int(np.argmin(right))]])
-                what = "exposure differs from the sum of light over the open slots"
-                raise Wrong(what, name, worst)
-        self._check_bits(lanes)
+                worst = int(self.machine.behaviour[self.node[int(np.argmin(right))]])
+                raise Wrong(WRONG_EXPOSURE, name, worst)
+        states = self._state_bits(kept=False)
+        for register, bits in states.items():
+            if self.read(register) != bits:
+                raise Wrong(f"{register} does not hold its state when the frame ends")
+        encoding = self.container.encoding[self.machine.behaviour[self.node]]
+        for register, bits in self.code_bits(encoding).items():
+            if register not in states and self.read(register) != bits:
+                raise Wrong(WRONG_CODE)
 
-    def _check_bits(self, lanes: Lanes) -> None:
-        """The code is what it was, and states are held as the container says."""
-        states = self._held(lanes.node, kept=False)
-        for name, values in states.items():
-            if not np.array_equal(self._read(name), values):
-                raise Wrong(f"{name} does not hold its state when the frame ends")
-        encoding = self.container.encoding[self.machine.behaviour[lanes.node]]
-        for name in self.container.code_registers:
-            column = self.target.digital_registers.index(name)
-            if name not in states and not np.array_equal(self._read(name), encoding[:, column]):
-                raise Wrong("the code registers do not hold their code when the frame ends")
-
-    def _next_frame(self, end_us: float) -> None:
-        """Whatever is left behind, and time for the readout; what no word writes fades."""
-        machine, lanes = self.machine, self.lanes
-        self.now_us = end_us + self.target.readout_us * len(self.container.readouts)
-        self.written_us |= dict.fromkeys(self.loaded, -inf)
+    def _next_frame(self) -> None:
+        """The nodes in which the next frame starts, by what this one keeps."""
+        machine = self.machine
         kept = [k for k, state in enumerate(machine.states) if state.kept]
-        first = range(int(machine.first[1]))
-        starts = {
-            (int(machine.behaviour[node]), *machine.values[node, kept].tolist()): node
-            for node in first
-        }
-        keys = zip(
-            machine.behaviour[lanes.node].tolist(),
-            machine.values[lanes.node][:, kept].tolist(),
-            strict=True,
-        )
-        nodes = np.array([starts[behaviour, *values] for behaviour, values in keys], np.int64)
-        self.lanes = self._started(nodes, lanes.bits).merged({}, self.scale)
+        keys = np.column_stack((machine.behaviour, machine.values[:, kept])).tolist()
+        starts = {tuple(key): node for node, key in enumerate(keys[: int(machine.first[1])])}
+        self._start(np.array([starts[tuple(keys[node])] for node in self.node], np.int64))
 
-    def _reset(self, word: Op) -> None:
-        analog = self.lanes.analog.copy()
-        owes = self.lanes.owes.copy()
-        pix = self.analog["PIX"]
-        here = np.ones(self.lanes.count, np.bool_)
-        if self.target.reset_honours_flag != "no":
-            flag = self._read("FLAG")
-            here = flag == 1
-            unsure = flag == UNKNOWN
-            if self.target.reset_honours_flag == "unknown":
-                unsure = ~here
-            analog[pix, unsure] = self._random()
-        analog[pix, here] = self.reset_level
-        self.lanes = replace(self.lanes, analog=analog, owes=owes)
-
-    def _total(self, word: Op) -> tuple[Floats, Floats]:
-        """The sum of a word's sources (lanes,) and what it owes (buckets, lanes)."""
-        lanes = self.lanes
-        total = np.zeros(lanes.count)
-        owes = np.zeros((len(self.container.buckets), lanes.count))
-        for name in word.sources:
-            if name == "IN":
-                if self.level is None:
-                    raise Wrong(f"`{word}` reads IN, which nothing has set")
-                total = total + self.level * self.target.electrons_per_step / self._electron
-                continue
-            total = total + lanes.analog[self.analog[name]]
-            owes = owes + lanes.owes[self.analog[name]]
-        return total, owes
-
-    @property
-    def _electron(self) -> float:
-        """Electrons of a unit of the random light: a full well is all of it."""
-        return self.target.full_well_e / self.scale
-
-    def _bus(self, word: Op) -> None:
-        total, owed = self._total(word)
-        flag = self._read("FLAG")
-        analog, owes = self.lanes.analog.copy(), self.lanes.owes.copy()
-        here, unsure = flag == 1, flag == UNKNOWN
-        for name in word.destinations:
-            place = self.analog[name]
-            analog[place, here] = (total / -word.operation.divisor)[here]
-            owes[place][:, here] = (owed / -word.operation.divisor)[:, here]
-            if unsure.any():
-                analog[place, unsure] = self.noise.levels(1, int(unsure.sum()))[0]
-                owes[place][:, unsure] = 0.0
-        self.lanes = replace(self.lanes, analog=analog, owes=owes)
-
-    def _compare(self, word: Op) -> None:
-        """One of the program's comparisons, which both outcomes follow."""
-        total, owes = self._total(word)
-        if self.target.where_obeys_flag and not (self._read("FLAG") == 1).all():
-            raise Wrong(f"`{word}` is masked in some pixels, at boundary {self.boundary}")
-        comparisons = self.machine.at(self.boundary)
+    def compare(self, word: Op) -> Bits:
+        """One of the program's comparisons: all lanes follow both answers."""
+        if self.target.where_obeys_flag and self.read("FLAG") != (self.everything, 0):
+            raise Wrong(f"`{word}` is masked in some pixels, at boundary {self._boundary}")
+        total = self.total(word)
+        comparisons = self.machine.at(self._boundary)
         for number in self.pending:
+            comparison = comparisons[number]
+            level_e = comparison.level * self.target.electrons_per_step
             for above in (False, True):
-                if self._is(
-                    comparisons[number].signal, comparisons[number].level, above, total, owes
-                ):
+                if self._is(total if above else -total, comparison.signal, level_e):
                     self.pending.remove(number)
-                    self._split(number, above)
-                    return
+                    return self._follow_both(number, above)
         raise Wrong(
-            f"`{word}` sums something else than a signal and its level, at boundary {self.boundary}"
+            f"`{word}` sums something else than a signal and its level, at boundary "
+            f"{self._boundary}"
         )
 
-    def _is(self, signal: int, level: int, above: bool, total: Floats, owes: Floats) -> bool:
-        """Whether these sums are exactly signal - level, or level - signal where not `above`."""
-        lanes = self.lanes
-        sign = 1.0 if above else -1.0
-        level_in_light = level * self.target.electrons_per_step / self._electron
-        expected = lanes.since if signal == LIGHT else lanes.due[signal]
-        close = np.abs(sign * total - (expected - level_in_light)) <= TOLERANCE * self.scale
-        rest = sign * owes
-        if signal != LIGHT:
-            rest = rest.copy()
-            rest[signal] -= 1.0
-        told = (np.abs(rest) <= TOLERANCE).all(axis=0)
-        return bool((close & (told | lanes.exact)).all())
+    def _is(self, value: Values, signal: int, level_e: float) -> bool:
+        """Whether a value (lanes, parts) is exactly signal - level."""
+        if signal == LIGHT:
+            return bool(self._amounts_to(value, None, self.since - level_e).all())
+        return bool(self._amounts_to(value, signal, self.due[:, signal] - level_e).all())
 
-    def _split(self, number: int, above: bool) -> None:
-        count = self.lanes.count
+    def _amounts_to(
+        self, value: Values, bucket: int | None, expected_e: Values
+    ) -> NDArray[np.bool_]:
+        """In which lanes a value (lanes, parts) is `expected_e`, whatever the light: it owes the
+        exposure of `bucket` once and nothing else."""
+        owes = value[:, 1:].copy()
+        if bucket is not None:
+            owes[:, bucket] -= 1.0
+        told = (np.abs(owes) <= TOLERANCE).all(axis=1)
+        return (np.abs(value[:, 0] - expected_e) <= TOLERANCE * self.full_e) & (told | self.exact)
+
+    def _follow_both(self, number: int, above: bool) -> Bits:
+        """Doubles the lanes; returns FLAG, which is 1 where comparison `number` says `above`."""
+        count = self.lanes
         self.transitions += 2 * count
         if self.transitions > MOST_LANES:
             raise Wrong(f"more than {MOST_LANES} transitions are to be followed")
-        both = np.tile(np.arange(count), 2)
-        lanes = self.lanes.chosen(both)
-        answer = np.repeat([0, 1], count)
-        self.lanes = replace(lanes, outcome=lanes.outcome | answer << number)
-        self._write("FLAG", (answer == above).astype(np.int8))
+        self.choose(np.tile(np.arange(count), 2))
+        self.outcome |= np.repeat([0, 1], count) << number
+        no = (1 << count) - 1
+        yes = no << count
+        return (yes, no) if above else (no, yes)
 
-    def _read(self, name: str) -> Bits:
-        """What a digital source gives; unknown once it has decayed."""
-        if self.now_us - self.written_us[name] > self.target.digital_retention_us:
-            return np.full(self.lanes.count, UNKNOWN, np.int8)
-        return np.asarray(self.lanes.bits[self.place[name]])
-
-    def _some(self, word: Op) -> Bits:
-        found = np.zeros(self.lanes.count, np.int8)
-        for name in word.sources:
-            value = self._read(name)
-            either = np.maximum(found, value)
-            found = np.where((found == 1) | (value == 1), 1, either).astype(np.int8)
-        return found
-
-    def _ones(self) -> Bits:
-        return np.ones(self.lanes.count, np.int8)
-
-    def _inverse(self, value: Bits) -> Bits:
-        return np.where(value == UNKNOWN, UNKNOWN, 1 - value).astype(np.int8)
-
-    def _write_masked(self, name: str, value: Bits) -> None:
-        guard = self._read(self.target.mask_register or "")
-        if (guard == 1).all():
-            self._write(name, value)
-            return
-        old = self._read(name)
-        unsure = np.where(old == value, old, UNKNOWN)
-        kept = np.where(guard == 1, value, np.where(guard == 0, old, unsure))
-        self._set(name, kept.astype(np.int8))
-
-    def _set(self, name: str, value: Bits) -> None:
-        bits = self.lanes.bits.copy()
-        bits[self.place[name]] = value
-        self.lanes = replace(self.lanes, bits=bits)
-
-    def _write(self, name: str, value: Bits) -> None:
-        self._set(name, value)
-        self.written_us[name] = self.now_us
-        self.loaded.discard(name)
+    def _merge(self, readouts: Mapping[str, int]) -> None:
+        """Keeps one of equal lanes. `readouts` names the bucket that an analog register ends up as:
+        where all histories have the same exposures, what it holds is said by them."""
+        for register, bucket in readouts.items():
+            self.analog[register][self.exact, 1:] = 0.0
+            self.analog[register][self.exact, 1 + bucket] = 1.0
+        values = np.stack(list(self.analog.values()), axis=1)
+        owes = values[:, :, 1:]
+        rests = values[:, :, 0] - (owes * self.due[:, None]).sum(axis=2)
+        lights = np.rint(np.column_stack((self.since, rests)) * (_DIGITS / self.full_e))
+        terms = np.rint(owes.reshape(self.lanes, -1) * 1024)
+        numbers = np.column_stack((self.node, lights, terms)).astype(np.int64)
+        bits = rows([vector for bits in self.bits.values() for vector in bits], self.lanes)
+        keys = np.hstack((numbers.view(np.uint8), np.packbits(bits, axis=1)))
+        keys = np.ascontiguousarray(keys).view(f"V{keys.shape[1]}")[:, 0]
+        _, first, group = np.unique(keys, return_index=True, return_inverse=True)
+        same = (np.abs(self.due - self.due[first[group]]) <= self.full_e / _DIGITS).all(axis=1)
+        exact = np.ones(len(first), np.bool_)
+        np.logical_and.at(exact, group, same & self.exact)
+        self.choose(first)
+        self.exact = exact

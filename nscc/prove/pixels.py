@@ -1,92 +1,275 @@
-"""Pixels of a program that looks, while words run over them: every code, state and answer at once.
+"""The symbolic replay: registers of all pixels that a proof tells apart, and what words do to them.
 
-A lane is one way in which a pixel can have come so far. Bits are 0, 1 or unknown; analog values are
-numbers for one random light, with what they owe: a value is `owes` times the exposure that each
-bucket should hold by now, plus a rest. Lanes that agree in node, bits, what they owe and rests go
-on alike whatever exposure they have gathered: they are merged, or accumulating programs would have
-2^looks histories. A merged lane carries the numbers of one of its histories, and `exact` says
-whether all of them had the same exposures.
+A lane is one such pixel: a code, or a way in which a pixel of a program that looks can have come
+so far. A bit of all lanes is a pair of truth vectors. The value of an analog register is a row of
+parts in each lane: lights that are carried side by side, then the terms of a linear form. Words
+act on every part alike. Meaning comes from `nscc.operations`, as it does for the emulator, but no
+line of code is shared with it.
+
+What a real pixel leaves open stays open. A bit is unknown that nobody wrote, that SELECT reads,
+that has decayed, or that `where` took from analog values. An analog value that nobody wrote is
+noise from a fixed seed, and so is whatever a word leaves where FLAG is unknown. A program whose
+result depends on any of it does not prove.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from itertools import groupby
+from math import inf
+from operator import attrgetter
 
 import numpy as np
 from numpy.typing import NDArray
 
-Floats = NDArray[np.float64]
-Bits = NDArray[np.int8]
-UNKNOWN = 2
-_DIGITS = 1e8
-"""Rests that differ by less than a part in so many of the frame's light are the same."""
+from nscc.operations import Effect, Op, Phase
+from nscc.prove.noise import Noise
+from nscc.truth import columns, members, rows
+from nscc.words.container import Container
+
+TOLERANCE = 1e-9
+"""Largest error of an exposure, as a share of all the light of the frame."""
+
+Bits = tuple[int, int]
+"""A bit of every lane: the lanes where it is known to be 1, and those where it is known to be 0."""
+
+UNKNOWN: Bits = (0, 0)
+
+Values = NDArray[np.float64]
+Lanes = NDArray[np.intp] | slice
+
+WRONG_EXPOSURE = "exposure differs from the sum of light over the open slots"
+WRONG_CODE = "the code registers do not hold their code when the frame ends"
 
 
-@dataclass(frozen=True, eq=False)
-class Lanes:
-    """`node`, `outcome` int64 (lanes,); `bits` int8 (registers, lanes); `analog` (analog registers,
-    lanes) and `owes` (analog registers, buckets, lanes), PIX the last of the analog registers;
-    `due` (buckets, lanes): the exposure that the program wants; `since` (lanes,): its `light`.
+class Wrong(Exception):
+    """What the words do wrong: in words, and in which bucket and shutter."""
+
+    def __init__(self, what: str, bucket: str | None = None, shutter: int | None = None) -> None:
+        super().__init__(what)
+        self.what, self.bucket, self.shutter = what, bucket, shutter
+
+
+class Pixels:
+    """Pixels of a container, and the words that they run, over consecutive frames.
+
+    `kernels` are the container's words, decoded; `encoding` bool (lanes, registers) is what the
+    host loads. An analog value has `lights` parts in electrons and `terms` that start at zero. With
+    `quiet`, analog values that nobody wrote are zero, and what a word leaves where FLAG is unknown
+    is NaN. `transitions` counts the answers of comparisons that were followed. `doubts` collects in
+    words why bits became unknown that once were known, and which analog word first found FLAG
+    unknown.
     """
 
-    node: NDArray[np.int64]
-    outcome: NDArray[np.int64]
-    bits: Bits
-    analog: Floats
-    owes: Floats
-    due: Floats
-    since: Floats
-    exact: NDArray[np.bool_]
+    def __init__(
+        self, container: Container, kernels: Sequence[Sequence[Op]], encoding: NDArray[np.bool_],
+        *, lights: int = 1, terms: int = 0, quiet: bool = False,
+    ) -> None:  # fmt: skip
+        self.container, self.kernels, self.target = container, kernels, container.target
+        self.lights, self.parts, self.quiet = lights, lights + terms, quiet
+        self.doubts: list[str] = []
+        self.transitions = 0
+        self._random = Noise(_SEED)
+        self._reset_level = self._noise(1)
+        self._resize(len(encoding))
+        self.bits: dict[str, Bits] = {
+            **dict.fromkeys((*self.target.digital_registers, "FLAG", "SELECT", "bus"), UNKNOWN),
+            **self.code_bits(encoding),
+        }
+        self.analog: dict[str, Values] = {}
+        by_boundary = groupby(container.launches, key=attrgetter("instant"))
+        self.launches = {boundary: tuple(launches) for boundary, launches in by_boundary}
+        self._boundary_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
+        self._frame, self._boundary = 0, 0
+        self._start_us = self._now_us = 0.0
+        self._written_us = dict.fromkeys(self.bits, 0.0)
+        self._never_written = set(self.bits)
 
-    @property
-    def count(self) -> int:
-        """How many lanes there are."""
-        return len(self.node)
+    # Lanes.
 
-    def rests(self) -> Floats:
-        """What analog values are beside what they owe (analog registers, lanes)."""
-        found: Floats = self.analog - (self.owes * self.due[None]).sum(axis=1)
-        return found
+    def _resize(self, lanes: int) -> None:
+        self.lanes, self.everything = lanes, (1 << lanes) - 1
+        self._split: tuple[Bits, Lanes, Lanes | None] = (UNKNOWN, slice(0, 0), slice(None))
 
-    def chosen(self, lanes: NDArray[np.intp]) -> Lanes:
-        """Some of the lanes."""
-        return Lanes(
-            self.node[lanes], self.outcome[lanes], self.bits[:, lanes], self.analog[:, lanes],
-            self.owes[:, :, lanes], self.due[:, lanes], self.since[lanes], self.exact[lanes],
-        )  # fmt: skip
+    def choose(self, lanes: NDArray[np.intp]) -> None:
+        """Keeps some of the lanes, some perhaps twice."""
+        vectors = [vector for bits in self.bits.values() for vector in bits]
+        chosen = iter(columns(rows(vectors, self.lanes)[lanes]))
+        self.bits = {name: (next(chosen), next(chosen)) for name in self.bits}
+        self.analog = {name: values[lanes] for name, values in self.analog.items()}
+        self._resize(len(lanes))
 
-    def merged(self, readouts: dict[int, int], scale: float) -> Lanes:
-        """The lanes that differ. `readouts` names the bucket that an analog register ends up as:
-        where all histories have the same exposures, what it holds can be told by them."""
-        lanes = self
-        for register, bucket in readouts.items():
-            lanes = replace(lanes, owes=_owed(lanes, register, bucket))
-        rests = np.rint(lanes.rests() * (_DIGITS / scale)).astype(np.int64)
-        since = np.rint(lanes.since * (_DIGITS / scale)).astype(np.int64)
-        owes = np.rint(lanes.owes * 1024).astype(np.int64).reshape(-1, lanes.count)
-        rows = np.concatenate(
-            [lanes.node[None], lanes.outcome[None], since[None], rests, owes, _packed(lanes.bits)]
+    def known(self, bits: NDArray[np.bool_]) -> list[Bits]:
+        """Known bits (lanes, registers) as one value a register."""
+        return [(ones, self.everything & ~ones) for ones in columns(bits)]
+
+    def code_bits(self, encoding: NDArray[np.bool_]) -> dict[str, Bits]:
+        """What the code registers of all lanes hold, of the rows (lanes, registers)."""
+        registers, names = self.target.digital_registers, self.container.code_registers
+        places = [registers.index(name) for name in names]
+        return dict(zip(names, self.known(encoding[:, places]), strict=True))
+
+    # Frames.
+
+    def start_frame(self) -> None:
+        """Begins a frame: nothing is known of analog registers."""
+        if self._frame:
+            # Frames follow each other for as long as the chip runs: what none of them writes fades.
+            self._written_us.update(dict.fromkeys(self._never_written, -inf))
+        self._frame += 1
+        self._start_us = self._now_us
+        names = (*self.target.analog_registers, "PIX", "IN")
+        for name, value in zip(names, self._noise(len(names)), strict=True):
+            self.analog[name] = np.full((self.lanes, self.parts), value)
+
+    def run_launches(self, boundary: int) -> None:
+        """Runs what is launched at a boundary."""
+        self._boundary = boundary
+        self._now_us = self._start_us + float(self._boundary_us[boundary])
+        for launch in self.launches.get(boundary, ()):
+            if launch.level is not None:
+                self.set_in(launch.level)
+            for word in self.kernels[launch.kernel]:
+                self.run(word)
+
+    def end_frame(self) -> None:
+        """Ends a frame, the readout included; images and planes use all registers but the code's."""
+        if self.container.pictures is not None:
+            for name in self.bits.keys() - {*self.container.code_registers}:
+                self.write(name, UNKNOWN)
+        self._boundary = self.container.slots
+        self._now_us = self._start_us + float(self._boundary_us[-1])
+        self._now_us += self.target.readout_us * len(self.container.readouts)
+
+    def set_in(self, level: int) -> None:
+        """Sets IN to `level` steps."""
+        self.analog["IN"][:] = 0.0
+        self.analog["IN"][:, : self.lights] = level * self.target.electrons_per_step
+
+    def _noise(self, rows: int) -> Values:
+        """Values that nobody wrote, each the same in every lane (rows, parts)."""
+        values = np.zeros((rows, self.parts))
+        if not self.quiet:
+            values[:, : self.lights] = self._random.levels(rows, self.lights)
+        return values
+
+    # Words.
+
+    def run(self, word: Op) -> None:
+        """Runs a word in every lane."""
+        match word.operation.effect:
+            case Effect.RESET_PIX:
+                self._reset()
+            case Effect.BUS:
+                self._bus(word)
+            case Effect.FLAG_ALL:
+                self.write("FLAG", (self.everything, 0))
+            case Effect.FLAG_ANALOG:
+                self.write("FLAG", self.compare(word))
+            case Effect.FLAG_DIGITAL:
+                self.write("FLAG", self._some(word))
+            case Effect.DIGITAL:
+                self._digital(word)
+
+    def _reset(self) -> None:
+        where: Lanes = slice(None)
+        unsure = None
+        if self.target.reset_honours_flag != "no":
+            where, unsure = self._flagged("rpix")
+        if self.target.reset_honours_flag == "unknown":
+            unflagged = self.everything & ~self.read("FLAG")[0]
+            unsure = members(unflagged, self.lanes) if unflagged else None
+        self._store("PIX", self._reset_level, where, unsure)
+
+    def _bus(self, word: Op) -> None:
+        where, unsure = self._flagged(str(word))
+        value = self.total(word, where) / -word.operation.divisor
+        for name in word.destinations:
+            self._store(name, value, where, unsure)
+
+    def _store(self, name: str, value: Values, where: Lanes, unsure: Lanes | None) -> None:
+        self.analog[name][where] = value
+        if unsure is not None:
+            self.analog[name][unsure] = np.nan if self.quiet else self._noise(1)
+
+    def total(self, word: Op, where: Lanes = slice(None)) -> Values:
+        """The sum of a word's analog sources (lanes, parts)."""
+        if not word.sources:
+            return np.zeros((1, self.parts))
+        first, *others = (self.analog[name][where] for name in word.sources)
+        return sum(others, first)
+
+    def compare(self, word: Op) -> Bits:
+        """What a comparison of analog values leaves in FLAG: it depends on the light."""
+        self._doubt(f"`{word}` makes FLAG hang on the light")
+        # Where `where` obeys FLAG, pixels that were masked stay masked.
+        return 0, self.read("FLAG")[1] if self.target.where_obeys_flag else 0
+
+    def _flagged(self, word: str) -> tuple[Lanes, Lanes | None]:
+        """Lanes whose FLAG is 1 and, if there are any, those whose FLAG is unknown."""
+        flag = self.read("FLAG")
+        if flag != self._split[0]:
+            one, zero = flag
+            ones = slice(None) if one == self.everything else members(one, self.lanes)
+            unsure = self.everything & ~(one | zero)
+            self._split = flag, ones, members(unsure, self.lanes) if unsure else None
+        if self._split[2] is not None:
+            self._doubt(f"FLAG is unknown to `{word}` in some pixels")
+        return self._split[1:]
+
+    def _digital(self, word: Op) -> None:
+        row = word.operation
+        if row.phase is Phase.WRITE:
+            value = self.read("bus")
+        else:
+            value = self._some(word)
+            if row.inverted:
+                value = value[1], value[0]
+            if row.phase is Phase.READ:
+                self.write("bus", value)
+                return
+        # The mask decides as it stands before the word: the word may write the mask as well.
+        masked, mask = self.target.masked_register, self.target.mask_register
+        for name in sorted(word.destinations, key=lambda name: name != masked):
+            self.write(name, value, mask if name == masked else None)
+
+    def read(self, name: str) -> Bits:
+        """What a register holds; nothing that is known once it has decayed."""
+        value = self.bits[name]
+        if self._now_us - self._written_us[name] <= self.target.digital_retention_us:
+            return value
+        if value != UNKNOWN:
+            never = self._written_us[name] == -inf
+            self._doubt(f"{name} has decayed{': no frame writes it anew' if never else ''}")
+        return UNKNOWN
+
+    def _some(self, word: Op) -> Bits:
+        """The OR of a word's digital sources."""
+        one, zero = 0, self.everything
+        for name in word.sources:
+            ones, zeros = self.read(name)
+            one |= ones
+            zero &= zeros
+        return one, zero
+
+    def write(self, name: str, value: Bits, mask: str | None = None) -> None:
+        """Writes a register; where the register `mask` is 0 it keeps its own bit."""
+        on, off = (self.everything, 0) if mask is None else self.read(mask)
+        if on == self.everything:
+            self.bits[name] = value
+            self._written_us[name] = self._now_us
+            self._never_written.discard(name)
+            return
+        one, zero = (
+            (on & new) | (off & kept) | (new & kept)
+            for new, kept in zip(value, self.read(name), strict=True)
         )
-        keys = np.ascontiguousarray(rows.T).view(f"V{rows.shape[0] * 8}")[:, 0]
-        _, first, group = np.unique(keys, return_index=True, return_inverse=True)
-        exact = np.ones(len(first), np.bool_)
-        same = np.abs(lanes.due - lanes.due[:, first[group]]) <= scale / _DIGITS
-        np.logical_and.at(exact, group, same.all(axis=0) & lanes.exact)
-        return replace(lanes.chosen(first), exact=exact)
+        self.bits[name] = one, zero
+
+    def _doubt(self, what: str) -> None:
+        if len(self.doubts) < _MOST_DOUBTS:
+            self.doubts.append(f"{what}, at boundary {self._boundary} of frame {self._frame}")
 
 
-def _owed(lanes: Lanes, register: int, bucket: int) -> Floats:
-    """`owes` with a register said as the exposure of its bucket and a rest, where that is known."""
-    owes = lanes.owes.copy()
-    owes[register][:, lanes.exact] = 0.0
-    owes[register, bucket, lanes.exact] = 1.0
-    return owes
-
-
-def _packed(bits: Bits) -> NDArray[np.int64]:
-    """Bits as numbers: (numbers, lanes)."""
-    rows = []
-    for start in range(0, len(bits), 31):
-        part = bits[start : start + 31].astype(np.int64)
-        rows.append((part << (2 * np.arange(len(part)))[:, None]).sum(axis=0))
-    return np.array(rows)
+_SEED = 20201
+_MOST_DOUBTS = 4

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from nscc.prove.replay import Replay
 from nscc.words.container import Container
 from nscc.words.legality import target_fault
@@ -36,13 +34,14 @@ def readout_fault(container: Container) -> tuple[str, str] | None:
 
 def _left(container: Container, preparation: Preparation) -> dict[str, tuple[float, float]]:
     """What is in each register that is read out, before the words and after them, in electrons."""
-    target = container.target
-    replay = Replay(replace(container, encoding=container.encoding[:1]), (), lights=1)
-    in_e = (preparation.level or 0) * target.electrons_per_step
-    own = {each.register for each in container.readouts}
-    before = {name: replay.analog[name].copy() for name in own}
-    after = replay.prepared(preparation.words, np.full((1, 1), in_e))
-    return {name: (float(before[name][0, 0]), float(after[name][0, 0])) for name in own}
+    replay = Replay(replace(container, encoding=container.encoding[:1]), ())
+    replay.start_frame()
+    registers = [readout.register for readout in container.readouts]
+    before = {name: float(replay.analog[name][0, 0]) for name in registers}
+    replay.set_in(preparation.level or 0)
+    for word in preparation.words:
+        replay.run(word)
+    return {name: (before[name], float(replay.analog[name][0, 0])) for name in registers}
 
 
 def _wanted(container: Container, exposure_e: float) -> float:

@@ -26,11 +26,16 @@ A text is a list of lines; `;` or `#` begins a comment.
 from __future__ import annotations
 
 import re
+from collections.abc import Mapping
+from functools import cache, lru_cache
 from pathlib import Path
+
+from lark import Lark, UnexpectedInput, UnexpectedToken
+from lark import Token as LarkToken
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.suggest import meant
-from nscc.macros import OperandError, expand, mnemonics
+from nscc.macros import Mnemonic, OperandError, expand, mnemonics
 from nscc.operations import READ_LINES, Operation
 from nscc.source import Source, Span
 from nscc.words.container import Container, Word
@@ -40,12 +45,9 @@ from nscc.words.encoding import encode
 from nscc.words.linking import check_instructions, find_target, link
 from nscc.words.text import read_block_line, read_string
 
-_TOKEN = re.compile(r'"(?:[^"\\]|\\.)*"|[^\s;#"]+')
-_BLANKS = re.compile(r"[ \t\r\f\v]*")
-_CODE = re.compile(r"[^;#]*")
-_INSTRUCTION = re.compile(r"\s*(\S+)\s*")
-_MOST_OPERANDS = 100
-_MOST_TOKENS = 1 << 14
+_PIECE = re.compile(r'"(?:[^"\\]|\\.)*"?|[^\s;#"]+')
+_CODE = re.compile("[;#]")
+_MOST_PIECES = 1 << 14
 
 
 def assemble(source: Source, base: Path) -> Container:
@@ -88,22 +90,25 @@ def _own(source: Source, base: Path) -> tuple[Operation, ...]:
 def _read(source: Source, faults: Faults, own: tuple[Operation, ...] = ()) -> Draft:
     draft = Draft()
     block: Block | None = None
+    known = mnemonics(own)
     offset = 0
     for line in source.text.split("\n"):
-        text = line.rstrip("\r")
-        begin = offset + len(text) - len(text.lstrip())
+        text = line.rstrip("\r").lstrip()
+        begin = offset + line.index(text)
         offset += len(line) + 1
-        text = text.lstrip()
         if text.startswith("|"):
             _block_line(text, begin, block, faults)
-        elif text.startswith("."):
-            block = None
-            tokens = _tokens(text, begin, faults)
-            if tokens:
-                block = _directive(tokens, draft, faults)
-        elif text and text[0] not in ";#":
-            block = None
-            _instruction(text, begin, draft, faults, own)
+            continue
+        first = _PIECE.match(text)
+        if first is None:  # a comment, or nothing
+            continue
+        head, block = Token(first[0], Span(begin, begin + first.end())), None
+        if _is_known(head, known, faults):
+            pieces = _pieces(text, head, faults)
+            if head.text in DIRECTIVES and pieces is not None:
+                block = DIRECTIVES[head.text].read(head, pieces, draft, faults)
+            elif pieces is not None:
+                _instruction(head, pieces, draft, faults, own)
     return draft
 
 
@@ -120,104 +125,104 @@ def _block_line(text: str, begin: int, block: Block | None, faults: Faults) -> N
         block.lines.append((content, span))
 
 
-def _tokens(text: str, begin: int, faults: Faults) -> list[Token]:
-    tokens: list[Token] = []
-    at = 0
-    while at < len(text) and text[at] not in ";#":
-        if len(tokens) == _MOST_TOKENS:
-            message = f"a line has at most {_MOST_TOKENS} pieces"
-            faults.add("NS0714", message, Span(begin + at, begin + at + 1))
-            return []
-        match = _TOKEN.match(text, at)
-        quoted = text[at] == '"'
-        value = match[0] if match else None
-        if match and quoted:
-            value = read_string(match[0])
-        if match is None or value is None:
-            span = Span(begin + at, begin + len(text))
-            faults.add("NS0714", f"malformed text in quotation marks: {shown(text[at:])}", span)
-            return []
-        tokens.append(Token(value, Span(begin + at, begin + match.end())))
-        blanks = _BLANKS.match(text, match.end())
-        at = blanks.end() if blanks else match.end()
-        if at == match.end() and not (at < len(text) and text[at] in '";#') and at < len(text):
-            # Some other blank, such as U+00A0: not a token's character and not a separator either.
-            span = Span(begin + at, begin + at + 1)
-            faults.add("NS0714", f"unexpected character {shown(text[at])}", span)
-            return []
-    return tokens
-
-
-def _directive(tokens: list[Token], draft: Draft, faults: Faults) -> Block | None:
-    head = tokens[0]
-    directive = DIRECTIVES.get(head.text)
-    if directive is None:
+def _is_known(head: Token, known: Mapping[str, Mnemonic], faults: Faults) -> bool:
+    """Whether a line begins with the name of a directive or an instruction."""
+    name = shown(head.text)
+    if head.text.startswith(".") and head.text not in DIRECTIVES:
         helps = meant(head.text, DIRECTIVES, f"there are {', '.join(DIRECTIVES)}")
-        faults.add("NS0713", f"there is no directive {shown(head.text)}", head.span, helps=helps)
+        faults.add("NS0713", f"there is no directive {name}", head.span, helps=helps)
+    elif head.text not in DIRECTIVES and head.text not in known:
+        helps = meant(head.text, known, f"instructions and macros: {' '.join(known)}")
+        faults.add("NS0710", f"there is no instruction {name}", head.span, helps=helps)
+    else:
+        return True
+    return False
+
+
+@cache
+def _grammar() -> Lark:
+    text = Path(__file__).with_suffix(".lark").read_text(encoding="utf-8")
+    return Lark(text, parser="lalr", start="line", maybe_placeholders=False)
+
+
+@lru_cache(1 << 12)
+def _parsed(line: str) -> tuple[tuple[str, int, int], ...]:
+    """The pieces of a line behind its first one, each with its place; kernels repeat lines."""
+    found = _grammar().parse(line).scan_values(lambda piece: isinstance(piece, LarkToken))
+    return tuple((str(piece), piece.start_pos or 0, piece.end_pos or 0) for piece in found)
+
+
+def _pieces(text: str, head: Token, faults: Faults) -> list[Token] | None:
+    """The pieces of a line behind `head`; None where the grammar does not take them."""
+    begin = head.span.start
+    is_instruction = head.text not in DIRECTIVES
+    code = _CODE.split(text, 1)[0] if is_instruction else text
+    count = code.count(",") if is_instruction else 0
+    if count + len(code.split(maxsplit=_MOST_PIECES)) > _MOST_PIECES:
+        faults.add("NS0714", f"a line has at most {_MOST_PIECES} pieces", head.span)
         return None
-    return directive(tokens, draft, faults)
+    try:
+        pieces = _parsed(text)
+    except UnexpectedInput as error:
+        at = error.pos_in_stream or 0
+        ends = isinstance(error, UnexpectedToken) and error.token.type == "$END"
+        wrong = None if ends else _PIECE.match(text, at)
+        found = "" if ends else wrong[0] if wrong else text[at]
+        span = head.span if ends else Span(begin + at, begin + at + len(found))
+        _misplaced(found, span, head, code, faults)
+        return None
+    tokens = []
+    for piece, start, end in pieces:
+        span = Span(begin + start, begin + end)
+        quoted = piece.startswith('"') and not is_instruction
+        value = read_string(piece) if quoted else piece
+        if value is None:
+            _misplaced(piece, span, head, code, faults)
+            return None
+        tokens.append(Token(value, span))
+    return tokens[is_instruction:]
+
+
+def _misplaced(found: str, span: Span, head: Token, code: str, faults: Faults) -> None:
+    """Notes a piece that the grammar does not take there; an empty one is the line's end."""
+    name = head.text
+    if name not in DIRECTIVES:
+        if found in ("", ","):
+            faults.add("NS0712", f"an operand of {name} is empty", span)
+            return
+        message = f"operands of {name} are separated by commas, not by blanks"
+        operands = code.replace(",", " ").split()[1:]
+        faults.add("NS0711", message, span, helps=(f"write `{name} {', '.join(operands)}`",))
+        return
+    needs, usage = DIRECTIVES[name].needs, DIRECTIVES[name].usage
+    if found.startswith('"'):
+        message = f"malformed text in quotation marks: {shown(found)}"
+    elif found:
+        message = f"{shown(found)} does not belong here: {name} takes {needs}"
+    else:
+        message = f"{name} needs {needs}"
+    faults.add("NS0714", message, span, helps=(f"write {usage}",))
 
 
 def _instruction(
-    text: str, begin: int, draft: Draft, faults: Faults, own: tuple[Operation, ...]
+    head: Token, operands: list[Token], draft: Draft, faults: Faults, own: tuple[Operation, ...]
 ) -> None:
-    match = _CODE.match(text)
-    code = match[0].rstrip() if match else ""
-    split = _INSTRUCTION.match(code)
-    name, rest = (split[1], code[split.end() :]) if split else (code, "")
-    span = Span(begin, begin + len(code))
-    if rest.count(",") >= _MOST_OPERANDS:
-        message = f"no instruction takes {rest.count(',') + 1} operands"
-        faults.add("NS0711", message, Span(begin, begin + len(name)))
+    name = head.text
+    unknown = [operand for operand in operands if operand.text not in READ_LINES]
+    for operand in unknown[:20]:
+        some = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
+        helps = meant(operand.text, READ_LINES, some)
+        message = f"there is no register {shown(operand.text)}"
+        faults.add("NS0712", message, operand.span, helps=helps)
+    if unknown:
         return
-    operands = _operands(rest, begin + len(code) - len(rest))
-    known = mnemonics(own)
-    if name not in known:
-        helps = meant(name, known, f"instructions and macros: {' '.join(known)}")
-        place = Span(begin, begin + len(name))
-        faults.add("NS0710", f"there is no instruction {shown(name)}", place, helps=helps)
-        return
-    if not _known_registers(name, operands, faults):
-        return
+    span = head.span.to(operands[-1].span) if operands else head.span
     try:
         ops = expand(name, [operand.text for operand in operands], own)
     except OperandError as error:
         place = operands[error.index].span if error.index is not None else span
-        faults.add("NS0711", str(error), place, helps=(f"write `{known[name].usage}`",))
+        usage = mnemonics(own)[name].usage
+        faults.add("NS0711", str(error), place, helps=(f"write `{usage}`",))
         return
     words = tuple(encode(operation) for operation in ops)
     draft.add(Instruction(words, ops, span), faults)
-
-
-def _operands(text: str, begin: int) -> list[Token]:
-    """The pieces between commas; nothing at all is no operand."""
-    if not text.strip():
-        return []
-    tokens = []
-    for piece in text.split(","):
-        stripped = piece.strip()
-        start = begin + len(piece) - len(piece.lstrip())
-        tokens.append(Token(stripped, Span(start, start + max(len(stripped), 1))))
-        begin += len(piece) + 1
-    return tokens
-
-
-def _known_registers(name: str, operands: list[Token], faults: Faults) -> bool:
-    known = True
-    for operand in operands[:20]:
-        if operand.text in READ_LINES:
-            continue
-        known = False
-        parts = operand.text.split()
-        if " " in operand.text and all(part in READ_LINES for part in parts):
-            message = f"operands of {name} are separated by commas, not by blanks"
-            helps: tuple[str, ...] = (f"write `{name} {', '.join(parts)}`",)
-            faults.add("NS0711", message, operand.span, helps=helps)
-            continue
-        message = f"an operand of {name} is empty"
-        if operand.text:
-            message = f"there is no register {shown(operand.text)}"
-        some = "registers are A to F, NEWS, PIX, IN, R0, R1, .., FLAG and SELECT"
-        helps = meant(operand.text, READ_LINES, some)
-        faults.add("NS0712", message, operand.span, helps=helps)
-    return known

@@ -17,7 +17,7 @@ from nscc.files import write_together
 from nscc.words.container import Container
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.formats import check_ending, endings, file_of
-from nscc_runtime.formats.frames import frame_content
+from nscc_runtime.formats.frame_content import frame_content
 from nscc_runtime.frame_file import KEEP, Frame, FrameFile, frame_lines, meta
 from nscc_runtime.light import Light
 from nscc_runtime.merge import Readout, light_estimate, readouts
@@ -33,24 +33,37 @@ _SIDE, _MOST = 256, 1024
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class Capture(Frame):
-    """One scene captured; with `repeat` its arrays have a leading axis K.
+    """One captured scene. With `repeat`, all arrays have a leading axis of K frames.
 
-    `frame` uint8, codes of the converter; `exposure_e` float64, electrons before it; `valid` and
-    `saturated` bool, `saturated_by` uint8; each (buckets, rows, cols) as in a frame file. The frame
-    is as large as the array, or as a picture in pieces; colours are a leading axis. `exposed` says
-    what was exposed, and how.
+    The frame has the shape of the array, or of the picture if the picture was exposed in pieces.
+    Colours are a leading axis.
+
+    Parameters
+    ----------
+    frame : array of uint8
+        Codes of the analog-to-digital converter, (buckets, rows, cols).
+    exposure_e : array of float64
+        Electrons before conversion, (buckets, rows, cols).
+    valid : array of bool
+        Pixels that are usable, (buckets, rows, cols).
+    saturated_by : array of uint8
+        Causes of saturation as bits, (buckets, rows, cols).
+    told : mapping
+        States, open slots and light of a program whose pixels look, by name.
+    exposed : Taken
+        The scene, the program and the settings of the capture.
     """
 
     exposed: Taken
 
     @property
     def plan(self) -> Plan | None:
-        """What was simulated, and to what error; None where that was no plan's to decide."""
+        """The plan of the capture; None if no plan was made."""
         return self.exposed.simulated.plan
 
     @property
     def audit(self) -> Audit | None:
-        """What was measured, where an audit was asked for."""
+        """The result of the audit; None if none was requested."""
         return self.exposed.simulated.audit
 
     @property
@@ -60,13 +73,14 @@ class Capture(Frame):
 
     @property
     def light(self) -> Light:
-        """What was exposed; of colours red."""
+        """The exposed light; of a colour capture that of red."""
         return self.exposed.light
 
     @property
     def truth_e(self) -> NDArray[np.floating[Any]]:
-        """What a shutter that is always open would see: electrons over the frame (rows, cols) of a
-        still, electrons a slot (N, rows, cols) of a clip. The unit of reconstructions."""
+        """The light without shutters: electrons over the frame (rows, cols) of a still, electrons a
+        slot (N, rows, cols) of a clip. Reconstructions have the same unit.
+        """
         return self.light.total_e() if self.light.kind == "still" else self.light.dense()
 
     @property
@@ -116,35 +130,54 @@ class Capture(Frame):
 
     @property
     def response(self) -> Response:
-        """How an exposure follows from light: gain, and what is there in the dark."""
+        """The sensor response: gain, offset and variance of each exposure."""
         return self.exposed.response(self.exposed.simulated.origin.sensor)
 
     def light_e_per_s(self) -> NDArray[np.float64]:
-        """The light that the frame tells of, electrons a second (buckets, rows, cols); NaN where no
-        pixel tells any.
+        """Estimate the light from the unsaturated pixels of each neighbourhood.
 
-        Around each pixel the light of unsaturated ones, free of what the words add, divided by the
-        time that they were open: as the picture of `nscc run --png`. Of repeats the first, of
-        colours red.
+        The offset that the words add is subtracted, and the rest is divided by the open time, as
+        in the picture of `nscc run --png`. Repeated captures use the first frame, colour captures
+        the red one.
+
+        Returns
+        -------
+        array of float64
+            Electrons a second, (buckets, rows, cols); NaN if no neighbour gives a value.
         """
         told = (light_estimate(each) for each in self._readouts())
         return np.stack([np.where(known, light, np.nan) for light, known in told])
 
     @property
     def meta(self) -> dict[str, Any]:
-        """How it was made, as JSON values: `meta` of a frame file."""
+        """The settings of the capture as JSON values: `meta` of a frame file."""
         origin = self.exposed.simulated.origin
         return meta(self.container, self.light, self, origin) | self.exposed.laid
 
     def save(
         self, path: str | os.PathLike[str], keep: Sequence[str] = (), *, tone: str | None = None
     ) -> Path:
-        """Write the file that `nscc run -o` writes, in the format of its name; where it went.
+        """Write the capture to a file, as `nscc run -o` does.
 
-        `.npz` is a frame file; `keep` names what else goes in, of light, truth, shutter, codes.
-        `.hdr`, `.exr`, `.pfm`, `.tiff` hold electrons, `.png`, `.gif`, `.mp4` the codes, or with a
-        `tone` what a screen makes of electrons. Raises Rejected: NS0786 for other endings, NS0784
-        where nothing can be written.
+        Parameters
+        ----------
+        path : str or PathLike
+            The ending selects the format: `.npz` for a frame file; `.hdr`, `.exr`, `.pfm` or
+            `.tiff` for electrons; `.png`, `.gif` or `.mp4` for codes.
+        keep : sequence of str
+            Further contents of a frame file: `light`, `truth`, `shutter`, `codes`.
+        tone : str, optional
+            Tone curve with which `.png`, `.gif` and `.mp4` show electrons instead of codes.
+
+        Returns
+        -------
+        Path
+            The file that was written.
+
+        Raises
+        ------
+        Rejected
+            NS0786 for other endings, NS0784 if the file cannot be written.
         """
         out = Path(path)
         check_ending(out, endings(), "a frame")

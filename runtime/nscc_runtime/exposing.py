@@ -45,8 +45,8 @@ from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import Given, Tolerance
 from nscc_runtime.pool import THREADS, processors
 from nscc_runtime.scenes.colour import Transfer
-from nscc_runtime.scenes.fit import FITS, Fit
 from nscc_runtime.scenes.load import FramesAre
+from nscc_runtime.scenes.placement import FITS, Fit
 from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import load_sensor
 from nscc_runtime.simulate import Fidelity, Listener, Request
@@ -72,26 +72,55 @@ def capture(
     torch_device: str | None = Request.torch_device,
     turn: Turn | None = Request.turn,
 ) -> Capture:
-    """Capture a scene with a program on the emulated chip, or `repeat` frames of it.
+    """Capture a scene with a program on the emulated chip.
 
-    `light`: electrons a slot (N, rows, cols); electrons a second of a still (rows, cols); a
-    `scene(..)` or its name; a `Light`. float32 arrays are not copied. `sensor`: a sensor, its file,
-    or numbers by name, as {"full_well_e": 20000}; by default that of the program's chip.
+    Parameters
+    ----------
+    program : ShutterProgram, Container, str or PathLike
+        A program, or a file with one.
+    light : array, Light, Scene or str
+        Electrons per slot (N, rows, cols), electrons per second of a still (rows, cols), a
+        `scene(..)`, or the name of a scene. Arrays of float32 are not copied.
+    sensor : Sensor, mapping, str or PathLike, optional
+        A sensor, its file, or values by name such as {"full_well_e": 20000}; by default that of
+        the chip.
+    effects : str or Selection, optional
+        "none" (sums of light), "auto", "all", or names as for `nscc run --effects`. The default is
+        "auto" if `tolerance`, `tolerance_max`, `plan` or `audit` is given, else "none".
+    tolerance : str or float, optional
+        Largest RMS difference from the reference: "5e", "0.1lsb", "1%" of the mean signal, or
+        "0.15noise" of the frame's own noise (the default of "auto"). A number is in electrons.
+    tolerance_max : str or float, optional
+        Largest difference of a single pixel, in the same units.
+    plan : Plan, str or PathLike, optional
+        A plan of `nscc_runtime.plan`, or a file. A file that does not exist is written.
+    fidelity : {"planned", "reference"}
+        "reference" simulates all effects, word by word and slot by slot.
+    audit : bool
+        Compare with the reference; the result is in `Capture.audit`.
+    seed : int
+        Seed of the noise.
+    device_seed : int
+        Seed of the fixed pattern, which stands for one device.
+    repeat : int, optional
+        Number of frames.
+    threads : int, optional
+        Number of threads, by default that of the processors. The result does not depend on it.
+    torch_device : str, optional
+        "cuda" or "cpu": draw and add with torch, using the same random numbers. Saturated pixels
+        stay on the CPU.
+    turn : Turn, optional
+        Position in a series of frames that share plans (`nscc_runtime.kept_plans`).
 
-    `effects`: "none" (the default: sums of light), "auto", "all" or names, as `nscc run
-    --effects`; "auto" is meant where only a `tolerance` ("5e", "0.1lsb", "1%" of the mean
-    signal, "0.15noise", the default, of the frame's own noise, or electrons), a `tolerance_max` of
-    the worst pixel, a `plan` or an `audit` is given. A plan is one of `nscc_runtime.plan`, or a
-    file of one, which is written where there is none. `fidelity` "reference" executes words slot
-    by slot. `seed` is that of a frame's noise, `device_seed` of fixed patterns. `threads`, by
-    default as many as there are processors, change no bit. `torch_device` ("cuda", "cpu") has a
-    plan's frames drawn and added up by torch, many repeats at once, with the same random numbers;
-    what plans leave to the words of single pixels stays on the processor. With a `turn` of
-    `nscc_runtime.kept_plans` the plan of an earlier scene is used where it covers this one.
+    Returns
+    -------
+    Capture
 
-    Raises Rejected: WrongArgument for other kinds of values, NS0730 to NS0740 for light that does
-    not fit or is none, NS0739 for options that exclude each other, NS0442 and NS0741 for programs
-    that open no shutters or have no data.
+    Raises
+    ------
+    Rejected
+        NS0789 for arguments of wrong types, NS0730 to NS0740 for invalid light, NS0739 for options
+        that exclude each other, NS0442 or NS0741 for programs without shutters or pixel data.
     """
     call = "nscc_runtime.capture"
     container = container_of(call, program)
@@ -132,12 +161,30 @@ def captures(
     threads: int | None = None,
     **options: Any,
 ) -> list[Capture]:
-    """Capture many scenes with one program, one scene with many, or pair by pair; as `capture`.
+    """Capture many scenes with one program, one scene with many programs, or pairs of both.
 
-    Lists hold many, anything else is one. Programs are analysed once. A plan is kept with its
-    program and sensor: the next scenes have it as long as their light is of the same kind and no
-    stronger, whatever the threads. WrongArgument where there are neither as many scenes as programs
-    nor one of either.
+    Programs are analysed once. Scenes with light of the same kind share a plan; the result does
+    not depend on the number of threads.
+
+    Parameters
+    ----------
+    programs : program or sequence of programs
+        As for `capture`. A list holds several programs.
+    lights : light or sequence of lights
+        As for `capture`. A list holds several scenes.
+    threads : int, optional
+        Number of captures at a time, by default that of the processors.
+    **options
+        Further arguments of `capture`.
+
+    Returns
+    -------
+    list of Capture
+
+    Raises
+    ------
+    Rejected
+        NS0789 if two lists have different lengths, and as `capture`.
     """
     many_programs = [*programs] if isinstance(programs, list | tuple) else [programs]
     many_lights = [*lights] if isinstance(lights, list | tuple) else [lights]
@@ -175,9 +222,33 @@ def plan(
     tolerance_max: Given | None = None,
     device_seed: int = Request.device_seed,
 ) -> Plan:
-    """What of the sensor's effects a capture would simulate, and how wrong that makes it.
+    """Choose the effects that a capture has to simulate for a tolerance. Nothing is exposed.
 
-    Arguments as of `capture`, which takes the plan for this scene and others. Nothing is exposed.
+    Parameters
+    ----------
+    program : ShutterProgram, Container, str or PathLike
+        A program, or a file with one.
+    light : array, Light, Scene or str
+        Electrons per slot (N, rows, cols), electrons per second of a still (rows, cols), a
+        `scene(..)`, or the name of a scene. Arrays of float32 are not copied.
+    sensor : Sensor, mapping, str or PathLike, optional
+        As for `capture`.
+    effects : str or Selection
+        As for `capture`.
+    tolerance, tolerance_max : str or float, optional
+        As for `capture`.
+    device_seed : int
+        Seed of the fixed pattern.
+
+    Returns
+    -------
+    Plan
+        Can be given to `capture`, for this and other scenes.
+
+    Raises
+    ------
+    Rejected
+        As `capture`; NS0750 for chips without logic in their pixels.
     """
     from nscc_runtime.emulator.capture import check
     from nscc_runtime.planning.make import PlanRequest, make_plan
@@ -206,8 +277,28 @@ def plan(
 
 
 def audit(program: ProgramLike, light: LightLike, **options: Any) -> Audit:
-    """How far a plan's frames are from the reference's, measured: `holds` says whether the promise
-    is kept. Arguments as of `capture`."""
+    """Measure the error of captures with a plan against the reference.
+
+    Parameters
+    ----------
+    program : ShutterProgram, Container, str or PathLike
+        A program, or a file with one.
+    light : array, Light, Scene or str
+        Electrons per slot (N, rows, cols), electrons per second of a still (rows, cols), a
+        `scene(..)`, or the name of a scene. Arrays of float32 are not copied.
+    **options
+        Further arguments of `capture`.
+
+    Returns
+    -------
+    Audit
+        `holds` tells whether the error is within 1.1 times the tolerance.
+
+    Raises
+    ------
+    Rejected
+        As `capture`.
+    """
     found = capture(program, light, audit=True, **options).audit
     assert found is not None  # it was asked for
     return found
@@ -225,17 +316,39 @@ def scene(
     color: bool = Scene.color,
     first: int = Scene.first,
 ) -> Scene:
-    """A scene by its name, to be exposed by `capture` with programs of any slots.
+    """Describe a scene for `capture`. The file is read when the scene is exposed.
 
-    `name` is a file (pictures, clips, arrays), a folder of pictures, or `builtin:hdr`,
-    `builtin:motion`, `builtin:flat:E`, `builtin:dark`. `exposure` says how bright it is: electrons
-    over the frame at percentile 99, or text such as "30000@70". `transfer` is the curve of stored
-    values, "linear" or "srgb"; `fps` lays a clip's frames under the slots, from frame `first` on;
-    `crop` (row, column) is the array's top left corner; `frames_are` "integrals" or "samples".
-    `fit` says what becomes of a picture of another size, "crop", "scale" or "tiles": the frame is
-    then the picture's. `color` exposes red, green and blue. All as for `nscc run`.
+    Parameters
+    ----------
+    name : str or Path
+        A picture, clip or array file, a folder of pictures, or `builtin:hdr`, `builtin:motion`,
+        `builtin:flat:E`, `builtin:dark`.
+    exposure : str or float, optional
+        Electrons over the frame at percentile 99 of the scene, or text such as "30000@70" for
+        another percentile.
+    transfer : {"linear", "srgb", "pq", "hlg"}, optional
+        Transfer curve of the stored values.
+    fps : float, optional
+        Frame rate of a clip in frames per second; by default each slot is one frame.
+    crop : str or tuple of int, optional
+        Row and column of the part that is exposed.
+    frames_are : {"integrals", "samples"}
+        Whether a frame of a clip is the light over its time, or at one moment.
+    fit : {"crop", "scale", "tiles"}
+        How a picture of another size is placed on the array.
+    color : bool
+        Expose red, green and blue one after the other.
+    first : int
+        First frame of a clip.
 
-    Nothing is read before it is exposed, which raises what is wrong with it.
+    Returns
+    -------
+    Scene
+
+    Raises
+    ------
+    Rejected
+        NS0789 for arguments of wrong types.
     """
     call = "nscc_runtime.scene"
     if not isinstance(name, str | Path):
@@ -262,8 +375,25 @@ def scene(
 
 
 def sensor_for(program: ProgramLike, file: str | Path | None = None, **values: float) -> Sensor:
-    """The sensor of a program's chip, or of a file of `nscc effects --toml` or `nscc calibrate`,
-    with other values of the numbers that are named: `sensor_for(p, full_well_e=20000)`."""
+    """Return the sensor of a program's chip or of a sensor file.
+
+    Parameters
+    ----------
+    program : ShutterProgram, Container, str or PathLike
+    file : str or Path, optional
+        A file of `nscc effects --toml` or `nscc calibrate`.
+    **values : float
+        Values that replace those of the sensor, such as `full_well_e=20000`.
+
+    Returns
+    -------
+    Sensor
+
+    Raises
+    ------
+    Rejected
+        NS0751 to NS0754 for an invalid file or value.
+    """
     call = "nscc_runtime.sensor_for"
     target = converter_of(container_of(call, program))
     path = None if file is None else Path(file)

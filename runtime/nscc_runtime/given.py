@@ -20,8 +20,8 @@ from nscc.diagnostics.diagnostic import Diagnostic
 from nscc.words.container import Container
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.light import Light
-from nscc_runtime.scenes.fit import Layout
-from nscc_runtime.scenes.load import Laid, light_of_array
+from nscc_runtime.scenes.load import PlacedLight, light_of_array
+from nscc_runtime.scenes.placement import Placement
 from nscc_runtime.scenes.scene import Scene
 from nscc_runtime.sensor.file import default_sensor, load_sensor
 
@@ -61,7 +61,7 @@ def container_of(call: str, program: object) -> Container:
 
 def laid_of(
     call: str, light: object, container: Container, warn: Callable[[Diagnostic], None]
-) -> tuple[Laid, ...]:
+) -> tuple[PlacedLight, ...]:
     """Light in the program's slots, on the array or as a scene is laid on it.
 
     Of a `Light`, a scene or its name, or an array: electrons a slot (N, rows, cols), or electrons a
@@ -71,7 +71,7 @@ def laid_of(
     target, slot_us = container.target, container.slot_us
     array = (target.rows, target.cols)
     if isinstance(light, Light):
-        return (Laid(light, Layout("crop", array, array, array)),)
+        return (PlacedLight(light, Placement("crop", array, array, array)),)
     if isinstance(light, str | os.PathLike):
         light = Scene(str(os.fspath(light)))
     if isinstance(light, Scene):
@@ -85,7 +85,7 @@ def laid_of(
     found = light_of_array(
         values, slot_us=slot_us, rows=target.rows, cols=target.cols, name="the array"
     )
-    return (Laid(found, Layout("crop", array, array, array)),)
+    return (PlacedLight(found, Placement("crop", array, array, array)),)
 
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:

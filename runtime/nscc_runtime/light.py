@@ -20,19 +20,28 @@ _MOST_E = 1e36
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Light:
-    """Electrons that each pixel collects in each of N slots, if its shutter is open throughout.
+    """Electrons that each pixel collects in each of N slots while its shutter is open.
 
-    Slot n is float32(sum over k of weight[k] * frames[frame_index[k]]) for k from `row_start[n]` to
-    `row_start[n + 1]`: products and sum in float64, in that order, rounded once. A still is one
-    frame (electrons a second) weighted with the slot lengths (seconds), so that thousands of slots
-    of one picture cost one picture of memory; a clip is its frames with the weights that map them
-    to slots.
+    Slot n is float32(sum over k of weight[k] * frames[frame_index[k]]) for k from `row_start[n]`
+    to `row_start[n + 1]`. Products and sum are computed in float64, in this order, and rounded
+    once. A still is one frame weighted with the slot lengths, so thousands of slots need the
+    memory of one picture.
 
-    `frames` float32 (T, rows, cols), finite and not negative; `row_start` int64 (N + 1,);
-    `frame_index` int32 and `weight` float64, both (row_start[N],). `exposure_scale_e` is the factor
-    that took the scene's own numbers to electrons (to electrons a second for a still), 1 for
-    scenes given in electrons. `motion`, if the scene is sampled, is the same light with the motion
-    inside its slots; it shares `frames`.
+    Parameters
+    ----------
+    frames : array of float32
+        (T, rows, cols), finite, at least 0: electrons, or electrons per second of a still.
+    row_start : array of int64
+        (N + 1,): where the entries of each slot begin.
+    frame_index : array of int32
+        (row_start[N],): the frame of each entry.
+    weight : array of float64
+        (row_start[N],): the factor of each entry; seconds for a still.
+    kind : {"still", "clip"}
+    exposure_scale_e : float
+        The factor that converted the scene's own numbers to electrons; 1 for scenes in electrons.
+    motion : Light, optional
+        The same light with the motion within slots, if the scene is sampled. It shares `frames`.
     """
 
     frames: NDArray[np.float32]
@@ -54,14 +63,40 @@ class Light:
     def of_still(
         cls, frame: NDArray[np.float32], weight: NDArray[np.float64], exposure_scale_e: float = 1.0
     ) -> Light:
-        """One picture (rows, cols); slot n is weight[n] times the picture."""
+        """Return the light of one picture: slot n is weight[n] times the picture.
+
+        Parameters
+        ----------
+        frame : array of float32
+            (rows, cols), electrons per second.
+        weight : array of float64
+            (N,), seconds.
+        exposure_scale_e : float
+            As for the class.
+
+        Returns
+        -------
+        Light
+        """
         starts, index = np.arange(len(weight) + 1, dtype=np.int64), np.zeros(len(weight), np.int32)
         weight = np.asarray(weight, np.float64)
         return cls(frame[None], starts, index, weight, "still", exposure_scale_e)
 
     @classmethod
     def of_clip(cls, frames: NDArray[np.float32], exposure_scale_e: float = 1.0) -> Light:
-        """A clip (N, rows, cols); slot n is `exposure_scale_e` times frame n."""
+        """Return the light of a clip with one frame for each slot.
+
+        Parameters
+        ----------
+        frames : array of float32
+            (N, rows, cols).
+        exposure_scale_e : float
+            Factor from `frames` to electrons.
+
+        Returns
+        -------
+        Light
+        """
         starts = np.arange(len(frames) + 1, dtype=np.int64)
         weight = np.full(len(frames), exposure_scale_e, np.float64)
         return cls(frames, starts, starts[:-1].astype(np.int32), weight, "clip", exposure_scale_e)
@@ -82,15 +117,24 @@ class Light:
 
     @property
     def timing(self) -> Hashable:
-        """When its frames fall: equal where they fall in the same slots, however arrays change
-        later."""
+        """A key that is equal for two lights whose frames fall into the same slots."""
         arrays = self.row_start, self.frame_index, self.weight
         return len(self.frames), *(each.tobytes() for each in arrays)
 
     def slot(self, n: int, rows: slice = slice(None)) -> NDArray[np.float32]:
-        """Electrons of slot n (rows, cols): what is integrated and what `--keep light` writes.
+        """Return the electrons of one slot.
 
-        Of some `rows` only, if given. May be a view of `frames`: not to be written to.
+        Parameters
+        ----------
+        n : int
+            Slot number.
+        rows : slice
+            Rows to return; all by default.
+
+        Returns
+        -------
+        array of float32
+            (rows, cols). It may be a view of `frames`, so do not write to it.
         """
         start, stop = int(self.row_start[n]), int(self.row_start[n + 1])
         if stop == start:
@@ -108,19 +152,47 @@ class Light:
         return frame
 
     def part(self, rows: slice, cols: slice) -> Light:
-        """The light on a rectangle of the pixels."""
+        """Return the light on a rectangle of pixels.
+
+        Parameters
+        ----------
+        rows, cols : slice
+
+        Returns
+        -------
+        Light
+        """
         frames = np.ascontiguousarray(self.frames[:, rows, cols])
         motion = None if self.motion is None else replace(self.motion, frames=frames)
         return replace(self, frames=frames, motion=motion)
 
     def scaled(self, factor: float) -> Light:
-        """The same light, so many times as strong."""
+        """Return the light multiplied by a factor.
+
+        Parameters
+        ----------
+        factor : float
+
+        Returns
+        -------
+        Light
+        """
         motion = None if self.motion is None else self.motion.scaled(factor)
         return replace(self, frames=self.frames * np.float32(factor), motion=motion)
 
     def joined(self, starts: Sequence[int]) -> Light:
-        """The same light in fewer slots: slot k has all that falls in the slots starts[k] up to
-        but not including starts[k + 1], N after the last; the first start is 0."""
+        """Return the same light in fewer, longer slots.
+
+        Parameters
+        ----------
+        starts : sequence of int
+            First slot of each new slot; the first is 0. A new slot ends where the next begins, the
+            last at N.
+
+        Returns
+        -------
+        Light
+        """
         rows, index, weight = [0], [], []
         for begin, end in pairwise([*starts, self.slots]):
             part = slice(int(self.row_start[begin]), int(self.row_start[end]))
@@ -137,7 +209,13 @@ class Light:
         )
 
     def dense(self) -> NDArray[np.float32]:
-        """All slots (N, rows, cols)."""
+        """Return the electrons of all slots.
+
+        Returns
+        -------
+        array of float32
+            (N, rows, cols).
+        """
         out = np.empty((self.slots, *self.shape), np.float32)
         for n in range(self.slots):
             out[n] = self.slot(n)
@@ -145,9 +223,14 @@ class Light:
 
     @remembered
     def total_e(self) -> NDArray[np.float64]:
-        """The all-open sum of all slots (rows, cols), to 1e-12 of its value; not to be written to.
+        """Return the sum of all slots, to 1e-12 of its value.
 
         Slots with equal light are added as a multiple: equal slots of a still are one product.
+
+        Returns
+        -------
+        array of float64
+            (rows, cols), read-only.
         """
         slots: dict[tuple[bytes, bytes], list[int]] = {}
         for n in range(self.slots):
@@ -163,14 +246,14 @@ class Light:
 
     @cached_property
     def frame_weight(self) -> NDArray[np.float64]:
-        """How often (T,) each frame falls in all slots together."""
+        """Sum of the weights (T,) of each frame over all slots."""
         count = np.bincount(self.frame_index, self.weight, len(self.frames))
         return np.asarray(count, np.float64)
 
     @property
     def sum_e(self) -> NDArray[np.float64]:
-        """The all-open sum of all slots (rows, cols), to float32 and at most 1e36; not to be
-        written to. Adds up frames, not slots: `total_e` is exact, and slower.
+        """The sum of all slots (rows, cols), to float32 and at most 1e36, read-only. It adds up
+        frames instead of slots; `total_e` is more exact and slower.
         """
         return self._summed[0]
 
@@ -189,7 +272,18 @@ class Light:
         return total, bool(capped[0])
 
     def on_frames(self, slots: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Weights (N, J) of the slots as weights (T, J) of the frames."""
+        """Convert weights of slots to weights of frames.
+
+        Parameters
+        ----------
+        slots : array of float64
+            (N, J).
+
+        Returns
+        -------
+        array of float64
+            (T, J).
+        """
         if len(self.frames) == 1 and self.one_each:
             return (self.weight @ slots)[None]
         if self.in_order:
@@ -198,8 +292,7 @@ class Light:
 
     @cached_property
     def ended(self) -> NDArray[np.float32]:
-        """The frames, light without end as so much that no count tells it from more: a closed slot
-        makes nothing of that, where it makes no number of infinity."""
+        """The frames, with 1e30 for infinite light so that closed slots contribute 0."""
         if self.frame_weight.min() > 0 and not self._summed[1]:
             return self.frames
         if np.isfinite(self.frames.max(initial=0)) or not np.isinf(self.frames).any():
@@ -233,7 +326,13 @@ class Light:
         return csr_array(entries, (self.slots, len(self.frames))).T.tocsr()
 
     def sha256(self) -> str:
-        """Hexadecimal digest of shape, matrix and frames: the same light wherever it came from."""
+        """Return a digest of shape, matrix and frames: equal light has equal digests.
+
+        Returns
+        -------
+        str
+            Hexadecimal.
+        """
         import hashlib
 
         digest = hashlib.sha256(f"light {self.slots} {self.frames.shape} {self.kind}".encode())

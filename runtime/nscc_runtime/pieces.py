@@ -14,7 +14,7 @@ from nscc_runtime.kept_plans import KeptPlans, Turn
 from nscc_runtime.light import Light
 from nscc_runtime.progress import unseen
 from nscc_runtime.response import Response, response_of
-from nscc_runtime.scenes import Laid, Layout
+from nscc_runtime.scenes import PlacedLight, Placement
 from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Listener, Request, Simulated, simulate
 
@@ -35,7 +35,7 @@ class Taken:
     light: Light
     laid: dict[str, Any]
     program: Container
-    where: Layout
+    where: Placement
     pieces: int
 
     def response(self, sensor: Sensor) -> Response:
@@ -49,7 +49,7 @@ class Taken:
 
 def simulate_scene(
     container: Container,
-    scene: Sequence[Laid],
+    scene: Sequence[PlacedLight],
     sensor: Sensor,
     request: Request,
     listener: Listener | None = None,
@@ -62,7 +62,7 @@ def simulate_scene(
     of the scene is of that of all.
     """
     listener = listener or Listener()
-    where = scene[0].where
+    where = scene[0].placement
     lights = [piece for laid in scene for piece in where.pieces(laid.light)]
     numbered: Iterable[tuple[int, Light]] = enumerate(lights)
     one = listener
@@ -78,16 +78,17 @@ def simulate_scene(
             # Pieces of a scene are seldom alike.
             asked = replace(request, seed=request.seed + number, turn=Turn(plans, number, 1))
         made.append(simulate(container, light, sensor, asked, one))
-    alone = len(made) == 1 and where.whole
+    alone = len(made) == 1 and where.fits_one_array
     simulated = made[0] if alone else _joined(made, where, len(scene))
     light = scene[0].light
-    light = light if where.whole else light.part(*(slice(0, side) for side in where.size))
+    light = light if where.fits_one_array else light.part(*(slice(0, side) for side in where.size))
     about: dict[str, Any] = {} if where.fit == "crop" else {"laid": where.as_json()}
     about |= {} if len(scene) == 1 else {"colours": list(COLOURS)}
+    about |= {"scene_notes": list(scene[0].notes)} if scene[0].notes else {}
     return Taken(simulated, where.widened(container), light, about, container, where, len(made))
 
 
-def _joined(made: Sequence[Simulated], where: Layout, colours: int) -> Simulated:
+def _joined(made: Sequence[Simulated], where: Placement, colours: int) -> Simulated:
     """What became of all pieces of so many colours."""
     frames, each = [one.frame for one in made], len(made) // colours
     frames = [joined(frames[k : k + each], where.joined) for k in range(0, len(made), each)]

@@ -194,7 +194,7 @@ def _streamed(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Simulated:
     """A chip without logic: plane by plane, with all effects that were named and that it has."""
-    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.noise.noise_loops import fill_normals
     from nscc_runtime.reference.stream import absent_effects, stream_frames
 
     _say_compiling(listener, fill_normals.is_compiled, "noise")
@@ -254,7 +254,7 @@ def _exact(
         exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
         frame = frame_file.read_out(exact, container.target, sensor)
         return frame_file.repeated(frame, repeat) if repeat else frame
-    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.noise.noise_loops import fill_normals
     from nscc_runtime.reference import frames
 
     _say_compiling(listener, fill_normals.is_compiled, "noise")
@@ -272,7 +272,7 @@ def _looking(
     """The frames of a program whose pixels look: kept states go on from one to the next."""
     from nscc_runtime.looked_frames import frames, looking_frames
     from nscc_runtime.looking.way_loop import run_ways
-    from nscc_runtime.noise.loops import fill_normals
+    from nscc_runtime.noise.noise_loops import fill_normals
 
     seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
     if request.effects.noiseless:

@@ -13,7 +13,7 @@ from promise import POOLED, Outcome, full_frames, outcome
 from reference_programs import sensor_of
 
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 
 DATA = Path(os.environ.get("NSCC_DATA") or Path(__file__).resolve().parents[3] / "shared" / "data")
 FILES = sorted(
@@ -37,7 +37,7 @@ def measured(path: Path, program: str, electrons: float, tolerances: tuple[float
     container = case(program, SLOTS, "2ms", ROWS, COLS)
     sensor = sensor_of(container)
     whole = load_scene(
-        str(path), slot_us=container.slot_us, rows=192, cols=192, exposure=Exposure(electrons),
+        str(path), slot_us=container.slot_us, rows=192, cols=192, exposure=ExposureLevel(electrons),
         warn=lambda _: None,
     )  # fmt: skip
     frames = np.ascontiguousarray(whole.dense()[:, 64:128, 64:128])

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training import metrics
-from nscc_training.baselines.loops import denoise
 from nscc_training.baselines.sci import gap_tv
+from nscc_training.baselines.tv_loop import denoise
 from nscc_training.protocol_scenes.sci import SciClip, sci_scenes
 from nscc_training.protocols import load_protocol
 

@@ -22,7 +22,7 @@ from typing import Any
 
 from nscc_runtime.pool import processors
 from nscc_training.sweep.grid import Grid, read_grid
-from nscc_training.sweep.run import How, sweep
+from nscc_training.sweep.run_sweep import How, sweep
 from nscc_training.sweep.store import TIMES
 
 ROOM = {2: 1.05, 3: 1.0}

@@ -54,7 +54,7 @@ def main() -> None:
         with tempfile.TemporaryDirectory() as folder:
             run = loop.start(settings_of(values), None, Ranks(), Path(folder))
         [drawn] = loop.loader_of(run, 0, 1)
-        parts, batch = run.parts, loop.batch_of(run, drawn)
+        parts, batch = run.setup, loop.batch_of(run, drawn)
         rows, cols = batch.light.shape[-2:]
         frame = torch.rand(len(batch.light), rows, cols)
         shutters = window(parts.encoder.hard(), rows, cols, (0,))

@@ -34,7 +34,7 @@ ROOMS = (
     ("diagnostics", "macros"),
     ("examples", "experiment_store", "files", "plugins"),
     ("toml",),
-    ("target",),
+    ("chips",),
     ("logic", "words"),
     ("cache", "prove"),
     ("syntax",),

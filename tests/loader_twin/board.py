@@ -5,7 +5,7 @@ from __future__ import annotations
 from concurrent.futures import Future
 
 from loader_twin.parsing import Held
-from nscc_runtime.device.board import EmulatedChip, Executed, in_background
+from nscc_runtime.device.board import EmulatedChip, ExecutedFrame, in_background
 
 
 class BackgroundChip:
@@ -13,7 +13,7 @@ class BackgroundChip:
 
     def __init__(self, chip: EmulatedChip) -> None:
         self._chip = chip
-        self._exposing: Future[Executed] | None = None
+        self._exposing: Future[ExecutedFrame] | None = None
         self._held: Held | None = None
 
     def expose(self, held: Held, channels: int) -> None:

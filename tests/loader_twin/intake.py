@@ -7,7 +7,7 @@ from hashlib import sha256
 
 from loader_twin.parsing import Held, Limits, Refusal
 from nscc.chips.target import Target
-from nscc_runtime.device.messages import DATA, Begin, Declare, Entry, Fault, State
+from nscc_runtime.device.messages import DATA, Begin, Declare, LoaderFault, LoaderState, ObjectEntry
 from nscc_runtime.device.objects import program_digest, target_digest
 from nscc_runtime.device.packets import MOST_DATA
 
@@ -19,7 +19,7 @@ class Program:
     """The program that was announced, and how much of it is here."""
 
     begin: Begin
-    entries: list[Entry] = field(default_factory=list)
+    entries: list[ObjectEntry] = field(default_factory=list)
     held: Held = field(default_factory=Held)
     position: int = 0
     object: int = 0
@@ -38,14 +38,14 @@ class Intake:
 
     def forget(self) -> None:
         """Go back to EMPTY."""
-        self.state = State.EMPTY
+        self.state = LoaderState.EMPTY
         self.program: Program | None = None
         self.refusal: Refusal | None = None
 
     def announced(self) -> Program:
         """The program of which something may be asked."""
         if self.program is None:
-            raise Refusal(Fault.NO_PROGRAM)
+            raise Refusal(LoaderFault.NO_PROGRAM)
         if self.refusal is not None:
             raise Refusal(self.refusal.fault, self.refusal.detail)
         return self.program
@@ -56,13 +56,13 @@ class Intake:
             self.announced()
             return False
         if exposing:
-            raise Refusal(Fault.BUSY)
+            raise Refusal(LoaderFault.BUSY)
         if begin.target != self.digest:
-            raise Refusal(Fault.TARGET)
+            raise Refusal(LoaderFault.TARGET)
         if begin.objects > MOST_OBJECTS:
-            raise Refusal(Fault.TOO_LARGE, begin.objects)
+            raise Refusal(LoaderFault.TOO_LARGE, begin.objects)
         self.forget()
-        self.state = State.RECEIVING
+        self.state = LoaderState.RECEIVING
         self.program = Program(begin)
         return True
 
@@ -74,7 +74,7 @@ class Intake:
         said, fresh = declare.entries[: len(repeated)], declare.entries[len(repeated) :]
         too_many = known + len(fresh) > program.begin.objects
         if declare.first > known or repeated != list(said) or too_many:
-            raise Refusal(Fault.WRONG_STATE, known)
+            raise Refusal(LoaderFault.WRONG_STATE, known)
         for entry in fresh:
             Held.check_room(entry.kind, entry.length, self.target, self.limits)
         program.entries += fresh
@@ -84,23 +84,23 @@ class Intake:
             whole = program_digest(begin.target, begin.label, packed)
             total = sum(entry.length for entry in program.entries)
             if whole != begin.program or total != begin.length:
-                self._refuse(Refusal(Fault.DIGEST))
+                self._refuse(Refusal(LoaderFault.DIGEST))
             self._commit_empty(program)
 
     def _refuse(self, refusal: Refusal) -> None:
         """Refuse the program, now and until another is announced."""
-        self.state, self.refusal = State.REFUSED, refusal
+        self.state, self.refusal = LoaderState.REFUSED, refusal
         raise refusal
 
     def data(self, body: bytes) -> None:
         """DATA: taken only where it is waited for."""
         program = self.announced()
         if len(body) < DATA.size or len(body) > DATA.size + MOST_DATA:
-            raise Refusal(Fault.MALFORMED)
+            raise Refusal(LoaderFault.MALFORMED)
         (position,) = DATA.unpack_from(body)
         if len(program.entries) < program.begin.objects:
-            raise Refusal(Fault.WRONG_STATE, len(program.entries))
-        if self.state == State.RECEIVING and position == program.position:
+            raise Refusal(LoaderFault.WRONG_STATE, len(program.entries))
+        if self.state == LoaderState.RECEIVING and position == program.position:
             self._take(program, body[DATA.size :])
 
     def _take(self, program: Program, data: bytes) -> None:
@@ -117,7 +117,7 @@ class Intake:
         """Objects without bytes are whole as soon as they are declared."""
         while program.object < len(program.entries) and not program.entries[program.object].length:
             if not self._commit(program):
-                self._refuse(Refusal(Fault.DIGEST))
+                self._refuse(Refusal(LoaderFault.DIGEST))
 
     def _commit(self, program: Program) -> bool:
         """Accept the object that is whole now; False where its bytes must come again."""
@@ -138,7 +138,7 @@ class Intake:
                 program.held.check_whole(self.target)
             except Refusal as refusal:
                 self._refuse(refusal)
-            self.state = State.COMPLETE
+            self.state = LoaderState.COMPLETE
         else:
             self._commit_empty(program)
         return True
@@ -147,7 +147,7 @@ class Intake:
         """FINISH: the program is ready if all of it is here."""
         program = self.announced()
         if digest != program.begin.program:
-            raise Refusal(Fault.DIGEST)
-        if self.state == State.RECEIVING:
-            raise Refusal(Fault.WRONG_STATE, program.position)
-        self.state = State.READY
+            raise Refusal(LoaderFault.DIGEST)
+        if self.state == LoaderState.RECEIVING:
+            raise Refusal(LoaderFault.WRONG_STATE, program.position)
+        self.state = LoaderState.READY

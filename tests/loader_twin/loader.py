@@ -16,9 +16,9 @@ from loader_twin.parsing import Held, Limits, Refusal
 from loader_twin.timing import ON_TIME
 from nscc.chips.target import Target
 from nscc_runtime.device import messages, packets
-from nscc_runtime.device.messages import FRAME, Capability, Channel, Fault, State
-from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet
-from nscc_runtime.device.wanted import LONGEST_US
+from nscc_runtime.device.frame_request import LONGEST_US
+from nscc_runtime.device.messages import FRAME, Capability, Channel, LoaderFault, LoaderState
+from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Packet, PacketKind
 
 MOST_OUT = 8192
 """Bytes that may wait to be sent; a reply that finds no room is not sent: the host asks again."""
@@ -74,8 +74,8 @@ class Loader:
         self.session = self.boot = 0
         self.packets = 0
         self._unpacker = packets.Unpacker()
-        self._out = bytearray(Packet(Kind.BOOTED, 0, 0).wire())
-        self._reads: deque[tuple[int, messages.Read]] = deque()
+        self._out = bytearray(Packet(PacketKind.BOOTED, 0, 0).wire())
+        self._reads: deque[tuple[int, messages.ReadRequest]] = deque()
         self._now_us = self._started_us = 0
 
     def receive(self, data: bytes, now_us: int) -> None:
@@ -107,28 +107,30 @@ class Loader:
 
     def _handle(self, packet: Packet) -> None:
         handlers: dict[int, Callable[[Packet], bytes | None]] = {
-            Kind.HELLO: self._hello,
-            Kind.STATUS: self._status,
-            Kind.BEGIN: self._begin,
-            Kind.DECLARE: self._declare,
-            Kind.DATA: self._data,
-            Kind.FINISH: self._finish,
-            Kind.CAPTURE: self._capture,
-            Kind.READ: self._read,
-            Kind.CANCEL: self._cancel,
+            PacketKind.HELLO: self._hello,
+            PacketKind.STATUS: self._status,
+            PacketKind.BEGIN: self._begin,
+            PacketKind.DECLARE: self._declare,
+            PacketKind.DATA: self._data,
+            PacketKind.FINISH: self._finish,
+            PacketKind.CAPTURE: self._capture,
+            PacketKind.READ: self._read,
+            PacketKind.CANCEL: self._cancel,
         }
         try:
-            if packet.kind != Kind.HELLO and packet.session != (self.session or None):
-                raise Refusal(Fault.NO_SESSION)
+            if packet.kind != PacketKind.HELLO and packet.session != (self.session or None):
+                raise Refusal(LoaderFault.NO_SESSION)
             if packet.kind not in handlers:
-                raise Refusal(Fault.UNKNOWN)
+                raise Refusal(LoaderFault.UNKNOWN)
             try:
                 reply = handlers[packet.kind](packet)
             except ValueError:
-                raise Refusal(Fault.MALFORMED) from None
+                raise Refusal(LoaderFault.MALFORMED) from None
         except Refusal as refusal:
-            failure = messages.Failure(packet.kind, refusal.fault, refusal.detail & 0xFFFFFFFF)
-            self._send(Packet(Kind.ERROR, packet.sequence, packet.session, failure.pack()))
+            failure = messages.LoaderFailure(
+                packet.kind, refusal.fault, refusal.detail & 0xFFFFFFFF
+            )
+            self._send(Packet(PacketKind.ERROR, packet.sequence, packet.session, failure.pack()))
             return
         if reply is not None:
             self._send(Packet(packet.kind | REPLY, packet.sequence, packet.session, reply))
@@ -144,9 +146,9 @@ class Loader:
     def _hello(self, packet: Packet) -> bytes:
         hello = messages.Hello.unpack(packet.body)
         if not packet.session:
-            raise Refusal(Fault.MALFORMED)
+            raise Refusal(LoaderFault.MALFORMED)
         if not hello.first <= VERSION <= hello.last:
-            raise Refusal(Fault.VERSION, VERSION)
+            raise Refusal(LoaderFault.VERSION, VERSION)
         self.session = packet.session
         self.boot = self.boot or packet.session
         self._reads.clear()
@@ -176,8 +178,8 @@ class Loader:
         ).pack()
 
     @property
-    def _shown_state(self) -> State:
-        return State.EXPOSING if self.exposing else self.intake.state
+    def _shown_state(self) -> LoaderState:
+        return LoaderState.EXPOSING if self.exposing else self.intake.state
 
     def _status(self, packet: Packet) -> bytes:
         _need_length(packet.body, 0)
@@ -193,9 +195,11 @@ class Loader:
     def _progress(self) -> bytes:
         program = self.intake.program
         if program is None:
-            return messages.Progress(self._shown_state, 0, 0, 0).pack()
+            return messages.UploadProgress(self._shown_state, 0, 0, 0).pack()
         declared, failures = len(program.entries), min(program.failures, 255)
-        return messages.Progress(self._shown_state, failures, declared, program.position).pack()
+        return messages.UploadProgress(
+            self._shown_state, failures, declared, program.position
+        ).pack()
 
     def _begin(self, packet: Packet) -> bytes:
         if self.intake.begin(messages.Begin.unpack(packet.body), self.exposing):
@@ -217,25 +221,25 @@ class Loader:
         return self._progress()
 
     def _capture(self, packet: Packet) -> bytes:
-        capture = messages.Capture.unpack(packet.body)
+        capture = messages.CaptureRequest.unpack(packet.body)
         program = self.intake.announced()
-        if self.intake.state != State.READY:
-            raise Refusal(Fault.NO_PROGRAM)
+        if self.intake.state != LoaderState.READY:
+            raise Refusal(LoaderFault.NO_PROGRAM)
         frame = self.frame
         if frame is None or frame.number != capture.number:
             if self.exposing:
-                raise Refusal(Fault.BUSY)
+                raise Refusal(LoaderFault.BUSY)
             channels = capture.channels
             length = program.held.frame_bytes(channels, self.target)
             if not length or channels > Channel.CODES | Channel.EXPOSURE | Channel.STATES:
-                raise Refusal(Fault.MALFORMED, channels)
+                raise Refusal(LoaderFault.MALFORMED, channels)
             if length > self.limits.frame_bytes:
-                raise Refusal(Fault.TOO_LARGE, length)
+                raise Refusal(LoaderFault.TOO_LARGE, length)
             self._reads.clear()
             frame = self.frame = Frame(capture.number, channels, self._now_us)
             self.exposing = True
             if program.held.too_late:
-                frame.fault = Refusal(Fault.LATE, program.held.kept.late)
+                frame.fault = Refusal(LoaderFault.LATE, program.held.kept.late)
             else:
                 self.board.expose(program.held, channels)
         if frame.fault is not None and not self.exposing:
@@ -248,7 +252,7 @@ class Loader:
         whole = frame.data is not None and self._made(frame) == length
         crc, adler = frame.sums if whole else (0, 0)
         kept = ON_TIME if self.exposing else held.kept
-        return messages.Captured(
+        return messages.CaptureReply(
             number=frame.number,
             ready=frame.data is not None,
             channels=frame.channels,
@@ -261,7 +265,7 @@ class Loader:
             readout_us=0,
             late=kept.late,
             latest_us=kept.latest_us,
-            whole=whole,
+            complete=whole,
             crc32=crc,
             adler32=adler,
         ).pack()
@@ -287,27 +291,27 @@ class Loader:
             try:
                 frame.data = self.board.exposed()
             except RuntimeError:
-                frame.fault = Refusal(Fault.HARDWARE)
+                frame.fault = Refusal(LoaderFault.HARDWARE)
             if frame.data is not None:
                 frame.sums = crc32(frame.data), adler32(frame.data)
         self.exposing = frame.data is None and frame.fault is None
 
     def _read(self, packet: Packet) -> None:
-        read = messages.Read.unpack(packet.body)
+        read = messages.ReadRequest.unpack(packet.body)
         frame = self.frame
         if frame is None or frame.data is None or frame.number != read.number:
-            raise Refusal(Fault.NO_FRAME)
+            raise Refusal(LoaderFault.NO_FRAME)
         inside = read.length > 0 and read.offset + read.length <= len(frame.data)
-        known = read.kept <= min(self._made(frame), read.offset)
+        known = read.confirmed <= min(self._made(frame), read.offset)
         if not inside or not known or not _SMALLEST_CHUNK <= read.chunk <= MOST_DATA:
-            raise Refusal(Fault.MALFORMED)
-        released = max(read.kept, frame.released)
+            raise Refusal(LoaderFault.MALFORMED)
+        released = max(read.confirmed, frame.released)
         if read.offset < released:
-            raise Refusal(Fault.NO_FRAME, released)
+            raise Refusal(LoaderFault.NO_FRAME, released)
         if read.offset + read.length - released > self._hold:
-            raise Refusal(Fault.TOO_LARGE, released)
+            raise Refusal(LoaderFault.TOO_LARGE, released)
         if len(self._reads) == MOST_READS:
-            raise Refusal(Fault.BUSY)
+            raise Refusal(LoaderFault.BUSY)
         frame.released = released
         self._reads.append((packet.sequence, read))
 
@@ -319,7 +323,7 @@ class Loader:
         size = min(read.chunk, read.length)
         data = frame.data[read.offset : read.offset + size]
         body = FRAME.pack(read.number, read.offset) + data
-        self._send(Packet(Kind.READ | REPLY, sequence, self.session, body))
+        self._send(Packet(PacketKind.READ | REPLY, sequence, self.session, body))
         if size < read.length:
             rest = replace(read, offset=read.offset + size, length=read.length - size)
             self._reads.appendleft((sequence, rest))
@@ -329,11 +333,11 @@ class Loader:
         _need_length(packet.body, 0)
         self._reads.clear()
         self.frame, self.exposing = None, False
-        if self.intake.state == State.REFUSED:
+        if self.intake.state == LoaderState.REFUSED:
             self.intake.forget()
         return self._progress()
 
 
 def _need_length(body: bytes, length: int) -> None:
     if len(body) != length:
-        raise Refusal(Fault.MALFORMED)
+        raise Refusal(LoaderFault.MALFORMED)

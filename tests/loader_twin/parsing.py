@@ -26,7 +26,7 @@ from nscc.words.container import Container, Launch, Word
 from nscc.words.encoding import matching
 from nscc.words.legality import split_pairs, target_fault
 from nscc.words.soundness import MOST_SLOTS
-from nscc_runtime.device.messages import Fault, frame_bytes, plane_bytes
+from nscc_runtime.device.messages import LoaderFault, frame_bytes, plane_bytes
 from nscc_runtime.device.objects import (
     AS_IT_IS,
     COUNT,
@@ -46,7 +46,7 @@ from nscc_runtime.device.recording import container_of
 class Refusal(Exception):
     """An object is not accepted: why, and where in it."""
 
-    fault: Fault
+    fault: LoaderFault
     detail: int = 0
 
 
@@ -99,7 +99,7 @@ class Held:
                 self.states = ()
                 self.states = _states(data, target)
             case _:
-                raise Refusal(Fault.MALFORMED, kind)
+                raise Refusal(LoaderFault.MALFORMED, kind)
 
     @staticmethod
     def check_room(kind: int, length: int, target: Target, most: Limits) -> None:
@@ -113,35 +113,35 @@ class Held:
             ObjectKind.STATES: COUNT.size + len(target.digital_registers),
         }
         if kind not in set(ObjectKind):
-            raise Refusal(Fault.MALFORMED, kind)
+            raise Refusal(LoaderFault.MALFORMED, kind)
         if length > rooms[ObjectKind(kind)]:
-            raise Refusal(Fault.TOO_LARGE, length)
+            raise Refusal(LoaderFault.TOO_LARGE, length)
 
     def check_whole(self, target: Target) -> None:
         """Refuse a program of which something is missing, or whose frames take too long."""
         if self.readouts is None or self.kernels is None or self.runs is None:
-            raise Refusal(Fault.NO_PROGRAM)
+            raise Refusal(LoaderFault.NO_PROGRAM)
         held = set(self.planes or ())
         self.frame_us, fault, self.kept = frame_time(
             self.kernels, self.runs, self.rows, self.levels, held, target, self.grace
         )
         if fault:
-            raise Refusal(Fault.SCHEDULE, fault)
+            raise Refusal(LoaderFault.SCHEDULE, fault)
 
     def _schedule(self, data: bytes, most: Limits) -> None:
         if self.kernels is None:
-            raise Refusal(Fault.SCHEDULE, 0)
-        reader = Reader(data, Fault.SCHEDULE)
+            raise Refusal(LoaderFault.SCHEDULE, 0)
+        reader = Reader(data, LoaderFault.SCHEDULE)
         slots, grace_ns, most_late = next(reader.rows(SCHEDULE_HEAD, 1))
         if not 1 <= slots <= MOST_SLOTS:
-            raise Refusal(Fault.SCHEDULE, 1)
+            raise Refusal(LoaderFault.SCHEDULE, 1)
         lengths = tuple(reader.rows(RUN, reader.count(most.runs)))
         if sum(count for count, _ in lengths) != slots or any(not n for n, _ in lengths):
-            raise Refusal(Fault.SCHEDULE, 2)
+            raise Refusal(LoaderFault.SCHEDULE, 2)
         if not all(0 < us < LONGEST_SLOT_US for _, us in lengths):
-            raise Refusal(Fault.SCHEDULE, 3)
+            raise Refusal(LoaderFault.SCHEDULE, 3)
         if sum(count * fixed_point(us) for count, us in lengths) > LONGEST:
-            raise Refusal(Fault.SCHEDULE, TOO_LONG)
+            raise Refusal(LoaderFault.SCHEDULE, TOO_LONG)
         rows = tuple(ROW.iter_unpack(reader.take(reader.count(most.rows) * ROW.size)))
         reader.end()
         at = launches = 0
@@ -149,9 +149,9 @@ class Held:
             at += advance * times
             launches += times
             if not times or at > slots or launches > MOST_LAUNCHES or kernel >= len(self.kernels):
-                raise Refusal(Fault.SCHEDULE, 4)
+                raise Refusal(LoaderFault.SCHEDULE, 4)
         if self.levels and len(self.levels) != len(rows):
-            raise Refusal(Fault.SCHEDULE, 5)
+            raise Refusal(LoaderFault.SCHEDULE, 5)
         self.slots, self.runs, self.rows = slots, lengths, rows
         self.grace = grace_ns // 1000, most_late
 
@@ -159,14 +159,14 @@ class Held:
         pixels = target.rows * target.cols
         planes = self.planes or {}
         if register >= len(target.digital_registers) or register in planes:
-            raise Refusal(Fault.PLANE, register)
+            raise Refusal(LoaderFault.PLANE, register)
         if len(data) != plane_bytes(pixels) or (pixels % 8 and data[-1] >> pixels % 8):
-            raise Refusal(Fault.PLANE, register)
+            raise Refusal(LoaderFault.PLANE, register)
         if target.digital_registers[register] == target.masked_register:
             # It takes a write only where the mask is 1, so the mask's own code has to come later.
             mask = target.mask_register
             if mask is not None and target.digital_registers.index(mask) in planes:
-                raise Refusal(Fault.PLANE, register)
+                raise Refusal(LoaderFault.PLANE, register)
         self.planes = {**planes, register: data}
 
     def take(self, planes: Mapping[str, bytes], target: Target) -> None:
@@ -212,7 +212,7 @@ class Held:
 class Reader:
     """Takes an object apart; `fault` for one that is too short or too long."""
 
-    def __init__(self, data: bytes, fault: Fault) -> None:
+    def __init__(self, data: bytes, fault: LoaderFault) -> None:
         self.data, self.fault, self.at = data, fault, 0
 
     def take(self, count: int) -> bytes:
@@ -226,7 +226,7 @@ class Reader:
         """How many of something follow; TOO_LARGE where they are more than `most`."""
         count = int(COUNT.unpack(self.take(COUNT.size))[0])
         if most is not None and count > most:
-            raise Refusal(Fault.TOO_LARGE, count)
+            raise Refusal(LoaderFault.TOO_LARGE, count)
         return count
 
     def rows(self, layout: Struct, count: int) -> Iterator[Any]:
@@ -241,57 +241,57 @@ class Reader:
 
 
 def _readouts(data: bytes, target: Target) -> tuple[tuple[int, float], ...]:
-    reader = Reader(data, Fault.READOUT)
+    reader = Reader(data, LoaderFault.READOUT)
     count = reader.count()
     if not 1 <= count <= len(target.analog_registers):
-        raise Refusal(Fault.READOUT, count)
+        raise Refusal(LoaderFault.READOUT, count)
     found = tuple(reader.rows(READOUT, count))
     reader.end()
     for register, gain in found:
         if register >= len(target.analog_registers) or not isfinite(gain):
-            raise Refusal(Fault.READOUT, register)
+            raise Refusal(LoaderFault.READOUT, register)
     return found
 
 
 def _kernels(data: bytes, target: Target, most: Limits) -> tuple[tuple[Word, ...], ...]:
-    reader = Reader(data, Fault.MALFORMED)
+    reader = Reader(data, LoaderFault.MALFORMED)
     lengths = [reader.count() for _ in range(reader.count(most.kernels))]
     if sum(lengths) > most.words:
-        raise Refusal(Fault.TOO_LARGE, sum(lengths))
+        raise Refusal(LoaderFault.TOO_LARGE, sum(lengths))
     kernels, number = [], 0
     for length in lengths:
         ops, words = [], []
         for word in reader.rows(WORD, length):
             operation = matching(word, target.words)
             if operation is None or target_fault(operation, target) is not None:
-                raise Refusal(Fault.WORD, number)
+                raise Refusal(LoaderFault.WORD, number)
             ops.append(operation)
             words.append(word)
             number += 1
         if split_pairs("", ops):
-            raise Refusal(Fault.WORD, number)
+            raise Refusal(LoaderFault.WORD, number)
         kernels.append(tuple(words))
     reader.end()
     return tuple(kernels)
 
 
 def _levels(data: bytes, target: Target, most: Limits) -> tuple[int, ...]:
-    reader = Reader(data, Fault.SCHEDULE)
+    reader = Reader(data, LoaderFault.SCHEDULE)
     levels = tuple(level for (level,) in reader.rows(LEVEL, reader.count(most.rows)))
     reader.end()
     if any(level != AS_IT_IS and not target.in_low <= level <= target.in_high for level in levels):
-        raise Refusal(Fault.SCHEDULE, 6)
+        raise Refusal(LoaderFault.SCHEDULE, 6)
     return levels
 
 
 def _states(data: bytes, target: Target) -> tuple[int, ...]:
-    reader = Reader(data, Fault.READOUT)
+    reader = Reader(data, LoaderFault.READOUT)
     count = reader.count()
     if count > len(target.digital_registers):
-        raise Refusal(Fault.READOUT, count)
+        raise Refusal(LoaderFault.READOUT, count)
     registers = tuple(reader.take(count))
     reader.end()
     for register in registers:
         if register >= len(target.digital_registers):
-            raise Refusal(Fault.READOUT, register)
+            raise Refusal(LoaderFault.READOUT, register)
     return registers

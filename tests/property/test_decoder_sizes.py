@@ -9,13 +9,13 @@ from hypothesis import strategies as st
 torch = pytest.importorskip("torch")
 
 from nscc_training.decoders.blocks import BlockNet  # noqa: E402
-from nscc_training.decoders.declared import DECODERS, Task  # noqa: E402
-from nscc_training.decoders.make import make_decoder  # noqa: E402
+from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
+from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.decoders.unrolled import Unrolled  # noqa: E402
 
 MOST = 600_000
-OURS = [name for name, decoder in DECODERS.items() if not decoder.given]
+OURS = [name for name, decoder in DECODERS.items() if not decoder.fixed_channels]
 
 
 def numbers(module: torch.nn.Module) -> int:
@@ -29,7 +29,7 @@ def numbers(module: torch.nn.Module) -> int:
     st.tuples(st.integers(1, 24), st.integers(1, 24)),
 )
 def test_small_decoders_of_clips_are_small(name: str, slots: int, tile: tuple[int, int]) -> None:
-    task = Task("clip", slots, tile)
+    task = DecoderTask("clip", slots, tile)
     # Four neurons between two tiles a side and slots times as many outputs.
     pixels = 4 * tile[0] * tile[1]
     least = 4 * pixels + 2 * 4 * 4 + 3 * 4 + (4 + 1) * slots * pixels
@@ -45,7 +45,7 @@ def test_small_decoders_of_clips_are_small(name: str, slots: int, tile: tuple[in
 @given(st.integers(1, 4096), st.booleans())
 def test_small_decoders_of_stills_are_small(slots: int, sees_code: bool) -> None:
     with torch.device("meta"):
-        made = make_decoder("unet2d", "small", Task("still", slots, (8, 8), sees_code))
+        made = make_decoder("unet2d", "small", DecoderTask("still", slots, (8, 8), sees_code))
     assert numbers(made) <= MOST
 
 
@@ -65,7 +65,7 @@ def test_common_sizes_are_those_that_runs_were_made_with(slots: int) -> None:
         torch.manual_seed(5)
         wanted = maker().state_dict()
         torch.manual_seed(5)
-        found = make_decoder(name, "small", Task("clip", slots, (8, 8))).state_dict()
+        found = make_decoder(name, "small", DecoderTask("clip", slots, (8, 8))).state_dict()
         assert found.keys() == wanted.keys()
         assert all(torch.equal(found[key], wanted[key]) for key in wanted), name
 
@@ -79,20 +79,20 @@ def test_where_it_would_be_more_it_is_narrower_and_not_much(
     name: str, slots: int, tile: tuple[int, int]
 ) -> None:
     with torch.device("meta"):
-        made = make_decoder(name, "small", Task("clip", slots, tile))
+        made = make_decoder(name, "small", DecoderTask("clip", slots, tile))
     assert 0.9 * MOST < numbers(made) <= MOST
     cut = torch.rand(1, 50, 50)
     with torch.no_grad():
-        real = make_decoder(name, "small", Task("clip", slots, tile))
+        real = make_decoder(name, "small", DecoderTask("clip", slots, tile))
         assert real(cut, torch.ones(slots, *tile)).shape == (1, slots, 50, 50)
 
 
 def test_the_papers_size_is_not_narrowed() -> None:
     with torch.device("meta"):
-        assert numbers(make_decoder("fcnet", "paper", Task("clip", 32, (8, 8)))) > 51e6
+        assert numbers(make_decoder("fcnet", "paper", DecoderTask("clip", 32, (8, 8)))) > 51e6
 
 
 @pytest.mark.parametrize("tile", [(64, 64), (256, 256)])
 def test_what_cannot_be_small_says_so_and_takes_no_memory(tile: tuple[int, int]) -> None:
     with pytest.raises(ValueError, match=r"fcnet has at most 600,000 parameters.*another decoder"):
-        make_decoder("fcnet", "small", Task("clip", 16, tile))
+        make_decoder("fcnet", "small", DecoderTask("clip", 16, tile))

@@ -26,7 +26,7 @@ from nscc_runtime.device.host import (
     Contested,
     Host,
     Implausible,
-    Refused,
+    RequestRefused,
     SessionLost,
     Silent,
     Stalled,
@@ -35,19 +35,19 @@ from nscc_runtime.device.messages import (
     DATA,
     Begin,
     Capability,
-    Capture,
-    Captured,
+    CaptureReply,
+    CaptureRequest,
     Declare,
-    Failure,
-    Fault,
     Hello,
     Info,
-    Progress,
-    Read,
-    State,
+    LoaderFailure,
+    LoaderFault,
+    LoaderState,
+    ReadRequest,
+    UploadProgress,
 )
 from nscc_runtime.device.objects import Object, ObjectKind, program_digest, target_digest
-from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
+from nscc_runtime.device.packets import REPLY, Packet, PacketKind, Unpacker
 
 pytestmark = pytest.mark.xdist_group("firmware")
 EXAMPLE = examples()[0]
@@ -112,13 +112,13 @@ bodies = st.one_of(
     ),
     st.builds(lambda at, data: DATA.pack(at) + data, numbers32, st.binary(max_size=40)),
     st.just(EXAMPLE.upload.digest),
-    st.builds(Capture, st.integers(0, 3), st.integers(0, 5)).map(Capture.pack),
-    st.builds(Read, st.integers(0, 3), numbers32, numbers32, numbers32, st.integers(0, 1100)).map(
-        Read.pack
-    ),
+    st.builds(CaptureRequest, st.integers(0, 3), st.integers(0, 5)).map(CaptureRequest.pack),
+    st.builds(
+        ReadRequest, st.integers(0, 3), numbers32, numbers32, numbers32, st.integers(0, 1100)
+    ).map(ReadRequest.pack),
     st.binary(max_size=200),
 )
-KINDS = [kind for kind in Kind if kind < REPLY]
+KINDS = [kind for kind in PacketKind if kind < REPLY]
 packets = st.builds(
     lambda kind, sequence, session, body: Packet(kind, sequence, session, body).wire(),
     st.one_of(st.sampled_from(KINDS), st.integers(0, 255)),
@@ -126,19 +126,19 @@ packets = st.builds(
     st.sampled_from([7, 7, 7, 7, 7, 8, 0]),
     bodies,
 )
-HELLO = Packet(Kind.HELLO, 1, 7, Hello(2, 2).pack()).wire()
+HELLO = Packet(PacketKind.HELLO, 1, 7, Hello(2, 2).pack()).wire()
 WHOLE_UPLOAD = [
     HELLO,
-    Packet(Kind.BEGIN, 2, 7, EXAMPLE.upload.begin.pack()).wire(),
+    Packet(PacketKind.BEGIN, 2, 7, EXAMPLE.upload.begin.pack()).wire(),
     Packet(
-        Kind.DECLARE, 3, 7, Declare(0, tuple(e.entry for e in EXAMPLE.upload.objects)).pack()
+        PacketKind.DECLARE, 3, 7, Declare(0, tuple(e.entry for e in EXAMPLE.upload.objects)).pack()
     ).wire(),
     *(
-        Packet(Kind.DATA, 4, 7, DATA.pack(at) + stream[at : at + 1024]).wire()
+        Packet(PacketKind.DATA, 4, 7, DATA.pack(at) + stream[at : at + 1024]).wire()
         for at in range(0, len(stream), 1024)
     ),
-    Packet(Kind.FINISH, 5, 7, EXAMPLE.upload.digest).wire(),
-    Packet(Kind.CAPTURE, 6, 7, Capture(1, BOTH).pack()).wire(),
+    Packet(PacketKind.FINISH, 5, 7, EXAMPLE.upload.digest).wire(),
+    Packet(PacketKind.CAPTURE, 6, 7, CaptureRequest(1, BOTH).pack()).wire(),
 ]
 
 
@@ -146,7 +146,7 @@ WHOLE_UPLOAD = [
 def test_noise_gets_no_answer_from_either_twin(core: Lockstep, pieces: list[bytes]) -> None:
     spoken = said(core, pieces)
     assert spoken == said(twin(), pieces)
-    booted = Packet(Kind.BOOTED, 0, 0).wire()
+    booted = Packet(PacketKind.BOOTED, 0, 0).wire()
     assert b"".join(spoken) in (b"", booted)
 
 
@@ -175,9 +175,9 @@ def test_a_spoiled_upload_is_never_taken_for_another(
     assert spoken == said(twin(), pieces)
     unpacker = Unpacker()
     for packet in unpacker.feed(b"".join(spoken)):
-        if packet.kind == Kind.FINISH | REPLY:
-            state = Progress.unpack(packet.body)
-            assert (state.state, state.position) == (State.READY, len(stream))
+        if packet.kind == PacketKind.FINISH | REPLY:
+            state = UploadProgress.unpack(packet.body)
+            assert (state.state, state.position) == (LoaderState.READY, len(stream))
 
 
 legal_words = st.sampled_from(
@@ -231,16 +231,16 @@ def test_the_firmware_takes_the_words_that_the_table_takes(
     digest = program_digest(target, ZEROS, kernels.entry.pack())
     pieces = [
         HELLO,
-        Packet(Kind.BEGIN, 2, 7, Begin(target, digest, ZEROS, len(data), 1).pack()).wire(),
-        Packet(Kind.DECLARE, 3, 7, Declare(0, (kernels.entry,)).pack()).wire(),
-        Packet(Kind.DATA, 4, 7, DATA.pack(0) + data).wire(),
+        Packet(PacketKind.BEGIN, 2, 7, Begin(target, digest, ZEROS, len(data), 1).pack()).wire(),
+        Packet(PacketKind.DECLARE, 3, 7, Declare(0, (kernels.entry,)).pack()).wire(),
+        Packet(PacketKind.DATA, 4, 7, DATA.pack(0) + data).wire(),
     ]
     operation = matching(words[0])
     whole = operation is not None and operation.operation.phase.name == "WHOLE"
     legal = whole and operation is not None and target_fault(operation, TARGET) is None
     [*_, last] = Unpacker().feed(said(core, pieces)[-1])
-    failure = Failure.unpack(last.body)
-    assert failure.fault == (Fault.NO_PROGRAM if legal else Fault.WORD)
+    failure = LoaderFailure.unpack(last.body)
+    assert failure.fault == (LoaderFault.NO_PROGRAM if legal else LoaderFault.WORD)
     if operation is not None:
         assert encode(operation) == words[0]
 
@@ -248,10 +248,10 @@ def test_the_firmware_takes_the_words_that_the_table_takes(
 replies = st.one_of(
     st.binary(max_size=200),
     st.builds(
-        Progress, st.integers(0, 7), st.integers(0, 255), st.integers(0, 70), numbers32
-    ).map(Progress.pack),
+        UploadProgress, st.integers(0, 7), st.integers(0, 255), st.integers(0, 70), numbers32
+    ).map(UploadProgress.pack),
     st.builds(
-        Captured,
+        CaptureReply,
         st.integers(0, 3),
         st.integers(0, 1),
         st.integers(0, 3),
@@ -259,8 +259,10 @@ replies = st.one_of(
         st.integers(0, 2000),
         numbers32,
         *[st.integers(0, 2)] * 9,
-    ).map(Captured.pack),
-    st.builds(Failure, st.integers(0, 255), st.integers(0, 30), numbers32).map(Failure.pack),
+    ).map(CaptureReply.pack),
+    st.builds(LoaderFailure, st.integers(0, 255), st.integers(0, 30), numbers32).map(
+        LoaderFailure.pack
+    ),
     st.just(
         Info(
             2, 0, 1024, 16384, 3, Capability.EXACT, 1024, 99, 99, 99, 1 << 20, 512, 99, 6, 10,
@@ -270,15 +272,15 @@ replies = st.one_of(
 )  # fmt: skip
 
 
-@given(st.lists(st.tuples(st.sampled_from(list(Kind)), replies), max_size=30), st.data())
+@given(st.lists(st.tuples(st.sampled_from(list(PacketKind)), replies), max_size=30), st.data())
 def test_a_host_ends_whatever_a_loader_says(
-    answers: list[tuple[Kind, bytes]], data: st.DataObject
+    answers: list[tuple[PacketKind, bytes]], data: st.DataObject
 ) -> None:
     """The host gets the answers to its latest request, or any others, and then silence."""
     host = new_host(1)
     now, unpacker, latest = 0.0, Unpacker(), None
     waiting = list(answers)
-    with pytest.raises((Silent, Stalled, Refused, Contested, Implausible)):  # noqa: PT012
+    with pytest.raises((Silent, Stalled, RequestRefused, Contested, Implausible)):  # noqa: PT012
         work = uploaded_and_captured(host, EXAMPLE.upload, 1)
         host.start(host.lasting(work), now)
         for _ in range(3000):

@@ -25,7 +25,7 @@ from nscc_runtime.frame_file import read_out
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames as by_reference
 from nscc_runtime.scenes import load_scene
-from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.exposure import ExposureLevel
 
 ROWS, COLS, SLOTS, SLOT_US = 5, 7, 4, 1000.0
 TEXT = "nsl 1\nframe 4 slots of 1ms\ncode stop : 0..4\nopen when n < stop\npixels stop = x % 5\n"
@@ -82,7 +82,7 @@ def loaded(path: Path, **options: Any) -> Light:
     return load_scene(str(path), slot_us=(SLOT_US,) * SLOTS, rows=ROWS, cols=COLS, **options)
 
 
-def _attempted(path: Path, exposure: Exposure) -> tuple[Light | None, str]:
+def _attempted(path: Path, exposure: ExposureLevel) -> tuple[Light | None, str]:
     """The light, or the code of the message."""
     try:
         return loaded(path, exposure=exposure), ""
@@ -145,7 +145,7 @@ def test_arrays_brought_to_an_exposure(values: np.ndarray, percentile: float) ->
     """The pixel at the percentile gets what was asked for, or the message says why not."""
     bad = any(is_bad(v) for v in values.reshape(-1).tolist())
     with saved(values, ".npz") as path:
-        light, code = _attempted(path, Exposure(30_000.0, percentile))
+        light, code = _attempted(path, ExposureLevel(30_000.0, percentile))
     if light is None:
         assert code == ("NS0736" if bad else "NS0738")
         return
@@ -184,7 +184,7 @@ def test_pictures_are_refused_or_right(seed: int, how: str, lit: bool) -> None:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / ("a.pfm" if how == "pfm" else "a.exr")
         _picture(path, values)
-        light, code = _attempted(path, Exposure(30_000.0, 100.0))
+        light, code = _attempted(path, ExposureLevel(30_000.0, 100.0))
     numbers = [v for v in weighted if math.isfinite(v)]
     if light is None:
         dark = max(numbers, default=0.0) < 1e-33  # no factor of a float32 reaches so far

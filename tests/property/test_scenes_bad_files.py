@@ -15,7 +15,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 from nscc_runtime.scenes.picture_files import quiet
 
 SUFFIXES = (
@@ -35,7 +35,11 @@ def load(data: bytes, suffix: str) -> bool:
         refused = None
         try:
             light = load_scene(
-                str(path), slot_us=(10.0, 20.0), rows=4, cols=5, exposure=Exposure(1000.0, 100.0)
+                str(path),
+                slot_us=(10.0, 20.0),
+                rows=4,
+                cols=5,
+                exposure=ExposureLevel(1000.0, 100.0),
             )
         except Rejected as rejected:
             refused = rejected
@@ -166,7 +170,7 @@ def test_a_large_claim_costs_no_memory() -> None:
 def test_a_folder_that_cannot_be_read_is_an_error(tmp_path: Path) -> None:
     (tmp_path / "0.png").symlink_to(tmp_path / "gone.png")
     with pytest.raises(Rejected):
-        load_scene(str(tmp_path), slot_us=(1.0,), rows=1, cols=1, exposure=Exposure(1.0))
+        load_scene(str(tmp_path), slot_us=(1.0,), rows=1, cols=1, exposure=ExposureLevel(1.0))
     os.mkfifo(tmp_path / "pipe.npz")
     with pytest.raises(Rejected):
         load_scene(str(tmp_path / "pipe.npz"), slot_us=(1.0,), rows=1, cols=1)

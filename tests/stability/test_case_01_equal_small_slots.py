@@ -15,7 +15,7 @@ from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.reference import expose as by_reference
 from nscc_runtime.scenes import load_scene
-from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.exposure import ExposureLevel
 
 SLOTS = 4096
 STOPS = (1, 7, 100, 1000, 2048, 3333, 4095, 4096)
@@ -71,7 +71,7 @@ def test_case_01_a_clip_brought_to_an_exposure(tmp_path: Path) -> None:
     np.savez(tmp_path / "clip.npz", light=np.full((SLOTS, 1, 3), TENTH))
     light = load_scene(
         str(tmp_path / "clip.npz"), slot_us=(100.0,) * SLOTS, rows=1, cols=3,
-        exposure=Exposure(5000.0),
+        exposure=ExposureLevel(5000.0),
     )  # fmt: skip
     assert light.exposure_scale_e == pytest.approx(5000 / exact(SLOTS), rel=1e-6)
     np.testing.assert_allclose(light.total_e(), 5000, rtol=1e-6)

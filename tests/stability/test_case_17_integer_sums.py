@@ -15,13 +15,13 @@ from nscc_runtime.calibrate.levels import level_of
 from nscc_runtime.emulator import expose
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import load_scene
-from nscc_runtime.scenes.exposure import Exposure
+from nscc_runtime.scenes.exposure import ExposureLevel
 
 SLOTS = 4096
 TEXT = f"nsl 1\nframe {SLOTS} slots of 100us\nopen when n < {SLOTS}\n"
 
 
-def loaded(path: Path, exposure: Exposure | None = None) -> Light:
+def loaded(path: Path, exposure: ExposureLevel | None = None) -> Light:
     return load_scene(
         str(path), slot_us=(100.0,) * SLOTS, rows=1, cols=3, exposure=exposure, transfer="linear"
     )
@@ -60,7 +60,7 @@ def test_case_17_a_clip_of_integers_brought_to_an_exposure(dtype: type, tmp_path
     clip = np.full((1, 3, SLOTS), top, dtype)
     clip[0, 1] = top // 2
     savemat(tmp_path / "clip.mat", {"orig": clip})
-    light = loaded(tmp_path / "clip.mat", Exposure(1e6, 100.0))
+    light = loaded(tmp_path / "clip.mat", ExposureLevel(1e6, 100.0))
     np.testing.assert_allclose(light.total_e(), [[1e6, 1e6 * (top // 2) / top, 1e6]], rtol=1e-6)
 
 

@@ -7,8 +7,8 @@ from marks import slow
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.decoders.declared import Task  # noqa: E402
-from nscc_training.decoders.make import make_decoder  # noqa: E402
+from nscc_training.decoders.declared import DecoderTask  # noqa: E402
+from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 
 
 @pytest.mark.parametrize("side", [32, slow(64)])
@@ -16,7 +16,7 @@ from nscc_training.decoders.make import make_decoder  # noqa: E402
 @pytest.mark.parametrize("name", ["unet2d", "unet3d", "unrolled"])
 def test_gradients_of_small_networks(name: str, slots: int, side: int) -> None:
     torch.manual_seed(1)
-    decoder = make_decoder(name, "small", Task("clip", slots, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", slots, (4, 4)))
     for parameter in decoder.parameters():
         # Where a network begins by adding nothing, most of it has no gradient.
         torch.nn.init.normal_(parameter, std=0.05)

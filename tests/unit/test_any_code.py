@@ -503,10 +503,10 @@ def test_weights_are_written_as_they_are_shipped(tmp_path: Path) -> None:
     from nscc_training.any_code.decode import WEIGHTS, write_shipped
     from nscc_training.any_code.decoder import any_code
     from nscc_training.any_code.network import ClipDenoiser
-    from nscc_training.decoders.declared import Task
+    from nscc_training.decoders.declared import DecoderTask
 
     for kind in ("clip", "still"):
-        decoder = any_code(ClipDenoiser().widths, Task(kind, 16, (8, 8)), "small")
+        decoder = any_code(ClipDenoiser().widths, DecoderTask(kind, 16, (8, 8)), "small")
         (tmp_path / kind).mkdir()
         state = {name: weight.contiguous() for name, weight in decoder.state_dict().items()}
         save_file(state, tmp_path / kind / "decoder.safetensors")

@@ -21,7 +21,7 @@ from nscc_training.design import Frame  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.loop import searching  # noqa: E402
 from nscc_training.loop import train as loop  # noqa: E402
-from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.search import (  # noqa: E402
     MOVING,
@@ -162,9 +162,9 @@ def test_stills_get_a_pattern_of_exposures_by_copies() -> None:
     assert all((np.log2(one) % 1 == 0).all() for one in found)
 
 
-def parts_of(**shutter: object) -> searching.Parts:
+def parts_of(**shutter: object) -> searching.TrainingSetup:
     search = {"class": "c", "slots": 8, "length": 2, "tile": [4, 4], "init": "random"}
-    return make_parts(settings_of({
+    return make_setup(settings_of({
         "shutter": {**search, "relaxation": "search", **shutter},
         "decoder": {"learn": False}, "data": {"protocol": "video-v1"}, "train": {"device": "cpu"},
     }))  # fmt: skip
@@ -229,7 +229,7 @@ def test_random_bits_come_down_to_their_words_and_then_get_better() -> None:
     assert losses[-1] < losses[under]
 
 
-def _closed(parts: searching.Parts, codes: dict[str, np.ndarray]) -> np.ndarray:
+def _closed(parts: searching.TrainingSetup, codes: dict[str, np.ndarray]) -> np.ndarray:
     parts.encoder.load_codes(codes)
     closed = 1 - parts.encoder.hard().numpy().mean(axis=(1, 2))
     return np.full(2, closed.mean())
@@ -312,7 +312,7 @@ def test_a_limit_of_words_is_a_search_s_and_is_kept_to_the_end(tmp_path: Path) -
     assert (tmp_path / "never/metrics.csv").exists()
     values["shutter"] = shutter | {"most_words": 0.25, "relaxation": "tried"}
     with pytest.raises(Rejected, match="a search alone stays within words"):
-        make_parts(settings_of(values))
+        make_setup(settings_of(values))
 
 
 def test_what_settles_is_what_validation_found_best(
@@ -320,7 +320,7 @@ def test_what_settles_is_what_validation_found_best(
 ) -> None:
     """A search that goes astray after its first validation; then the decoder learns, alone."""
 
-    def astray(parts: searching.Parts, *_: object) -> float:
+    def astray(parts: searching.TrainingSetup, *_: object) -> float:
         stop = parts.encoder.codes()["stop"]
         parts.encoder.load_codes({"stop": np.minimum(2 * stop, 8)})
         return 0.0

@@ -153,7 +153,7 @@ def test_a_new_program_has_a_name(name: str, tmp_path: Path, run_nscc: RunNscc) 
 def test_light_in_a_tiff_is_viewed_as_that_of_other_formats(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(views, "png_of", lambda _sheet, content, _name: content.told.encode())
+    monkeypatch.setattr(views, "png_of", lambda _sheet, content, _name: content.tone_text.encode())
     light = np.random.default_rng(5).uniform(0, 9000, (8, 6, 3)).astype(np.float32)
     for ending in ("tiff", "pfm"):
         assert cv2.imwrite(str(tmp_path / f"light.{ending}"), light)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.device.faults import EXAMPLE, Accidents, Faults, Spoiler, parse_faults
+from nscc_runtime.device.faults import EXAMPLE, Accidents, LineFaults, Spoiler, parse_faults
 
 
 def test_the_example_is_read() -> None:
-    assert parse_faults(EXAMPLE) == Faults(1e-4, 1e-5, 0.05, 20000, 40000)
-    assert parse_faults("outage=2s, seed=7") == Faults(outage_s=2.0, seed=7)
+    assert parse_faults(EXAMPLE) == LineFaults(1e-4, 1e-5, 0.05, 20000, 40000)
+    assert parse_faults("outage=2s, seed=7") == LineFaults(outage_s=2.0, seed=7)
     assert parse_faults("delay=250us").delay_s == pytest.approx(250e-6)
 
 
@@ -38,13 +38,13 @@ def test_a_near_miss_is_named() -> None:
 
 def test_bytes_are_hit_at_the_rates_given() -> None:
     data = bytes(range(256)) * 2000
-    spoiler = Spoiler(Faults(corrupt=1e-2, seed=1), 1)
+    spoiler = Spoiler(LineFaults(corrupt=1e-2, seed=1), 1)
     out = b"".join(spoiler.spoiled(data[i : i + 77]) for i in range(0, len(data), 77))
     assert len(out) == len(data)
     wrong = sum(one != other for one, other in zip(out, data, strict=True))
     # 5120 are expected, with a standard deviation of 71.
     assert abs(wrong - 5120) < 5 * 71
-    spoiler = Spoiler(Faults(drop=1e-2, seed=1), 1)
+    spoiler = Spoiler(LineFaults(drop=1e-2, seed=1), 1)
     lost = len(data) - len(
         b"".join(spoiler.spoiled(data[i : i + 77]) for i in range(0, len(data), 77))
     )
@@ -52,16 +52,16 @@ def test_bytes_are_hit_at_the_rates_given() -> None:
 
 
 def test_the_extremes() -> None:
-    assert Spoiler(Faults(), 1).spoiled(b"as it is") == b"as it is"
-    assert Spoiler(Faults(drop=1.0), 1).spoiled(b"gone") == b""
-    out = Spoiler(Faults(corrupt=1.0), 1).spoiled(b"\0" * 1000)
+    assert Spoiler(LineFaults(), 1).spoiled(b"as it is") == b"as it is"
+    assert Spoiler(LineFaults(drop=1.0), 1).spoiled(b"gone") == b""
+    out = Spoiler(LineFaults(corrupt=1.0), 1).spoiled(b"\0" * 1000)
     assert len(out) == 1000
     assert 0 not in out
 
 
 def test_the_same_seed_does_the_same() -> None:
     data = bytes(100_000)
-    faults = Faults(corrupt=1e-3, drop=1e-3, seed=4)
+    faults = LineFaults(corrupt=1e-3, drop=1e-3, seed=4)
     assert Spoiler(faults, 1).spoiled(data) == Spoiler(faults, 1).spoiled(data)
     assert Spoiler(faults, 1).spoiled(data) != Spoiler(faults, 2).spoiled(data)
     cut = Spoiler(faults, 1)
@@ -70,9 +70,9 @@ def test_the_same_seed_does_the_same() -> None:
 
 
 def test_accidents_happen_once() -> None:
-    accidents = Accidents(Faults(disconnect_after=10, reboot_after=25))
+    accidents = Accidents(LineFaults(disconnect_after=10, reboot_after=25))
     assert [accidents.passed(5) for _ in range(6)] == [[], ["disconnect"], [], [], ["reboot"], []]
-    assert Accidents(Faults(disconnect_after=1, reboot_after=1)).passed(1) == [
+    assert Accidents(LineFaults(disconnect_after=1, reboot_after=1)).passed(1) == [
         "disconnect",
         "reboot",
     ]

@@ -26,10 +26,10 @@ from nscc_runtime.device import firmware
 from nscc_runtime.device.board import EmulatedChip
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
-from nscc_runtime.device.packets import MOST_DATA, VERSION, Kind, Packet
+from nscc_runtime.device.packets import MOST_DATA, VERSION, Packet, PacketKind
 from nscc_runtime.device.stand_in import loaded
 from nscc_runtime.device.target_header import refresh_words, target_header
-from nscc_runtime.device.tasks import Taken
+from nscc_runtime.device.tasks import FetchedFrame
 from nscc_runtime.light import Light
 
 pytestmark = pytest.mark.xdist_group("firmware")
@@ -53,7 +53,7 @@ def test_the_protocols_numbers_are_the_same_at_both_ends() -> None:
     listed = re.search(r"enum Kind : uint8_t \{(.*?)BOOTED", text, re.S)
     assert listed is not None
     names = re.findall(r"[A-Z]+", listed[1])
-    assert names == [kind.name for kind in sorted(Kind) if kind < 0x80]
+    assert names == [kind.name for kind in sorted(PacketKind) if kind < 0x80]
 
 
 def test_a_refresh_changes_nothing() -> None:
@@ -129,7 +129,7 @@ def test_every_chip_runs_a_program(tmp_path: Path) -> None:
         host = new_host(1)
         upload = upload_of(container, bytes(32))
         taken = Simulation(host, loader).run(host.lasting(uploaded_and_captured(host, upload, 1)))
-    assert isinstance(taken, Taken)
+    assert isinstance(taken, FetchedFrame)
     assert taken.data == EmulatedChip(lambda _: light, target).exposure(container, 3)
 
 
@@ -235,7 +235,7 @@ def run_devkit(program: Path, container: object, folder: Path) -> tuple[list[str
     assert process.wait(60) == 0
     os.close(from_device)
     taken = host.result
-    assert isinstance(taken, Taken)
+    assert isinstance(taken, FetchedFrame)
     return (folder / "log").read_text().splitlines(), taken.data
 
 
@@ -276,7 +276,7 @@ def test_a_port_that_is_stuck_starves_the_watchdog(devkit_loader: Path, tmp_path
     mode, counts = unpack("<2I", (tmp_path / "watchdog").read_bytes()[:8])
     assert (mode, counts) == (3, 4 * 12_000_000 // 4)
     # Nobody takes the answers, until the pipe is full and the library's `send` waits for ever.
-    hello = Packet(Kind.HELLO, 1, 1, bytes([VERSION, VERSION, 0, 0])).wire()
+    hello = Packet(PacketKind.HELLO, 1, 1, bytes([VERSION, VERSION, 0, 0])).wire()
     os.set_blocking(to_device, False)
     with suppress(BlockingIOError):
         while True:

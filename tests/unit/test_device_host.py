@@ -23,12 +23,12 @@ from loader_twin.parsing import Held
 
 from nscc.operations import op
 from nscc_runtime.device import tasks
-from nscc_runtime.device.faults import Faults
-from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
-from nscc_runtime.device.messages import Channel, Fault, Hello, Info, Progress
+from nscc_runtime.device.faults import LineFaults
+from nscc_runtime.device.frame_request import FrameRequest
+from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
+from nscc_runtime.device.messages import Channel, Hello, Info, LoaderFault, UploadProgress
 from nscc_runtime.device.objects import Upload, upload_of
-from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Kind, Packet, Unpacker
-from nscc_runtime.device.wanted import Wanted
+from nscc_runtime.device.packets import MOST_DATA, REPLY, VERSION, Packet, PacketKind, Unpacker
 from nscc_runtime.light import Light
 
 LARGE = target_of((256, 256))
@@ -61,7 +61,7 @@ def large() -> Upload:
     return large_upload()
 
 
-def line_of(faults: Faults | None = None) -> Simulation:
+def line_of(faults: LineFaults | None = None) -> Simulation:
     """A large chip at 3 Mbit/s."""
     return Simulation(new_host(1), Loader(LARGE, Sink(), "test"), faults, baud=BAUD)
 
@@ -72,7 +72,7 @@ def upload(line: Simulation, program: Upload) -> None:
 
 def test_a_large_program_takes_half_a_second_of_line(large: Upload) -> None:
     assert 126_976 <= len(large.stream) <= 132_000
-    line = line_of(Faults(delay_s=0.001))
+    line = line_of(LineFaults(delay_s=0.001))
     upload(line, large)
     assert line.now <= 0.50
     assert line.up.busy_s <= line.up.bytes * BITS_A_BYTE / BAUD + 1e-9 <= 0.47
@@ -90,7 +90,7 @@ def test_a_program_that_is_there_is_not_sent_again(large: Upload) -> None:
 @pytest.mark.parametrize("after", [5_000, 60_000, 125_000])
 @pytest.mark.parametrize("outage_s", [0.05, 2.0])
 def test_a_lost_link_is_taken_up_where_it_broke(large: Upload, after: int, outage_s: float) -> None:
-    line = line_of(Faults(disconnect_after=after, outage_s=outage_s))
+    line = line_of(LineFaults(disconnect_after=after, outage_s=outage_s))
     upload(line, large)
     [(broke, _)] = line.events
     again_s = line.now - (broke + outage_s)
@@ -116,7 +116,7 @@ def test_a_dead_line_is_taken_up_without_being_told() -> None:
     loader.receive = receive  # type: ignore[method-assign]
     work = uploaded_and_captured(host, example.upload, 1)
     taken = line.run(host.lasting(work))
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     assert taken.data == example.frame
     whole_s = (len(example.upload.stream) + len(example.frame)) * BITS_A_BYTE / 1e5
     assert dead[1] < line.now <= dead[1] + 2.0 + 1.5 * whole_s
@@ -125,9 +125,9 @@ def test_a_dead_line_is_taken_up_without_being_told() -> None:
 def test_after_a_reboot_everything_comes_again() -> None:
     example = examples()[0]
     host = new_host(1)
-    line = Simulation(host, python_loader(example), Faults(reboot_after=1900))
+    line = Simulation(host, python_loader(example), LineFaults(reboot_after=1900))
     taken = line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)))
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     assert taken.data == example.frame
     assert [what for _, what in line.events] == ["reboot"]
     assert line.up.bytes > 2 * len(example.upload.stream)
@@ -183,7 +183,7 @@ def test_a_loader_that_never_gets_on_is_given_up() -> None:
     example = examples()[0]
     host, loader = new_host(1, patience_s=0.05), python_loader(example)
     line = Simulation(host, loader)
-    loader._data = lambda packet: Progress(1, 0, 99, 0).pack()  # type: ignore[method-assign]
+    loader._data = lambda packet: UploadProgress(1, 0, 99, 0).pack()  # type: ignore[method-assign]
     with pytest.raises(Stalled):
         line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=60)
 
@@ -217,9 +217,9 @@ def test_a_frame_that_is_spoiled_inside_the_loader_is_not_accepted() -> None:
 
     loader._watch_exposure = spoil  # type: ignore[method-assign]
     assert example.frame[:1] != b"\xee"
-    with pytest.raises(Refused) as caught:
+    with pytest.raises(RequestRefused) as caught:
         line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)))
-    assert caught.value.fault == Fault.DIGEST
+    assert caught.value.fault == LoaderFault.DIGEST
 
 
 def test_a_program_that_comes_between_is_stopped_for() -> None:
@@ -240,9 +240,9 @@ def test_a_program_that_comes_between_is_stopped_for() -> None:
     host = new_host(1)
     line = Simulation(host, Loader(TARGET, Slow(), "slow"))
     line.run(host.lasting(lambda: tasks.upload(host, first.upload)))
-    host.send(Kind.CAPTURE, bytes([1] * 8 + [3, 0, 0, 0]))
+    host.send(PacketKind.CAPTURE, bytes([1] * 8 + [3, 0, 0, 0]))
     taken = line.run(host.lasting(uploaded_and_captured(host, second.upload, 2)))
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     assert taken.data == second.frame
 
 
@@ -251,9 +251,9 @@ def test_a_refused_program_leaves_a_loader_that_takes_another() -> None:
     host = new_host(1)
     line = Simulation(host, python_loader(example))
     wrong = replace(example.upload, target=bytes(32))
-    with pytest.raises(Refused) as caught:
+    with pytest.raises(RequestRefused) as caught:
         line.run(host.lasting(lambda: tasks.upload(host, wrong)))
-    assert caught.value.fault == Fault.TARGET
+    assert caught.value.fault == LoaderFault.TARGET
     line.run(host.lasting(lambda: tasks.upload(host, example.upload)))
 
 
@@ -263,13 +263,13 @@ def test_the_masked_register_is_loaded_before_its_mask(large: Upload) -> None:
 
 
 def test_packets_grow_small_on_a_bad_line_and_large_on_a_good_one(large: Upload) -> None:
-    def sizes(faults: Faults) -> list[int]:
+    def sizes(faults: LineFaults) -> list[int]:
         line = line_of(faults)
         seen: list[int] = []
         send = line.host.send
 
-        def watched(kind: Kind, body: bytes = b"") -> int:
-            if kind == Kind.DATA:
+        def watched(kind: PacketKind, body: bytes = b"") -> int:
+            if kind == PacketKind.DATA:
                 seen.append(len(body) - 4)
             return send(kind, body)
 
@@ -277,8 +277,8 @@ def test_packets_grow_small_on_a_bad_line_and_large_on_a_good_one(large: Upload)
         upload(line, large)
         return seen
 
-    assert min(sizes(Faults())[:-1]) == MOST_DATA
-    spoiled = sizes(Faults(corrupt=2e-3, seed=5))
+    assert min(sizes(LineFaults())[:-1]) == MOST_DATA
+    spoiled = sizes(LineFaults(corrupt=2e-3, seed=5))
     assert np.median(spoiled) <= 256
     assert REPLY == 0x80
 
@@ -288,9 +288,9 @@ def test_a_slow_line_only_takes_longer(delay_s: float) -> None:
     """A reply takes longer than the host waits at first: it has to learn that."""
     example = examples()[1]
     host = new_host(1)
-    line = Simulation(host, python_loader(example), Faults(delay_s=delay_s))
+    line = Simulation(host, python_loader(example), LineFaults(delay_s=delay_s))
     taken = line.run(host.lasting(uploaded_and_captured(host, example.upload, 1)), limit_s=100)
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     assert taken.data == example.frame
     # Hello, begin, declare, data, finish, capture (some), read; and what learning took.
     assert line.now <= 12 * 2 * delay_s + 2.0
@@ -310,7 +310,7 @@ def test_a_line_that_is_slower_than_announced(bytes_a_second: int) -> None:
     upload, host = upload_of(container, bytes(32)), new_host(1)
     line = Simulation(host, Loader(small, chip, "slow"), baud=10 * bytes_a_second)
     taken = line.run(host.lasting(uploaded_and_captured(host, upload, 1, Channel.CODES)))
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     assert taken.data == chip.exposure(container, Channel.CODES)
     useful_s = (len(upload.stream) + len(taken.data)) / bytes_a_second
     assert line.now <= 4 * useful_s + 20
@@ -325,7 +325,7 @@ def test_another_host_is_named_as_such() -> None:
     def disturbed(data: bytes, now_us: int) -> None:
         heard(data, now_us)
         if data:
-            heard(Packet(Kind.HELLO, 1, 999, Hello(VERSION, VERSION).pack()).wire(), now_us)
+            heard(Packet(PacketKind.HELLO, 1, 999, Hello(VERSION, VERSION).pack()).wire(), now_us)
 
     loader.receive = disturbed  # type: ignore[method-assign]
     host = new_host(1)
@@ -337,12 +337,12 @@ def test_what_a_loader_says_of_a_frame_is_what_the_host_reckons() -> None:
     example = examples()[0]
     upload = example.upload
     pixels = TARGET.rows * TARGET.cols
-    wanted = Wanted(1, 3, upload)
+    wanted = FrameRequest(1, 3, upload)
     assert wanted.bytes(upload.readouts) == 9 * pixels * upload.readouts
     assert wanted.bytes(upload.readouts + 1) == 0
     # Estimates of 2^32 - 1 ms are not waited for.
     assert wanted.longest_s < 2 * (sum(example.container.slot_us) * 1e-6 + 1) + 11
-    held = Wanted(1, 1, None, pixels)
+    held = FrameRequest(1, 1, None, pixels)
     assert held.bytes(2) == 2 * pixels
     assert held.longest_s < 3600
     loader, host = python_loader(example), new_host(1)
@@ -360,6 +360,6 @@ def test_what_a_loader_calls_itself_cannot_steer_a_terminal() -> None:
 
 def hello_of(loader: Loader) -> Info:
     """What a loader says of itself."""
-    loader.receive(Packet(Kind.HELLO, 1, 7, Hello(VERSION, VERSION).pack()).wire(), 1)
+    loader.receive(Packet(PacketKind.HELLO, 1, 7, Hello(VERSION, VERSION).pack()).wire(), 1)
     *_, reply = Unpacker().feed(loader.poll(2, 4096))
     return Info.unpack(reply.body)

@@ -17,18 +17,18 @@ from nscc.words.encoding import encode
 from nscc_runtime.device.messages import (
     DATA,
     Begin,
-    Capture,
-    Captured,
+    CaptureReply,
+    CaptureRequest,
     Declare,
-    Entry,
-    Failure,
-    Fault,
     Hello,
     Info,
-    Progress,
-    Read,
-    State,
+    LoaderFailure,
+    LoaderFault,
+    LoaderState,
+    ObjectEntry,
+    ReadRequest,
     Status,
+    UploadProgress,
 )
 from nscc_runtime.device.objects import (
     MOST_LAUNCHES,
@@ -38,7 +38,7 @@ from nscc_runtime.device.objects import (
     target_digest,
     upload_of,
 )
-from nscc_runtime.device.packets import REPLY, Kind, Packet, Unpacker
+from nscc_runtime.device.packets import REPLY, Packet, PacketKind, Unpacker
 from nscc_runtime.device.serving import Loaded
 
 pytestmark = pytest.mark.xdist_group("firmware")
@@ -66,7 +66,7 @@ class Talk:
         out = b"".join(self.loader.poll(next(self.now_us), 4096) for _ in range(4))
         return self.unpacker.feed(out)
 
-    def one(self, kind: Kind, body: bytes = b"", session: int = SESSION) -> bytes:
+    def one(self, kind: PacketKind, body: bytes = b"", session: int = SESSION) -> bytes:
         """The body of the one reply, which has to be that of the request."""
         [reply] = self(kind, body, session)
         assert (reply.kind, reply.sequence, reply.session) == (kind | REPLY, self.sequence, session)
@@ -75,13 +75,13 @@ class Talk:
     def failure(self, kind: int, body: bytes = b"", session: int = SESSION) -> tuple[int, int]:
         """Fault and detail of the one reply, which has to be an error."""
         [reply] = self(kind, body, session)
-        assert reply.kind == Kind.ERROR, reply
-        failure = Failure.unpack(reply.body)
+        assert reply.kind == PacketKind.ERROR, reply
+        failure = LoaderFailure.unpack(reply.body)
         assert failure.request == kind
         return failure.fault, failure.detail
 
     def hello(self) -> Info:
-        return Info.unpack(self.one(Kind.HELLO, Hello(2, 2).pack()))
+        return Info.unpack(self.one(PacketKind.HELLO, Hello(2, 2).pack()))
 
     def send(self, objects: Sequence[Object], target: bytes | None = None) -> list[Packet]:
         """Announce, declare and send a program of these objects; the last reply."""
@@ -89,20 +89,22 @@ class Talk:
         entries = tuple(each.entry for each in objects)
         digest = program_digest(found, ZEROS, b"".join(entry.pack() for entry in entries))
         stream = b"".join(each.data for each in objects)
-        replies = self(Kind.BEGIN, Begin(found, digest, ZEROS, len(stream), len(objects)).pack())
-        if replies[-1].kind == Kind.ERROR:
+        replies = self(
+            PacketKind.BEGIN, Begin(found, digest, ZEROS, len(stream), len(objects)).pack()
+        )
+        if replies[-1].kind == PacketKind.ERROR:
             return replies
-        replies = self(Kind.DECLARE, Declare(0, entries).pack())
+        replies = self(PacketKind.DECLARE, Declare(0, entries).pack())
         for start in range(0, len(stream), 1000):
-            if replies[-1].kind != Kind.ERROR:
-                replies = self(Kind.DATA, DATA.pack(start) + stream[start : start + 1000])
-        return replies if replies[-1].kind == Kind.ERROR else self(Kind.FINISH, digest)
+            if replies[-1].kind != PacketKind.ERROR:
+                replies = self(PacketKind.DATA, DATA.pack(start) + stream[start : start + 1000])
+        return replies if replies[-1].kind == PacketKind.ERROR else self(PacketKind.FINISH, digest)
 
     def refused(self, objects: Sequence[Object]) -> tuple[int, int]:
         """Why a program of these objects is refused."""
         reply = self.send(objects)[-1]
-        assert reply.kind == Kind.ERROR, reply
-        failure = Failure.unpack(reply.body)
+        assert reply.kind == PacketKind.ERROR, reply
+        failure = LoaderFailure.unpack(reply.body)
         return failure.fault, failure.detail
 
 
@@ -135,9 +137,9 @@ def talk(silent: Talk) -> Talk:
 
 def test_it_says_that_it_has_started_and_who_it_is(silent: Talk) -> None:
     [booted] = silent.raw(b"")
-    assert (booted.kind, booted.session) == (Kind.BOOTED, 0)
+    assert (booted.kind, booted.session) == (PacketKind.BOOTED, 0)
     info = silent.hello()
-    assert (info.version, info.state, info.rows, info.cols) == (2, State.EMPTY, 6, 10)
+    assert (info.version, info.state, info.rows, info.cols) == (2, LoaderState.EMPTY, 6, 10)
     assert info.target == target_digest(TARGET)
     assert (info.most_words, info.target_name) == (TARGET.store_words, "scamp5")
     assert info.program == info.label == ZEROS
@@ -145,37 +147,37 @@ def test_it_says_that_it_has_started_and_who_it_is(silent: Talk) -> None:
 
 def test_nothing_goes_without_hello(silent: Talk) -> None:
     silent.raw(b"")
-    for kind in (Kind.STATUS, Kind.BEGIN, Kind.CANCEL, 0x44):
-        assert silent.failure(kind) == (Fault.NO_SESSION, 0)
+    for kind in (PacketKind.STATUS, PacketKind.BEGIN, PacketKind.CANCEL, 0x44):
+        assert silent.failure(kind) == (LoaderFault.NO_SESSION, 0)
     silent.hello()
-    assert silent.failure(Kind.STATUS, session=SESSION + 1) == (Fault.NO_SESSION, 0)
-    assert Status.unpack(silent.one(Kind.STATUS)).state == State.EMPTY
+    assert silent.failure(PacketKind.STATUS, session=SESSION + 1) == (LoaderFault.NO_SESSION, 0)
+    assert Status.unpack(silent.one(PacketKind.STATUS)).state == LoaderState.EMPTY
 
 
 def test_another_version_is_refused_with_its_own(silent: Talk) -> None:
     silent.raw(b"")
-    assert silent.failure(Kind.HELLO, Hello(3, 9).pack()) == (Fault.VERSION, 2)
-    assert silent.failure(Kind.HELLO, Hello(0, 1).pack()) == (Fault.VERSION, 2)
-    assert Info.unpack(silent.one(Kind.HELLO, Hello(0, 9).pack())).version == 2
+    assert silent.failure(PacketKind.HELLO, Hello(3, 9).pack()) == (LoaderFault.VERSION, 2)
+    assert silent.failure(PacketKind.HELLO, Hello(0, 1).pack()) == (LoaderFault.VERSION, 2)
+    assert Info.unpack(silent.one(PacketKind.HELLO, Hello(0, 9).pack())).version == 2
 
 
 def test_a_program_is_taken_and_a_frame_is_the_emulators(talk: Talk) -> None:
     [reply] = talk.send(EXAMPLE.upload.objects)
-    assert reply.kind == Kind.FINISH | REPLY
-    state = Progress.unpack(reply.body)
+    assert reply.kind == PacketKind.FINISH | REPLY
+    state = UploadProgress.unpack(reply.body)
     total = len(EXAMPLE.upload.stream)
-    assert state == Progress(State.READY, 0, len(EXAMPLE.upload.objects), total)
-    asked = Capture(5, BOTH).pack()
-    assert not Captured.unpack(talk.one(Kind.CAPTURE, asked)).ready
-    captured = Captured.unpack(talk.one(Kind.CAPTURE, asked))
+    assert state == UploadProgress(LoaderState.READY, 0, len(EXAMPLE.upload.objects), total)
+    asked = CaptureRequest(5, BOTH).pack()
+    assert not CaptureReply.unpack(talk.one(PacketKind.CAPTURE, asked)).ready
+    captured = CaptureReply.unpack(talk.one(PacketKind.CAPTURE, asked))
     assert captured.ready
     assert (captured.length, captured.readouts) == (len(EXAMPLE.frame), 1)
-    assert captured.whole, "it is small enough to be kept at once"
+    assert captured.complete, "it is small enough to be kept at once"
     assert (captured.crc32, captured.adler32) == (crc32(EXAMPLE.frame), adler32(EXAMPLE.frame))
-    pieces = talk(Kind.READ, Read(5, 0, captured.length, 0, 100).pack())
+    pieces = talk(PacketKind.READ, ReadRequest(5, 0, captured.length, 0, 100).pack())
     assert b"".join(piece.body[12:] for piece in pieces) == EXAMPLE.frame
     assert [len(piece.body) - 12 for piece in pieces] == [100] * 5 + [40]
-    [piece] = talk(Kind.READ, Read(5, 7, 20, 0, 1024).pack())
+    [piece] = talk(PacketKind.READ, ReadRequest(5, 7, 20, 0, 1024).pack())
     assert piece.body == pack("<QI", 5, 7) + EXAMPLE.frame[7:27]
 
 
@@ -183,76 +185,85 @@ def test_saying_everything_twice_changes_nothing(talk: Talk) -> None:
     upload = EXAMPLE.upload
     stream, entries = upload.stream, tuple(each.entry for each in upload.objects)
     script = [
-        (Kind.HELLO, Hello(2, 2).pack()),
-        (Kind.BEGIN, upload.begin.pack()),
-        (Kind.DECLARE, Declare(0, entries[:2]).pack()),
-        (Kind.DECLARE, Declare(2, entries[2:]).pack()),
-        *((Kind.DATA, DATA.pack(at) + stream[at : at + 700]) for at in range(0, len(stream), 700)),
-        (Kind.FINISH, upload.digest),
+        (PacketKind.HELLO, Hello(2, 2).pack()),
+        (PacketKind.BEGIN, upload.begin.pack()),
+        (PacketKind.DECLARE, Declare(0, entries[:2]).pack()),
+        (PacketKind.DECLARE, Declare(2, entries[2:]).pack()),
+        *(
+            (PacketKind.DATA, DATA.pack(at) + stream[at : at + 700])
+            for at in range(0, len(stream), 700)
+        ),
+        (PacketKind.FINISH, upload.digest),
     ]
     for kind, body in script:
         first = talk.one(kind, body)
         assert talk.one(kind, body) == first
-    begun = talk.one(Kind.CAPTURE, Capture(9, 1).pack())
-    ready = talk.one(Kind.CAPTURE, Capture(9, 1).pack())
-    assert talk.one(Kind.CAPTURE, Capture(9, 1).pack()) == ready
-    started = [Captured.unpack(body).started_us for body in (begun, ready)]
+    begun = talk.one(PacketKind.CAPTURE, CaptureRequest(9, 1).pack())
+    ready = talk.one(PacketKind.CAPTURE, CaptureRequest(9, 1).pack())
+    assert talk.one(PacketKind.CAPTURE, CaptureRequest(9, 1).pack()) == ready
+    started = [CaptureReply.unpack(body).started_us for body in (begun, ready)]
     assert started[0] == started[1], "it was exposed once"
     for kind, body in script[1:]:
-        assert Progress.unpack(talk.one(kind, body)).position == len(stream)
-    assert talk.one(Kind.CAPTURE, Capture(9, 1).pack()) == ready
+        assert UploadProgress.unpack(talk.one(kind, body)).position == len(stream)
+    assert talk.one(PacketKind.CAPTURE, CaptureRequest(9, 1).pack()) == ready
 
 
 def test_only_the_bytes_that_are_due_are_taken(talk: Talk) -> None:
     upload = EXAMPLE.upload
-    talk.one(Kind.BEGIN, upload.begin.pack())
-    assert talk.failure(Kind.DATA, DATA.pack(0) + b"x") == (Fault.WRONG_STATE, 0)
-    talk.one(Kind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
+    talk.one(PacketKind.BEGIN, upload.begin.pack())
+    assert talk.failure(PacketKind.DATA, DATA.pack(0) + b"x") == (LoaderFault.WRONG_STATE, 0)
+    talk.one(PacketKind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
 
     def sent(at: int, size: int) -> int:
         body = DATA.pack(at) + upload.stream[at : at + size]
-        return Progress.unpack(talk.one(Kind.DATA, body)).position
+        return UploadProgress.unpack(talk.one(PacketKind.DATA, body)).position
 
     assert sent(10, 10) == 0
     assert sent(0, 10) == 10
     assert sent(0, 100) == 10
     assert sent(20, 10) == 10
     assert sent(10, 10) == 20
-    assert Progress.unpack(talk.one(Kind.BEGIN, upload.begin.pack())).position == 20
+    assert UploadProgress.unpack(talk.one(PacketKind.BEGIN, upload.begin.pack())).position == 20
     assert talk.hello().program == upload.digest, "another hello does not lose it"
 
 
 def test_an_object_whose_digest_does_not_fit_comes_again(talk: Talk) -> None:
     upload = EXAMPLE.upload
-    talk.one(Kind.BEGIN, upload.begin.pack())
-    talk.one(Kind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
+    talk.one(PacketKind.BEGIN, upload.begin.pack())
+    talk.one(PacketKind.DECLARE, Declare(0, tuple(each.entry for each in upload.objects)).pack())
     first = upload.objects[0].data
     wrong = bytes([first[0] ^ 1]) + first[1:]
-    reply = Progress.unpack(talk.one(Kind.DATA, DATA.pack(0) + wrong))
-    assert (reply.state, reply.failures, reply.position) == (State.RECEIVING, 1, 0)
-    reply = Progress.unpack(talk.one(Kind.DATA, DATA.pack(0) + first))
+    reply = UploadProgress.unpack(talk.one(PacketKind.DATA, DATA.pack(0) + wrong))
+    assert (reply.state, reply.failures, reply.position) == (LoaderState.RECEIVING, 1, 0)
+    reply = UploadProgress.unpack(talk.one(PacketKind.DATA, DATA.pack(0) + first))
     assert (reply.failures, reply.position) == (1, len(first))
 
 
 def test_a_program_for_another_target_is_refused(talk: Talk) -> None:
     other = replace(TARGET, digital_word_us=0.3)
     [reply] = talk.send(EXAMPLE.upload.objects, target_digest(other))
-    assert Failure.unpack(reply.body).fault == Fault.TARGET
+    assert LoaderFailure.unpack(reply.body).fault == LoaderFault.TARGET
 
 
 def test_a_program_whose_digest_is_another_is_refused(talk: Talk) -> None:
     upload = EXAMPLE.upload
     begin = replace(upload.begin, program=bytes(32))
-    talk.one(Kind.BEGIN, begin.pack())
+    talk.one(PacketKind.BEGIN, begin.pack())
     declare = Declare(0, tuple(each.entry for each in upload.objects)).pack()
-    assert talk.failure(Kind.DECLARE, declare) == (Fault.DIGEST, 0)
-    assert talk.failure(Kind.DATA, DATA.pack(0) + upload.stream[:10]) == (Fault.DIGEST, 0)
-    assert talk.failure(Kind.FINISH, upload.digest) == (Fault.DIGEST, 0)
-    assert talk.failure(Kind.CAPTURE, Capture(1, 1).pack()) == (Fault.DIGEST, 0)
-    state = Progress.unpack(talk.one(Kind.CANCEL))
-    assert state == Progress(State.EMPTY, 0, 0, 0)
-    assert talk.failure(Kind.CAPTURE, Capture(1, 1).pack()) == (Fault.NO_PROGRAM, 0)
-    assert talk.send(upload.objects)[-1].kind == Kind.FINISH | REPLY
+    assert talk.failure(PacketKind.DECLARE, declare) == (LoaderFault.DIGEST, 0)
+    assert talk.failure(PacketKind.DATA, DATA.pack(0) + upload.stream[:10]) == (
+        LoaderFault.DIGEST,
+        0,
+    )
+    assert talk.failure(PacketKind.FINISH, upload.digest) == (LoaderFault.DIGEST, 0)
+    assert talk.failure(PacketKind.CAPTURE, CaptureRequest(1, 1).pack()) == (LoaderFault.DIGEST, 0)
+    state = UploadProgress.unpack(talk.one(PacketKind.CANCEL))
+    assert state == UploadProgress(LoaderState.EMPTY, 0, 0, 0)
+    assert talk.failure(PacketKind.CAPTURE, CaptureRequest(1, 1).pack()) == (
+        LoaderFault.NO_PROGRAM,
+        0,
+    )
+    assert talk.send(upload.objects)[-1].kind == PacketKind.FINISH | REPLY
 
 
 def kernels(*ops_of: Sequence[Op] | Sequence[tuple[int, ...]]) -> Object:
@@ -298,7 +309,7 @@ def test_small_programs_by_hand_are_taken(talk: Talk) -> None:
         [GOOD_READOUT, kernels(), schedule(1, [(1, 1.0)], [])],
         [GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, plane(12), plane(0)],
     ):
-        assert talk.send(objects)[-1].kind == Kind.FINISH | REPLY
+        assert talk.send(objects)[-1].kind == PacketKind.FINISH | REPLY
 
 
 @pytest.mark.parametrize(
@@ -319,130 +330,140 @@ def test_small_programs_by_hand_are_taken(talk: Talk) -> None:
 def test_words_that_the_target_does_not_take_are_refused(talk: Talk, word: tuple[int, ...]) -> None:
     objects = [GOOD_READOUT, kernels([op("nop")], [encode(op("nop")), word]), GOOD_SCHEDULE]
     fault, detail = talk.refused(objects)
-    assert fault == Fault.WORD
+    assert fault == LoaderFault.WORD
     assert detail in (2, 3)
 
 
 def test_halves_of_different_pairs_are_refused(talk: Talk) -> None:
     mixed = [pair("OR", "R1", ["R1"])[0], pair("NOR", "R1", ["R1"])[1]]
-    assert talk.refused([GOOD_READOUT, kernels(mixed), GOOD_SCHEDULE]) == (Fault.WORD, 2)
+    assert talk.refused([GOOD_READOUT, kernels(mixed), GOOD_SCHEDULE]) == (LoaderFault.WORD, 2)
     across = pair("OR", "R1", ["R1"])
     found = talk.refused([GOOD_READOUT, kernels(across[:1], across[1:]), GOOD_SCHEDULE])
-    assert found == (Fault.WORD, 1)
+    assert found == (LoaderFault.WORD, 1)
 
 
 @pytest.mark.parametrize(
     ("objects", "fault"),
     [
-        ([GOOD_READOUT, GOOD_KERNELS], Fault.NO_PROGRAM),
-        ([GOOD_KERNELS, GOOD_SCHEDULE], Fault.NO_PROGRAM),
-        ([GOOD_READOUT, GOOD_SCHEDULE, GOOD_KERNELS], Fault.SCHEDULE),
-        ([GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, kernels([])], Fault.NO_PROGRAM),
-        ([GOOD_READOUT, kernels([op("nop")] * 1025)], Fault.TOO_LARGE),
-        ([GOOD_READOUT, kernels(*[[]] * 1025)], Fault.TOO_LARGE),
-        ([readouts()], Fault.READOUT),
-        ([readouts((7, 1.0))], Fault.READOUT),
-        ([readouts((0, float("nan")))], Fault.READOUT),
-        ([readouts((0, float("inf")))], Fault.READOUT),
-        ([Object(ObjectKind.READOUTS, 0, b"")], Fault.READOUT),
-        ([Object(ObjectKind.READOUTS, 0, b"\1\0")], Fault.READOUT),
-        ([Object(ObjectKind.READOUTS, 0, GOOD_READOUT.data + b"x")], Fault.READOUT),
-        ([Object(ObjectKind.KERNELS, 0, pack("<I", 0xFFFFFFFF))], Fault.TOO_LARGE),
-        ([Object(ObjectKind.KERNELS, 0, pack("<3I", 2, 0xFFFFFFFF, 2))], Fault.TOO_LARGE),
-        ([Object(ObjectKind.KERNELS, 0, GOOD_KERNELS.data[:-1])], Fault.MALFORMED),
-        ([Object(ObjectKind.KERNELS, 0, GOOD_KERNELS.data + b"\0")], Fault.MALFORMED),
-        ([GOOD_KERNELS, schedule(0, [], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(1 << 21, [(1 << 21, 1.0)], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(3, 1.0)], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0), (0, 1.0)], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 0.0)], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, float("nan"))], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1e16)], [])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(5, 0, 1)])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(1, 0, 5)])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 2, 1)])], Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 0)])], Fault.SCHEDULE),
+        ([GOOD_READOUT, GOOD_KERNELS], LoaderFault.NO_PROGRAM),
+        ([GOOD_KERNELS, GOOD_SCHEDULE], LoaderFault.NO_PROGRAM),
+        ([GOOD_READOUT, GOOD_SCHEDULE, GOOD_KERNELS], LoaderFault.SCHEDULE),
+        ([GOOD_READOUT, GOOD_KERNELS, GOOD_SCHEDULE, kernels([])], LoaderFault.NO_PROGRAM),
+        ([GOOD_READOUT, kernels([op("nop")] * 1025)], LoaderFault.TOO_LARGE),
+        ([GOOD_READOUT, kernels(*[[]] * 1025)], LoaderFault.TOO_LARGE),
+        ([readouts()], LoaderFault.READOUT),
+        ([readouts((7, 1.0))], LoaderFault.READOUT),
+        ([readouts((0, float("nan")))], LoaderFault.READOUT),
+        ([readouts((0, float("inf")))], LoaderFault.READOUT),
+        ([Object(ObjectKind.READOUTS, 0, b"")], LoaderFault.READOUT),
+        ([Object(ObjectKind.READOUTS, 0, b"\1\0")], LoaderFault.READOUT),
+        ([Object(ObjectKind.READOUTS, 0, GOOD_READOUT.data + b"x")], LoaderFault.READOUT),
+        ([Object(ObjectKind.KERNELS, 0, pack("<I", 0xFFFFFFFF))], LoaderFault.TOO_LARGE),
+        ([Object(ObjectKind.KERNELS, 0, pack("<3I", 2, 0xFFFFFFFF, 2))], LoaderFault.TOO_LARGE),
+        ([Object(ObjectKind.KERNELS, 0, GOOD_KERNELS.data[:-1])], LoaderFault.MALFORMED),
+        ([Object(ObjectKind.KERNELS, 0, GOOD_KERNELS.data + b"\0")], LoaderFault.MALFORMED),
+        ([GOOD_KERNELS, schedule(0, [], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(1 << 21, [(1 << 21, 1.0)], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(3, 1.0)], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0), (0, 1.0)], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 0.0)], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, float("nan"))], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1e16)], [])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(5, 0, 1)])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(1, 0, 5)])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 2, 1)])], LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 0)])], LoaderFault.SCHEDULE),
         ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0, 0, 65535)] * (MOST_LAUNCHES // 65535 + 1))],
-         Fault.SCHEDULE),
-        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0x80000000, 0, 2)])], Fault.SCHEDULE),
-        ([plane(13)], Fault.PLANE),
-        ([plane(1), plane(1)], Fault.PLANE),
-        ([plane(1, PLANE[:-1])], Fault.PLANE),
-        ([plane(1, PLANE[:-1] + b"\x1f")], Fault.PLANE),
-        ([plane(1, PLANE + b"\0")], Fault.TOO_LARGE),
-        ([plane(0), plane(12)], Fault.PLANE),
-        ([Object(9, 0, b"abc")], Fault.MALFORMED),  # type: ignore[arg-type]
+         LoaderFault.SCHEDULE),
+        ([GOOD_KERNELS, schedule(4, [(4, 1.0)], [(0x80000000, 0, 2)])], LoaderFault.SCHEDULE),
+        ([plane(13)], LoaderFault.PLANE),
+        ([plane(1), plane(1)], LoaderFault.PLANE),
+        ([plane(1, PLANE[:-1])], LoaderFault.PLANE),
+        ([plane(1, PLANE[:-1] + b"\x1f")], LoaderFault.PLANE),
+        ([plane(1, PLANE + b"\0")], LoaderFault.TOO_LARGE),
+        ([plane(0), plane(12)], LoaderFault.PLANE),
+        ([Object(9, 0, b"abc")], LoaderFault.MALFORMED),  # type: ignore[arg-type]
     ],
 )  # fmt: skip
 def test_objects_that_make_no_sense_are_refused(
-    talk: Talk, objects: list[Object], fault: Fault
+    talk: Talk, objects: list[Object], fault: LoaderFault
 ) -> None:
     assert talk.refused(objects)[0] == fault
-    assert talk.one(Kind.CANCEL)
-    assert talk.send(EXAMPLE.upload.objects)[-1].kind == Kind.FINISH | REPLY
+    assert talk.one(PacketKind.CANCEL)
+    assert talk.send(EXAMPLE.upload.objects)[-1].kind == PacketKind.FINISH | REPLY
 
 
 def test_lengths_are_not_believed(talk: Talk) -> None:
     found = target_digest(TARGET)
     for kind in ObjectKind:
-        entry = Entry(kind, 0, 0xFFFFFFFF, ZEROS)
+        entry = ObjectEntry(kind, 0, 0xFFFFFFFF, ZEROS)
         digest = program_digest(found, ZEROS, entry.pack())
-        talk.one(Kind.BEGIN, Begin(found, digest, ZEROS, 0xFFFFFFFF, 1).pack())
-        failure = talk.failure(Kind.DECLARE, Declare(0, (entry,)).pack())
-        assert failure == (Fault.TOO_LARGE, 0xFFFFFFFF)
-    assert talk.failure(Kind.BEGIN, Begin(found, ZEROS, ZEROS, 0, 65).pack())[0] == Fault.TOO_LARGE
+        talk.one(PacketKind.BEGIN, Begin(found, digest, ZEROS, 0xFFFFFFFF, 1).pack())
+        failure = talk.failure(PacketKind.DECLARE, Declare(0, (entry,)).pack())
+        assert failure == (LoaderFault.TOO_LARGE, 0xFFFFFFFF)
+    assert (
+        talk.failure(PacketKind.BEGIN, Begin(found, ZEROS, ZEROS, 0, 65).pack())[0]
+        == LoaderFault.TOO_LARGE
+    )
 
 
 @pytest.mark.parametrize(
     ("kind", "body"),
     [
-        (Kind.HELLO, b""),
-        (Kind.HELLO, bytes(5)),
-        (Kind.STATUS, b"x"),
-        (Kind.BEGIN, bytes(103)),
-        (Kind.DECLARE, b"\0"),
-        (Kind.DECLARE, pack("<HH", 0, 1) + bytes(37)),
-        (Kind.FINISH, bytes(31)),
-        (Kind.CAPTURE, bytes(11)),
-        (Kind.READ, bytes(23)),
-        (Kind.CANCEL, b"x"),
+        (PacketKind.HELLO, b""),
+        (PacketKind.HELLO, bytes(5)),
+        (PacketKind.STATUS, b"x"),
+        (PacketKind.BEGIN, bytes(103)),
+        (PacketKind.DECLARE, b"\0"),
+        (PacketKind.DECLARE, pack("<HH", 0, 1) + bytes(37)),
+        (PacketKind.FINISH, bytes(31)),
+        (PacketKind.CAPTURE, bytes(11)),
+        (PacketKind.READ, bytes(23)),
+        (PacketKind.CANCEL, b"x"),
     ],
 )
-def test_bodies_of_another_length_are_refused(talk: Talk, kind: Kind, body: bytes) -> None:
-    assert talk.failure(kind, body)[0] == Fault.MALFORMED
+def test_bodies_of_another_length_are_refused(talk: Talk, kind: PacketKind, body: bytes) -> None:
+    assert talk.failure(kind, body)[0] == LoaderFault.MALFORMED
 
 
 def test_reads_outside_the_frame_are_refused(talk: Talk) -> None:
     talk.send(EXAMPLE.upload.objects)
-    assert talk.failure(Kind.READ, Read(5, 0, 10, 0, 64).pack())[0] == Fault.NO_FRAME
-    talk.one(Kind.CAPTURE, Capture(5, 1).pack())
+    assert (
+        talk.failure(PacketKind.READ, ReadRequest(5, 0, 10, 0, 64).pack())[0]
+        == LoaderFault.NO_FRAME
+    )
+    talk.one(PacketKind.CAPTURE, CaptureRequest(5, 1).pack())
     pixels = TARGET.rows * TARGET.cols
     for read in (
-        Read(5, 0, pixels + 1, 0, 64),
-        Read(5, pixels, 1, 0, 64),
-        Read(5, 0xFFFFFFFF, 2, 0, 64),
-        Read(5, 0, 0xFFFFFFFF, 0, 64),
-        Read(5, 0, 0, 0, 64),
-        Read(5, 0, 10, 0, 0),
-        Read(5, 0, 10, 0, 1025),
+        ReadRequest(5, 0, pixels + 1, 0, 64),
+        ReadRequest(5, pixels, 1, 0, 64),
+        ReadRequest(5, 0xFFFFFFFF, 2, 0, 64),
+        ReadRequest(5, 0, 0xFFFFFFFF, 0, 64),
+        ReadRequest(5, 0, 0, 0, 64),
+        ReadRequest(5, 0, 10, 0, 0),
+        ReadRequest(5, 0, 10, 0, 1025),
     ):
-        assert talk.failure(Kind.READ, read.pack())[0] == Fault.MALFORMED
-    assert talk.failure(Kind.READ, Read(6, 0, 10, 0, 64).pack())[0] == Fault.NO_FRAME
-    assert talk.failure(Kind.CAPTURE, Capture(6, 4).pack())[0] == Fault.MALFORMED
-    assert talk.failure(Kind.CAPTURE, Capture(6, 0).pack())[0] == Fault.MALFORMED
+        assert talk.failure(PacketKind.READ, read.pack())[0] == LoaderFault.MALFORMED
+    assert (
+        talk.failure(PacketKind.READ, ReadRequest(6, 0, 10, 0, 64).pack())[0]
+        == LoaderFault.NO_FRAME
+    )
+    assert talk.failure(PacketKind.CAPTURE, CaptureRequest(6, 4).pack())[0] == LoaderFault.MALFORMED
+    assert talk.failure(PacketKind.CAPTURE, CaptureRequest(6, 0).pack())[0] == LoaderFault.MALFORMED
 
 
 def test_no_more_reads_wait_than_there_is_room_for(talk: Talk) -> None:
     talk.send(EXAMPLE.upload.objects)
     for _ in range(2):
-        talk.one(Kind.CAPTURE, Capture(5, BOTH).pack())
+        talk.one(PacketKind.CAPTURE, CaptureRequest(5, BOTH).pack())
     asked = b"".join(
-        Packet(Kind.READ, n, SESSION, Read(5, 0, 32, 0, 16).pack()).wire() for n in range(9)
+        Packet(PacketKind.READ, n, SESSION, ReadRequest(5, 0, 32, 0, 16).pack()).wire()
+        for n in range(9)
     )
     replies = talk.raw(asked)
-    failures = [Failure.unpack(p.body) for p in replies if p.kind == Kind.ERROR]
-    assert failures == [Failure(Kind.READ, Fault.BUSY, 0)]
-    assert [p.sequence for p in replies if p.kind != Kind.ERROR] == [
+    failures = [LoaderFailure.unpack(p.body) for p in replies if p.kind == PacketKind.ERROR]
+    assert failures == [LoaderFailure(PacketKind.READ, LoaderFault.BUSY, 0)]
+    assert [p.sequence for p in replies if p.kind != PacketKind.ERROR] == [
         n for n in range(8) for _ in "12"
     ]
 
@@ -457,23 +478,26 @@ def test_a_chip_that_fails_is_said_to_have_failed(talk: Talk) -> None:
     chip = chip_of(EXAMPLE)
     chip.scene = broken  # type: ignore[assignment]
     talk.loader.board = talk.loader.chip = chip  # type: ignore[attr-defined]
-    talk(Kind.CAPTURE, Capture(5, 1).pack())
-    assert talk.failure(Kind.CAPTURE, Capture(5, 1).pack()) == (Fault.HARDWARE, 0)
+    talk(PacketKind.CAPTURE, CaptureRequest(5, 1).pack())
+    assert talk.failure(PacketKind.CAPTURE, CaptureRequest(5, 1).pack()) == (
+        LoaderFault.HARDWARE,
+        0,
+    )
     talk.loader.board = talk.loader.chip = chip_of(EXAMPLE)  # type: ignore[attr-defined]
-    talk.one(Kind.CAPTURE, Capture(6, 1).pack())
-    assert Captured.unpack(talk.one(Kind.CAPTURE, Capture(6, 1).pack())).ready
+    talk.one(PacketKind.CAPTURE, CaptureRequest(6, 1).pack())
+    assert CaptureReply.unpack(talk.one(PacketKind.CAPTURE, CaptureRequest(6, 1).pack())).ready
 
 
 def test_starting_anew_forgets_everything(talk: Talk) -> None:
     talk.send(EXAMPLE.upload.objects)
     before = talk.hello()
-    assert (before.state, before.label) == (State.READY, ZEROS)
+    assert (before.state, before.label) == (LoaderState.READY, ZEROS)
     talk.loader.announce()
-    assert [packet.kind for packet in talk.raw(b"")] == [Kind.BOOTED]
-    assert talk.failure(Kind.STATUS) == (Fault.NO_SESSION, 0)
-    after = Info.unpack(talk.one(Kind.HELLO, Hello(2, 2).pack(), 123456))
+    assert [packet.kind for packet in talk.raw(b"")] == [PacketKind.BOOTED]
+    assert talk.failure(PacketKind.STATUS) == (LoaderFault.NO_SESSION, 0)
+    after = Info.unpack(talk.one(PacketKind.HELLO, Hello(2, 2).pack(), 123456))
     assert after.boot != before.boot
-    assert (after.state, after.program) == (State.EMPTY, ZEROS)
+    assert (after.state, after.program) == (LoaderState.EMPTY, ZEROS)
 
 
 def test_the_objects_of_a_container_are_those_of_the_protocol() -> None:

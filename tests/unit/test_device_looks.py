@@ -24,11 +24,11 @@ from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container, Launch
 from nscc_runtime.device import tasks
-from nscc_runtime.device.chip import channels_of, frame_of
+from nscc_runtime.device.device_chip import channels_of, frame_of
+from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.objects import upload_of
 from nscc_runtime.device.serving import Loaded
-from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
@@ -89,9 +89,9 @@ def film(host: Host, container: Container, count: int, line: Simulation) -> list
     shape = (len(container.readouts), TARGET.rows, TARGET.cols)
     for number in range(1, count + 1):
         first = 100 * len(line.events) + number
-        wanted = Wanted(first, channels, program)
+        wanted = FrameRequest(first, channels, program)
         taken = line.run(host.lasting(lambda one=wanted: tasks.capture(host, one)))
-        assert isinstance(taken, tasks.Taken)
+        assert isinstance(taken, tasks.FetchedFrame)
         sensor = default_sensor(TARGET)
         frames.append(frame_of(taken.data, channels, shape, sensor, TARGET, container))
     line.events.append((line.now, "film"))
@@ -126,7 +126,7 @@ def test_a_film_is_that_of_the_emulator(
 def test_levels_that_in_does_not_have_and_other_counts_are_refused(tmp_path: Path) -> None:
     from loader_twin.parsing import Held, Limits, Refusal
 
-    from nscc_runtime.device.messages import Fault
+    from nscc_runtime.device.messages import LoaderFault
     from nscc_runtime.device.objects import COUNT, LEVEL, ObjectKind
 
     container, _ = looking("float_pixel", tmp_path)
@@ -142,9 +142,9 @@ def test_levels_that_in_does_not_have_and_other_counts_are_refused(tmp_path: Pat
             held.accept(ObjectKind.SCHEDULE, 0, objects[ObjectKind.SCHEDULE], TARGET, most)
         return refused.value.fault, refused.value.detail
 
-    assert refusal([5]) == (Fault.SCHEDULE, 5)
-    assert refusal([TARGET.in_high + 1]) == (Fault.SCHEDULE, 6)
-    assert refusal([TARGET.in_low - 1]) == (Fault.SCHEDULE, 6)
+    assert refusal([5]) == (LoaderFault.SCHEDULE, 5)
+    assert refusal([TARGET.in_high + 1]) == (LoaderFault.SCHEDULE, 6)
+    assert refusal([TARGET.in_low - 1]) == (LoaderFault.SCHEDULE, 6)
 
 
 def test_launches_are_a_row_only_where_their_level_is_one(tmp_path: Path) -> None:

@@ -29,7 +29,7 @@ from nscc.operations import op
 from nscc.words.encoding import encode
 from nscc_runtime.device import qemu, tasks
 from nscc_runtime.device.measured_times import measured
-from nscc_runtime.device.messages import Capture, Captured, Channel, State
+from nscc_runtime.device.messages import CaptureReply, CaptureRequest, Channel, LoaderState
 from nscc_runtime.device.objects import (
     COUNT,
     READOUT,
@@ -40,7 +40,7 @@ from nscc_runtime.device.objects import (
     ObjectKind,
     Upload,
 )
-from nscc_runtime.device.packets import Kind, Unpacker
+from nscc_runtime.device.packets import PacketKind, Unpacker
 from nscc_runtime.device.serving import Loaded
 from nscc_runtime.light import Light
 
@@ -101,13 +101,13 @@ def test_a_frame_without_a_breath_is_cancelled_at_once(
     def work() -> tasks.Task[float]:
         yield from tasks.upload(host, program)
         before = yield from host.status()
-        reply = yield from host.ask(Kind.CAPTURE, Capture(1, Channel.CODES).pack())
-        began = Captured.unpack(reply.body)
+        reply = yield from host.ask(PacketKind.CAPTURE, CaptureRequest(1, Channel.CODES).pack())
+        began = CaptureReply.unpack(reply.body)
         assert not began.ready
         assert began.estimate_ms > 1300
         yield from host.cancel()
         status = yield from host.status()
-        assert status.state == State.READY
+        assert status.state == LoaderState.READY
         return (status.uptime_us - before.uptime_us) / 1e6
 
     took_s = line.run(host.lasting(work), limit_s=120)
@@ -133,7 +133,7 @@ def test_a_board_that_is_stuck_starts_anew(monkeypatch: pytest.MonkeyPatch) -> N
                 os.write(line, host.poll(monotonic()))
             if select([line], [], [], 0.05)[0]:
                 data = os.read(line, 4096)
-                boots += sum(packet.kind == Kind.BOOTED for packet in packets.feed(data))
+                boots += sum(packet.kind == PacketKind.BOOTED for packet in packets.feed(data))
                 host.receive(data, monotonic())
         assert boots == 2
 

@@ -17,7 +17,7 @@ from loader_twin.loader import Loader
 from nscc.chips.target import Target
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device import firmware
-from nscc_runtime.device.measured_times import Times, measured
+from nscc_runtime.device.measured_times import MeasuredTimes, measured
 from nscc_runtime.device.serving import Loaded
 from nscc_runtime.light import Light
 
@@ -47,7 +47,7 @@ class Wire:
         return self.line.run(self.host.lasting(work))
 
 
-def check(times: Times) -> None:
+def check(times: MeasuredTimes) -> None:
     assert times.launch_us == pytest.approx(2.5, abs=0.002)
     assert times.analog_word_us == pytest.approx(0.37, abs=0.0002)
     assert times.digital_word_us == pytest.approx(0.11, abs=0.0002)

@@ -15,11 +15,11 @@ from device_sessions import TARGET, examples, new_host, python_loader
 from device_simulation import Simulation
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.device.chip import Chip, channels_of, frame_of
-from nscc_runtime.device.host import Refused, Silent, Stalled
-from nscc_runtime.device.link import Link
-from nscc_runtime.device.messages import Capability, Failure, Fault, Info
-from nscc_runtime.device.packets import Kind
+from nscc_runtime.device.device_chip import DeviceChip, channels_of, frame_of
+from nscc_runtime.device.host import RequestRefused, Silent, Stalled
+from nscc_runtime.device.link import SerialLink
+from nscc_runtime.device.messages import Capability, Info, LoaderFailure, LoaderFault
+from nscc_runtime.device.packets import PacketKind
 from nscc_runtime.device.port import Port, PortGone, PortTrouble, list_ports, open_port
 from nscc_runtime.device.trouble import check_fits, explained, port_trouble
 from nscc_runtime.sensor import default_sensor
@@ -76,7 +76,7 @@ def test_a_speed_that_the_port_does_not_have(monkeypatch: pytest.MonkeyPatch) ->
 
     monkeypatch.setattr(serial, "Serial", refuse)
     with pytest.raises(Rejected) as caught:
-        Link("/dev/ttyACM0", baud=12345)
+        SerialLink("/dev/ttyACM0", baud=12345)
     assert code_of(caught.value) == "NS0760"
     assert "--baud" in caught.value.diagnostics[0].helps[0]
 
@@ -120,12 +120,12 @@ def test_the_list_of_ports_is_sorted() -> None:
         (Silent(False, 9), "NS0762"),
         (Silent(True, 0), "NS0766"),
         (Stalled(), "NS0766"),
-        (Refused(Failure(Kind.HELLO, Fault.VERSION, 7)), "NS0762"),
-        (Refused(Failure(Kind.BEGIN, Fault.TARGET, 0)), "NS0764"),
-        (Refused(Failure(Kind.CAPTURE, Fault.HARDWARE, 0)), "NS0768"),
-        (Refused(Failure(Kind.CAPTURE, Fault.NO_PROGRAM, 0)), "NS0771"),
-        (Refused(Failure(Kind.DATA, Fault.WORD, 12)), "NS0767"),
-        (Refused(Failure(200, 99, 12)), "NS0767"),
+        (RequestRefused(LoaderFailure(PacketKind.HELLO, LoaderFault.VERSION, 7)), "NS0762"),
+        (RequestRefused(LoaderFailure(PacketKind.BEGIN, LoaderFault.TARGET, 0)), "NS0764"),
+        (RequestRefused(LoaderFailure(PacketKind.CAPTURE, LoaderFault.HARDWARE, 0)), "NS0768"),
+        (RequestRefused(LoaderFailure(PacketKind.CAPTURE, LoaderFault.NO_PROGRAM, 0)), "NS0771"),
+        (RequestRefused(LoaderFailure(PacketKind.DATA, LoaderFault.WORD, 12)), "NS0767"),
+        (RequestRefused(LoaderFailure(200, 99, 12)), "NS0767"),
     ],
 )
 def test_what_a_host_raises(error: Exception, code: str) -> None:
@@ -205,7 +205,7 @@ def test_a_chip_exposes_and_shows_its_upload() -> None:
         yield from found
 
     wire: Any = Wire()
-    chip = Chip(wire, progress=progress)
+    chip = DeviceChip(wire, progress=progress)
     exposure = chip.expose(EXAMPLE.container, None)
     codes = TARGET.rows * TARGET.cols
     columns = exposure.exposure_e.transpose(0, 2, 1)
@@ -217,7 +217,7 @@ def test_a_chip_exposes_and_shows_its_upload() -> None:
 
 def test_a_frame_of_another_program_is_refused() -> None:
     wire: Any = Wire()
-    chip = Chip(wire)
+    chip = DeviceChip(wire)
     chip.upload(EXAMPLE.container)
     chip._made = EXAMPLE.container, replace(EXAMPLE.upload, readouts=2)
     with pytest.raises(Rejected) as caught, explained("/dev/x", 1.0):

@@ -33,7 +33,7 @@ from nscc_training.evaluation.result_text import result_text  # noqa: E402
 from nscc_training.evaluation.subjects import evaluate  # noqa: E402
 from nscc_training.frame_reading import FrameRead  # noqa: E402
 from nscc_training.loop import decoding  # noqa: E402
-from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.reconstruct import reconstructed  # noqa: E402
 from nscc_training.run_files import WEIGHTS  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
@@ -122,8 +122,8 @@ def test_a_run_is_emulated_where_it_trains(
     device: str, named: str | None, program: Container, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     run = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/noise-alone/seed0")
-    settings = replace(run.parts.settings, sensor=replace(run.parts.settings.sensor, effects="all"))
-    run = replace(run, parts=replace(run.parts, settings=settings, device=torch.device(device)))
+    settings = replace(run.setup.settings, sensor=replace(run.setup.settings.sensor, effects="all"))
+    run = replace(run, setup=replace(run.setup, settings=settings, device=torch.device(device)))
     asked = []
 
     class SeenError(Exception):
@@ -136,10 +136,10 @@ def test_a_run_is_emulated_where_it_trains(
     monkeypatch.setattr(emulated, "simulate", seen)
     monkeypatch.setattr(decoding, "simulate", seen)
     with pytest.raises(SeenError):
-        run.parts.emulated  # noqa: B018  # made when it is asked for
-    sensor = run.parts.sensor
+        run.setup.emulated  # noqa: B018  # made when it is asked for
+    sensor = run.setup.sensor
     with pytest.raises(SeenError):
-        decoding.scene_by_chip(run.parts, program, sensor, np.ones((8, 8)), "all", (0, 0))
+        decoding.scene_by_chip(run.setup, program, sensor, np.ones((8, 8)), "all", (0, 0))
     assert asked == [named, named]
 
 
@@ -210,7 +210,7 @@ def test_a_run_goes_on_from_anothers_weights_and_codes(tmp_path: Path) -> None:
     codes = [load_codes(folder / "codes.npz")["stop"] for folder in (first, begun)]
     np.testing.assert_array_equal(*codes)
     (first / WEIGHTS).unlink()
-    assert load_run(begun).parts.settings.decoder.init == str(first)
+    assert load_run(begun).setup.settings.decoder.init == str(first)
     card = (begun / "model_card.md").read_text().split("\n\n")[1]
     score = json.loads((begun / "result.json").read_text())["headline"]["psnr_db"]
     assert card.startswith(f"**{score:.2f} dB")
@@ -238,7 +238,7 @@ def test_a_run_under_effects_says_first_what_they_cost(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("init", "name"), [("nowhere", "unet2d"), ("clip", "unet2d")])
 def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
     with pytest.raises(Rejected) as refusal:
-        make_parts(settings_of({"decoder": {"name": name, "init": init}}))
+        make_setup(settings_of({"decoder": {"name": name, "init": init}}))
     assert refusal.value.diagnostics[0].code == "NS0815"
     assert "decoder.init" in refusal.value.diagnostics[0].message
 
@@ -246,13 +246,13 @@ def test_weights_that_do_not_fit_are_refused(init: str, name: str) -> None:
 def test_what_a_run_knows_of_the_dark_is_not_taken_twice() -> None:
     """One that learned under effects: a place's mean is its own, a pixel's difference is not."""
     folder = load_run(RUNS / "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0")
-    size = (folder.parts.target.rows, folder.parts.target.cols)
+    size = (folder.setup.target.rows, folder.setup.target.cols)
     generator = np.random.default_rng(5)
     codes = generator.integers(20, 90, (1, *size)).astype(np.uint8)
-    meta = {"sensor_sha256": sensor_sha256(folder.parts.sensor)}
-    shutters = laid(folder.parts.encoder.hard(), *size).numpy().astype(bool)
+    meta = {"sensor_sha256": sensor_sha256(folder.setup.sensor)}
+    shutters = laid(folder.setup.encoder.hard(), *size).numpy().astype(bool)
     read = FrameRead(codes, np.zeros(codes.shape, bool), meta, shutters)
-    known = np.tile(generator.random(folder.parts.encoder.spec.tile) * 3, (64, 64))
+    known = np.tile(generator.random(folder.setup.encoder.spec.tile) * 3, (64, 64))
     spot = known.copy()
     spot[100, 100] += 40
     made = [

@@ -97,7 +97,7 @@ def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None
 @pytest.mark.parametrize("frames_s", [None, 0.003])
 def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
     """Light whose slots are sums of several frames, with and without motion inside them."""
-    from nscc_runtime.scenes import Exposure
+    from nscc_runtime.scenes import ExposureLevel
     from nscc_runtime.scenes.exposure import scale
     from nscc_runtime.scenes.timing import check_fps, overlaps, spread, with_motion
 
@@ -108,7 +108,7 @@ def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
         fps = check_fps(1 / frames_s)
         parts = overlaps(container.slot_us, fps)
         frames = moving_light((3, 6, 9), 500.0).frames
-        clip = spread(frames, parts, lambda total: scale(total, Exposure(4000.0), "clip"))
+        clip = spread(frames, parts, lambda total: scale(total, ExposureLevel(4000.0), "clip"))
         light = with_motion(clip, parts.seconds, float(fps))
     for effects in ("all", "motion", "all,-motion"):
         found, full = compared(container, light, sensor_near(container), effects, np.arange(54))

@@ -14,7 +14,7 @@ import pytest
 from nscc.operations import op
 from nscc.words.encoding import encode
 from nscc_runtime.device import firmware
-from nscc_runtime.device.messages import Fault
+from nscc_runtime.device.messages import LoaderFault
 
 pytestmark = pytest.mark.skipif(firmware.compiler() is None, reason="no C++ compiler")
 Run = Callable[..., list[str]]
@@ -134,4 +134,4 @@ def test_what_is_accepted_ends_in_time(
     if detail is None:
         assert end[0] == "ended"
     else:
-        assert end == ["refused", str(Fault.SCHEDULE.value), str(detail)]
+        assert end == ["refused", str(LoaderFault.SCHEDULE.value), str(detail)]

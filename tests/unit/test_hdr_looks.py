@@ -10,11 +10,11 @@ import numpy as np
 import pytest
 from nscc_command import invoke
 
-from nscc_training.evaluation import looks
-from nscc_training.evaluation.looks import DESIGNED, LOOKING, evaluate_looks
+from nscc_training.evaluation import looks_rows
+from nscc_training.evaluation.looks_rows import DESIGNED, LOOKING, evaluate_looks
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
-from nscc_training.sweep.looks import looks_table
+from nscc_training.sweep.looks_table import looks_table
 
 GOOD, BAD = (
     (f"comparator_noise_fraction={size}", f"comparator_offset_fraction={size}")
@@ -96,9 +96,9 @@ def test_designs_for_worse_comparators(folder: Path, monkeypatch: pytest.MonkeyP
                mu_db(name, folder, COMPARATORS, GOOD)]
         for name in DESIGNED
     }  # fmt: skip
-    chip_of = looks.Chip.of
+    chip_of = looks_rows.Chip.of
     monkeypatch.setattr(
-        looks.Chip, "of", lambda target, sensor: chip_of(
+        looks_rows.Chip, "of", lambda target, sensor: chip_of(
             target,
             sensor.changed(comparator_noise_fraction=0.04, comparator_offset_fraction=0.04),
         ),

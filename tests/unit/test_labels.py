@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from matplotlib.path import Path
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.look import look
 
 PLACES = st.tuples(st.floats(0, 1), st.floats(0, 1))
@@ -33,8 +33,10 @@ def test_labels_cover_nothing(
         for number, points in enumerate(lines):
             own = look().of(number)
             axes.plot(*zip(*points, strict=True), **own)
-            labels.append(Label("m" * long, points, own["color"], name=True))
-            labels += [Label(f"s{at}", [point], own["color"]) for at, point in enumerate(points)]
+            labels.append(ChartLabel("m" * long, points, own["color"], name=True))
+            labels += [
+                ChartLabel(f"s{at}", [point], own["color"]) for at, point in enumerate(points)
+            ]
         sheet.lay_out(figure)
         left_out = place_labels(axes, labels)
         texts = [text for text in axes.texts if text.get_text()]
@@ -59,7 +61,9 @@ def test_names_keep_off_lines_and_from_each_other(across: float) -> None:
         figure, [axes] = sheet.panels(1, (3, 2), 1)
         axes.set(xlim=(0, 1), ylim=(0, 1))
         axes.axvline(across)
-        labels = [Label(f"a name {x}", [(x, 0.5)], look().ink, name=True) for x in (0.26, 0.52)]
+        labels = [
+            ChartLabel(f"a name {x}", [(x, 0.5)], look().ink, name=True) for x in (0.26, 0.52)
+        ]
         for label in labels:
             axes.plot(*label.anchors[0], "o")
         sheet.lay_out(figure)
@@ -79,7 +83,7 @@ def test_a_text_that_is_sought_stands_further_off() -> None:
         x, y = np.meshgrid(np.linspace(0.4, 0.6, 9), np.linspace(0.4, 0.6, 7))
         axes.plot(x.ravel(), y.ravel(), "o", markersize=12, fillstyle="none")
         sheet.lay_out(figure)
-        plain = Label("edges, -O0", [(0.5, 0.5)], look().ink)
+        plain = ChartLabel("edges, -O0", [(0.5, 0.5)], look().ink)
         sought = replace(plain, sought=True)
         assert place_labels(axes, [plain]) == [plain]
         assert place_labels(axes, [sought]) == []
@@ -90,6 +94,8 @@ def test_a_text_without_room_is_told() -> None:
     with sheet.style():
         figure, [axes] = sheet.panels(1, (2, 2), 1)
         sheet.lay_out(figure)
-        long = Label("a name that is longer than its panel is wide", [(0.5, 0.5)], look().ink, True)
+        long = ChartLabel(
+            "a name that is longer than its panel is wide", [(0.5, 0.5)], look().ink, True
+        )
         assert place_labels(axes, [long]) == [long]
         assert not axes.texts

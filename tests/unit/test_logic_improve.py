@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from improve_oracle import chip, random_solution, words_of
 from lowering_oracle import program_from
 
+import nscc.logic.improve as package
 from nscc.logic.cubes import Budget
 from nscc.logic.generate import GENERATORS
 from nscc.logic.improve import balance, improve
@@ -21,6 +23,8 @@ from nscc.logic.replay import fault
 from nscc.lower.decoding import problem_of
 from nscc.lower.plan import levels, plan_exposure
 from nscc.lower.timeline import timeline
+from nscc.pipeline import Options, run_passes
+from nscc.source import Source
 
 SCAMP = chip()
 MACHINE = Machine.of(SCAMP)
@@ -385,3 +389,19 @@ def test_sequences_stay_within_their_room():
     (block,) = blocks_of(frame, items, 3)
     assert len(block) == 12
     assert [token.end - token.start for token in block[0]] == [1, 1, 1]
+
+
+def test_an_improvement_that_raises_is_left_out_and_named(monkeypatch):
+    def broken(*_: object) -> None:
+        raise IndexError("not expected")
+
+    text = "nsl 1 frame 16 slots of 1ms code a : 0..15 open when a <= n and n < a + 4"
+    options = Options(level=2, cache=False)
+    improved = run_passes(Source("p.nsl", text), Path(), options)
+    monkeypatch.setattr(package, "refine", broken)
+    kept = run_passes(Source("p.nsl", text), Path(), options)
+    assert "NS0504" not in [d.code for d in improved.diagnostics]
+    (warning,) = (d for d in kept.diagnostics if d.code == "NS0504")
+    assert "'improve'" in warning.message
+    assert kept.choice.failed_generators == ("improve",)
+    assert kept.lowered.schedule.words_total > improved.lowered.schedule.words_total

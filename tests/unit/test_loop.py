@@ -217,4 +217,4 @@ def test_every_loop_is_found():
     found = [name for package in ("nscc_runtime", "nscc_training") for name in modules(package)]
     for name in ("emulator.loops", "noise.loops", "execution.pixel_loop", "execution.sum_loop"):
         assert f"nscc_runtime.{name}" in found
-    assert "nscc_training.baselines.loops" in found
+    assert "nscc_training.baselines.tv_loop" in found

@@ -158,14 +158,14 @@ def test_damaged_files_are_refused(tmp_path: Path) -> None:
 
 
 def test_clips_of_matlab_73_are_scenes(tmp_path: Path) -> None:
-    from nscc_runtime.scenes import Exposure, load_scene
+    from nscc_runtime.scenes import ExposureLevel, load_scene
 
     clip = RNG.integers(0, 256, (ROWS, COLS, 5)).astype(float)
     clip[0, 0, 0] = 255
     write_v73(tmp_path / "c.mat", 512, orig=clip)
     light = load_scene(
         str(tmp_path / "c.mat"), slot_us=(1.0,) * 5, rows=ROWS, cols=COLS,
-        exposure=Exposure(1.0, 100.0),
+        exposure=ExposureLevel(1.0, 100.0),
     )  # fmt: skip
     np.testing.assert_allclose(
         light.dense(), np.moveaxis(clip, 2, 0) / clip.sum(axis=2).max(), rtol=1e-5

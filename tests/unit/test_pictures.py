@@ -25,12 +25,12 @@ from nscc.tradeoff.points import Point
 from nscc.words.container import Container, DecodeTable
 from nscc_runtime.merge import Readout
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.courses import course_sheet
-from nscc_runtime.pictures.frames import frame_sheet
+from nscc_runtime.pictures.frame_sheet import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.look import LOOKS, Look, contrast, look, looking
-from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
-from nscc_runtime.pictures.shutters import shutter_sheet
+from nscc_runtime.pictures.looking_chart import course_sheet
+from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
+from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.plan_parts import Choice, Decision
@@ -43,7 +43,7 @@ from nscc_runtime.tradeoff.study import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
-    Asked,
+    MeasuredPlan,
     Study,
 )
 
@@ -80,7 +80,7 @@ def problems(cases: int, methods: int, settings: int) -> list[Panel]:
 def diagram(cases: int, methods: int, settings: int, **reading: Any) -> Callable[[], Figure]:
     panels = problems(cases, methods, settings)
     note = "what was measured, on what, and what hollow marks mean; " * 3
-    return partial(precision_diagram, panels, "A title", note, Reading("time, ms", **reading))
+    return partial(precision_diagram, panels, "A title", note, PointReading("time, ms", **reading))
 
 
 def at_the_ends() -> Figure:
@@ -89,7 +89,7 @@ def at_the_ends() -> Figure:
               point("a", "two", "z", 300.0, 9.0), point("a", "two", "no", np.inf, 9.0)]  # fmt: skip
     alike = [point("b", "one", "x", 5.0, 1.0), point("b", "two", "y", 5.0, 1.0)]
     panels = [Panel("a", "e", points), Panel("b", "e", alike), Panel("c", "e", [])]
-    return precision_diagram(panels, "t", "n", Reading("time, ms"))
+    return precision_diagram(panels, "t", "n", PointReading("time, ms"))
 
 
 def decision(name: str, choice: Choice, rms_e: float | None, cost_ms: float) -> Decision:
@@ -118,7 +118,7 @@ def studies(scenes: int, tolerances: Sequence[float], effects: int = 4) -> list[
             for m, s, e, t in methods
         )
         asked = tuple(
-            Asked(f"{t:g}e", plan(t, 0.8 * t), 0.9 * t if number else 2e-12)
+            MeasuredPlan(f"{t:g}e", plan(t, 0.8 * t), 0.9 * t if number else 2e-12)
             for number, t in enumerate(tolerances)
         )
         return Study(name, points, asked, 300.0, 2.5, 5e-3, plan(5.0, 3.3, effects), ())
@@ -231,8 +231,8 @@ def written(figure: Figure) -> list[Text]:
 @pytest.mark.parametrize(
     "draw",
     [
-        partial(precision_diagram, [], "t", "n", Reading("time, s")),
-        partial(precision_diagram, [Panel("a", "e", [])], "t", "n", Reading("time, s")),
+        partial(precision_diagram, [], "t", "n", PointReading("time, s")),
+        partial(precision_diagram, [Panel("a", "e", [])], "t", "n", PointReading("time, s")),
         partial(promise_diagram, []),
         partial(budget_diagram, []),
     ],
@@ -272,7 +272,7 @@ def test_dominated_marks_are_hollow() -> None:
         point("a", "m", "beaten by one that is not drawn", 0.7, 1.7),
     ]  # fmt: skip
     with sheet.style():
-        figure = precision_diagram([Panel("", "e", points)], "t", "n", Reading("ms"))
+        figure = precision_diagram([Panel("", "e", points)], "t", "n", PointReading("ms"))
     marks = [line for line in figure.axes[0].lines if line.get_marker() not in ("None", None)]
     assert [mark.get_markerfacecolor() == look().paper for mark in marks] == [False, True, True]
 

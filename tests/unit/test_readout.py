@@ -25,10 +25,10 @@ from nscc.words.container import Container
 from nscc.words.legality import decoded
 from nscc.words.readout import converter_of, preparation_of, spreading
 from nscc_runtime.device import firmware, tasks
-from nscc_runtime.device.chip import frame_of
+from nscc_runtime.device.device_chip import frame_of
+from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.messages import Channel
 from nscc_runtime.device.objects import upload_of
-from nscc_runtime.device.wanted import Wanted
 from nscc_runtime.effects import selected
 from nscc_runtime.emulator import expose
 from nscc_runtime.frame_file import read_out
@@ -80,9 +80,9 @@ def test_a_device(kind: str, readout: str, tmp_path: Path) -> None:
     if kind == "firmware" and firmware.compiler() is None:
         pytest.skip("no C++ compiler: the firmware cannot be built")
     host, upload = new_host(1), upload_of(container, bytes(32))
-    wanted = Wanted(1, Channel.CODES, upload)
+    wanted = FrameRequest(1, Channel.CODES, upload)
 
-    def work() -> tasks.Task[tasks.Taken]:
+    def work() -> tasks.Task[tasks.FetchedFrame]:
         yield from tasks.upload(host, upload)
         return (yield from tasks.capture(host, wanted))
 
@@ -93,7 +93,7 @@ def test_a_device(kind: str, readout: str, tmp_path: Path) -> None:
 
         with Lockstep(firmware.built(target, ("-O0",), tmp_path), emulated) as loader:
             taken = Simulation(host, loader).run(host.lasting(work))
-    assert isinstance(taken, tasks.Taken)
+    assert isinstance(taken, tasks.FetchedFrame)
     sensor = default_sensor(target)
     frame = frame_of(taken.data, Channel.CODES, (1, 1, 3), sensor, target)
     check(frame.frame, readout, target)

@@ -15,7 +15,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.merge import light_estimate, readouts
 from nscc_runtime.response import response_of
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 
 STOPS = """nsl 1
 frame 256 slots of 125us
@@ -63,7 +63,7 @@ def taken(request: pytest.FixtureRequest) -> tuple[Capture, Light]:
     """The README's program before its scene, at its exposure."""
     container = program(STOPS, "edges", SIDE, SIDE)
     scene = load_scene(
-        "builtin:hdr", slot_us=container.slot_us, rows=SIDE, cols=SIDE, exposure=Exposure(1e6)
+        "builtin:hdr", slot_us=container.slot_us, rows=SIDE, cols=SIDE, exposure=ExposureLevel(1e6)
     )
     return capture(container, scene, effects=request.param, seed=1), scene
 

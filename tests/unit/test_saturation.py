@@ -10,7 +10,7 @@ from saturation_oracle import exposures, lost_e
 
 from nscc.words.container import Container
 from nscc_runtime import Capture, capture
-from nscc_runtime.device.chip import frame_of
+from nscc_runtime.device.device_chip import frame_of
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
 from nscc_runtime.reference import frames

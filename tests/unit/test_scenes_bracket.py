@@ -7,11 +7,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+import tifffile
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import Exposure, Scene, load_scene
-from nscc_runtime.scenes.bracket import parse_times
+from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
+from nscc_runtime.scenes.bracket import bracket_files, merged_bracket, parse_times
+from nscc_runtime.scenes.colour import srgb_to_linear
 
 ROWS, COLS = 16, 24
 TIMES = (1 / 256, 1 / 32, 1 / 4)
@@ -35,7 +37,7 @@ def photos(folder: Path, exif: bool, iso: tuple[int, ...] = (100, 100, 100)) -> 
 
 def found(spec: Path | str, **options: Any) -> np.ndarray:
     made = load_scene(
-        str(spec), slot_us=(10.0,), rows=ROWS, cols=COLS, exposure=Exposure(1.0, 100.0),
+        str(spec), slot_us=(10.0,), rows=ROWS, cols=COLS, exposure=ExposureLevel(1.0, 100.0),
         bracket=True, **options,
     )  # fmt: skip
     assert made.kind == "still"
@@ -73,6 +75,50 @@ def test_what_cannot_be_merged(tmp_path: Path) -> None:
     with pytest.raises(Rejected, match="NS0739"):
         load_scene("x.png", slot_us=(1.0,), rows=ROWS, cols=COLS, times=(1.0,))
     for number in range(2):
-        cv2.imwrite(str(tmp_path / f"{number}.png"), np.ones((ROWS, COLS), np.uint16))
+        cv2.imwrite(str(tmp_path / f"{number}.tiff"), np.ones((ROWS, COLS), np.float32))
     with pytest.raises(Rejected, match="NS0777"):
         found(tmp_path, times=(1.0, 2.0))
+
+
+def test_the_merge_is_that_of_debevec(tmp_path: Path) -> None:
+    """OpenCV's merge of 8 bits is the oracle; photos are colourful, grey, black and white."""
+    import cv2
+
+    pictures = np.random.default_rng(3).integers(0, 256, (4, ROWS, COLS, 3), np.uint8)
+    pictures[1] = pictures[1, ..., :1]
+    pictures[2], pictures[3] = 0, 255
+    times = (0.5, 1 / 3, 2.0, 1e-3)
+    for number, picture in enumerate(pictures):
+        Image.fromarray(picture).convert("L" if number == 1 else "RGB").save(
+            tmp_path / f"{number}.png"
+        )
+    curve = srgb_to_linear(np.arange(256) / 255.0)
+    curve[0] = curve[1] / 2
+    response = np.repeat(curve.astype(np.float32)[:, None, None], 3, axis=2)
+    expected = cv2.createMergeDebevec().process([*pictures], np.float32(times), response)
+    made = merged_bracket(bracket_files(str(tmp_path)), times)
+    told = (pictures % 255 > 0).any(axis=(0, -1))
+    np.testing.assert_allclose(made[told], expected[told], rtol=1e-4)
+
+
+def test_pixels_that_are_black_or_white_in_all_photos(tmp_path: Path) -> None:
+    for number, value in enumerate((0, 0, 255)):
+        samples = np.array([[0, 255, value]], np.uint8)
+        Image.fromarray(samples).save(tmp_path / f"{number}.png")
+    made = merged_bracket(bracket_files(str(tmp_path)), (0.25, 1.0, 4.0))
+    black = srgb_to_linear(np.array([1 / 255]))[0] / 2
+    np.testing.assert_allclose(made[..., 0], [[black / 4, 4, 0.25]], rtol=1e-5)
+
+
+@pytest.mark.parametrize("grey", [False, True])
+def test_photos_of_16_bits(tmp_path: Path, grey: bool) -> None:
+    """The light is found with less error than in 8 bits: 6 % there."""
+    for number, time in enumerate(TIMES):
+        linear = np.clip(light() * time, 0, 1)
+        shown = np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
+        samples = np.rint(65535 * shown).astype(np.uint16)
+        colours = samples if grey else np.repeat(samples[..., None], 3, axis=-1)
+        tifffile.imwrite(tmp_path / f"{number}.tif", colours)
+    made = merged_bracket(bracket_files(str(tmp_path)), TIMES)
+    assert made.shape == ((ROWS, COLS) if grey else (ROWS, COLS, 3))
+    np.testing.assert_allclose(made.reshape(ROWS, COLS, -1)[..., 0], light(), rtol=2e-3)

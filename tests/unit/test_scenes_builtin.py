@@ -7,7 +7,7 @@ import hashlib
 import numpy as np
 import pytest
 
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 
 
 def test_hdr_spans_five_decades_at_any_size() -> None:
@@ -48,7 +48,7 @@ def test_flat_and_dark() -> None:
     np.testing.assert_allclose(flat.total_e(), 1000.0, rtol=1e-6)
     np.testing.assert_allclose(flat.slot(1), 750.0, rtol=1e-6)
     again = load_scene(
-        "builtin:flat:1000", slot_us=slot_us, rows=3, cols=4, exposure=Exposure(20.0)
+        "builtin:flat:1000", slot_us=slot_us, rows=3, cols=4, exposure=ExposureLevel(20.0)
     )
     np.testing.assert_allclose(again.total_e(), 20.0, rtol=1e-6)
     for name in ("builtin:dark", "builtin:flat:0"):

@@ -10,7 +10,7 @@ import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc_runtime.light import Light
-from nscc_runtime.scenes import Exposure, load_scene, parse_crop, parse_exposure
+from nscc_runtime.scenes import ExposureLevel, load_scene, parse_crop, parse_exposure
 
 ROWS, COLS = 16, 24
 SLOT_US = (100.0, 200.0, 400.0)
@@ -77,7 +77,7 @@ def test_mat_light_and_clips(tmp_path: Path) -> None:
     np.testing.assert_array_equal(load(tmp_path / "l.mat").dense(), clip.astype(np.float32))
     orig = np.random.default_rng(3).integers(0, 256, (ROWS + 2, COLS, 5)).astype(np.uint8)
     savemat(tmp_path / "o.mat", {"orig": orig, "mask": orig})
-    light = load(tmp_path / "o.mat", exposure=Exposure(900.0, 50.0))
+    light = load(tmp_path / "o.mat", exposure=ExposureLevel(900.0, 50.0))
     linear = orig[1:-1, :, :3].transpose(2, 0, 1) / 255.0
     scale = 900.0 / np.percentile(linear.sum(axis=0), 50.0)
     assert light.exposure_scale_e == pytest.approx(scale, rel=1e-6)
@@ -89,7 +89,7 @@ def test_linear_pictures(tmp_path: Path, suffix: str) -> None:
     rgb = colours(4) * 100
     path = tmp_path / f"p{suffix}"
     write_float(path, rgb)
-    light = load(path, exposure=Exposure(30000.0))
+    light = load(path, exposure=ExposureLevel(30000.0))
     # Radiance cuts colours to 8 bits of the largest one
     tolerance = 0.05 if suffix == ".hdr" else 1e-6
     np.testing.assert_allclose(light.total_e(), exposed(rgb @ WEIGHTS, 30000.0), rtol=tolerance)
@@ -102,7 +102,7 @@ def test_grey_portable_float_maps_are_as_they_lie(tmp_path: Path) -> None:
     grey = colours(8)[..., 0]
     head = f"Pf\n{COLS} {ROWS}\n-1.0\n".encode()
     (tmp_path / "p.pfm").write_bytes(head + grey[::-1].astype("<f4").tobytes())
-    light = load(tmp_path / "p.pfm", exposure=Exposure(30000.0))
+    light = load(tmp_path / "p.pfm", exposure=ExposureLevel(30000.0))
     np.testing.assert_allclose(light.total_e(), exposed(grey, 30000.0), rtol=1e-6)
 
 
@@ -116,11 +116,11 @@ def test_float_tiffs_of_any_number_of_channels(tmp_path: Path, dtype: Any, chann
     stored = {1: rgb[..., :1], 3: rgb[..., ::-1], 4: np.dstack([rgb[..., ::-1], alpha])}[channels]
     assert cv2.imwrite(str(tmp_path / "p.tiff"), stored)
     said: list[Diagnostic] = []
-    load(tmp_path / "p.tiff", exposure=Exposure(500.0), warn=said.append)
+    load(tmp_path / "p.tiff", exposure=ExposureLevel(500.0), warn=said.append)
     assert "--transfer linear" in said[-1].helps[0]
     said.clear()
     settings: dict[str, Any] = {"transfer": "linear", "warn": said.append}
-    light = load(tmp_path / "p.tiff", exposure=Exposure(500.0), **settings)
+    light = load(tmp_path / "p.tiff", exposure=ExposureLevel(500.0), **settings)
     assert not any("sRGB" in each.message for each in said)
     luminance = rgb[..., 0] if channels == 1 else rgb @ WEIGHTS
     np.testing.assert_allclose(light.total_e(), exposed(luminance, 500.0), rtol=1e-6)
@@ -144,7 +144,7 @@ def test_display_pictures_undo_their_curve(tmp_path: Path, transfer: Any) -> Non
 
     stored = (colours(5) * 255).astype(np.uint8)
     Image.fromarray(stored).save(tmp_path / "p.png")
-    light = load(tmp_path / "p.png", exposure=Exposure(500.0), transfer=transfer)
+    light = load(tmp_path / "p.png", exposure=ExposureLevel(500.0), transfer=transfer)
     values = stored / 255.0 if transfer == "linear" else srgb(stored / 255.0)
     np.testing.assert_allclose(light.total_e(), exposed(values @ WEIGHTS, 500.0), rtol=1e-6)
 
@@ -155,7 +155,7 @@ def test_sixteen_bits_survive(tmp_path: Path) -> None:
     stored = (colours(6) * 65535).astype(np.uint16)
     for suffix in (".png", ".tif"):
         assert cv2.imwrite(str(tmp_path / f"p{suffix}"), stored[..., ::-1])
-        light = load(tmp_path / f"p{suffix}", exposure=Exposure(500.0))
+        light = load(tmp_path / f"p{suffix}", exposure=ExposureLevel(500.0))
         expected = exposed(srgb(stored / 65535.0) @ WEIGHTS, 500.0)
         np.testing.assert_allclose(light.total_e(), expected, rtol=1e-6)
 
@@ -171,7 +171,7 @@ def test_progress_sees_every_frame(tmp_path: Path) -> None:
 
     for k in range(3):
         Image.fromarray(np.full((ROWS, COLS), 50 + k, np.uint8)).save(tmp_path / f"{k}.png")
-    load(tmp_path, exposure=Exposure(1.0), progress=watch)
+    load(tmp_path, exposure=ExposureLevel(1.0), progress=watch)
     np.save(tmp_path / "light.npy", np.ones((3, ROWS, COLS)))
     load(tmp_path / "light.npy", progress=watch)
     assert seen == [("reading frames", 3), ("reading light", 1)]
@@ -193,7 +193,7 @@ def test_gif_frames_and_folders(tmp_path: Path) -> None:
     expected = srgb(np.array(frames[:3]) / 255.0)
     scale = 100.0 / np.percentile(expected.sum(axis=0), 99.0)
     for name in ("c.gif", "folder"):
-        light = load(tmp_path / name, exposure=Exposure(100.0))
+        light = load(tmp_path / name, exposure=ExposureLevel(100.0))
         np.testing.assert_allclose(light.dense(), expected * scale, rtol=1e-5)
 
 
@@ -206,12 +206,13 @@ def test_video(tmp_path: Path) -> None:
     for value in (40, 120, 220):
         writer.write(np.full((32, 48, 3), value, np.uint8))
     writer.release()
-    light = load(tmp_path / "v.avi", exposure=Exposure(100.0))
+    light = load(tmp_path / "v.avi", exposure=ExposureLevel(100.0))
     ratio = light.slot(2)[8, 12] / light.slot(0)[8, 12]
     known = srgb(np.array([220, 40]) / 255.0)
     assert ratio == pytest.approx(known[0] / known[1], rel=0.1)
     assert (
-        rejection(tmp_path / "v.avi", exposure=Exposure(1.0), slot_us=(1.0,) * 4).code == "NS0735"
+        rejection(tmp_path / "v.avi", exposure=ExposureLevel(1.0), slot_us=(1.0,) * 4).code
+        == "NS0735"
     )
 
 
@@ -219,14 +220,14 @@ def test_crops(tmp_path: Path) -> None:
     picture = colours(7, (ROWS + 5, COLS + 4))
     write_float(tmp_path / "p.pfm", picture)
     grey = picture @ WEIGHTS
-    centre = load(tmp_path / "p.pfm", exposure=Exposure(10.0)).total_e()
+    centre = load(tmp_path / "p.pfm", exposure=ExposureLevel(10.0)).total_e()
     np.testing.assert_allclose(centre, exposed(grey[2:-3, 2:-2], 10.0), rtol=1e-6)
-    corner = load(tmp_path / "p.pfm", exposure=Exposure(10.0), crop=(5, 0)).total_e()
+    corner = load(tmp_path / "p.pfm", exposure=ExposureLevel(10.0), crop=(5, 0)).total_e()
     np.testing.assert_allclose(corner, exposed(grey[5:, :-4], 10.0), rtol=1e-6)
-    outside = rejection(tmp_path / "p.pfm", exposure=Exposure(10.0), crop=(6, 0))
+    outside = rejection(tmp_path / "p.pfm", exposure=ExposureLevel(10.0), crop=(6, 0))
     assert outside.code == "NS0734"
     assert "R may be 0 to 5" in outside.helps[0]
-    small = rejection(tmp_path / "p.pfm", exposure=Exposure(10.0), rows=100)
+    small = rejection(tmp_path / "p.pfm", exposure=ExposureLevel(10.0), rows=100)
     assert small.code == "NS0734"
     assert "21 x 28" in small.message
     assert "100 x 24" in small.message
@@ -237,13 +238,13 @@ def test_tiny_negatives_are_counted_and_clamped(tmp_path: Path) -> None:
     picture[0, :3] = -1e-4
     write_float(tmp_path / "p.pfm", picture)
     said: list[Diagnostic] = []
-    light = load(tmp_path / "p.pfm", exposure=Exposure(10.0), warn=said.append)
+    light = load(tmp_path / "p.pfm", exposure=ExposureLevel(10.0), warn=said.append)
     assert [d.code for d in said] == ["NS0740"]
     assert said[0].data["count"] == 3
     assert light.total_e()[0, 0] == 0
     picture[0, 0] = -0.5
     write_float(tmp_path / "p.pfm", picture)
-    assert rejection(tmp_path / "p.pfm", exposure=Exposure(10.0)).code == "NS0736"
+    assert rejection(tmp_path / "p.pfm", exposure=ExposureLevel(10.0)).code == "NS0736"
 
 
 @pytest.mark.parametrize("outside", [np.inf, np.nan])
@@ -251,11 +252,11 @@ def test_what_is_cut_off_says_nothing_of_negatives(tmp_path: Path, outside: floa
     picture = np.ones((2 * ROWS, COLS, 3), np.float32)
     picture[0, 0], picture[ROWS, 3] = outside, -1e-5
     write_float(tmp_path / "p.exr", picture)
-    light = load(tmp_path / "p.exr", exposure=Exposure(10.0), crop=(ROWS // 2, 0))
+    light = load(tmp_path / "p.exr", exposure=ExposureLevel(10.0), crop=(ROWS // 2, 0))
     assert light.total_e()[ROWS // 2, 3] == 0
     picture[ROWS, 3] = -1000.0
     write_float(tmp_path / "p.exr", picture)
-    found = rejection(tmp_path / "p.exr", exposure=Exposure(10.0), crop=(ROWS // 2, 0))
+    found = rejection(tmp_path / "p.exr", exposure=ExposureLevel(10.0), crop=(ROWS // 2, 0))
     assert found.code == "NS0736"
 
 
@@ -326,8 +327,8 @@ def test_arrays_that_are_no_scene(tmp_path: Path, arrays: dict[str, Any], code: 
         ("builtin:", {}, "NS0731"),
         ("builtin:hdr", {"fps": 3.0}, "NS0739"),
         ("builtin:hdr", {"crop": (0, 0)}, "NS0739"),
-        ("builtin:dark", {"exposure": Exposure(5.0)}, "NS0738"),
-        ("builtin:hdr", {"exposure": Exposure(1e38, 0.0)}, "NS0738"),
+        ("builtin:dark", {"exposure": ExposureLevel(5.0)}, "NS0738"),
+        ("builtin:hdr", {"exposure": ExposureLevel(1e38, 0.0)}, "NS0738"),
         ("a\0b", {}, "NS0730"),
         ("x" * 5000, {}, "NS0730"),
     ],
@@ -340,24 +341,24 @@ def test_options_that_do_not_fit_the_kind(tmp_path: Path) -> None:
     write_float(tmp_path / "p.pfm", colours())
     np.savez(tmp_path / "a.npz", light=np.ones((ROWS, COLS)))
     assert rejection(tmp_path / "p.pfm").code == "NS0737"
-    assert rejection(tmp_path / "p.pfm", exposure=Exposure(1.0), fps=5.0).code == "NS0739"
+    assert rejection(tmp_path / "p.pfm", exposure=ExposureLevel(1.0), fps=5.0).code == "NS0739"
     assert rejection(tmp_path / "a.npz", fps=5.0).code == "NS0739"
     assert rejection(tmp_path / "a.npz", transfer="srgb").code == "NS0739"
     assert rejection(tmp_path / "a.npz", first=1).code == "NS0739"
-    assert rejection(tmp_path / "p.pfm", exposure=Exposure(1.0), first=1).code == "NS0739"
+    assert rejection(tmp_path / "p.pfm", exposure=ExposureLevel(1.0), first=1).code == "NS0739"
     np.savez(tmp_path / "clip.npz", light=np.ones((3, ROWS, COLS)))
     for spec in (tmp_path / "clip.npz", "builtin:motion"):
-        assert "--still" in rejection(spec, exposure=Exposure(1.0), single=True).message
-    assert load("builtin:hdr", exposure=Exposure(1.0), single=True).kind == "still"
+        assert "--still" in rejection(spec, exposure=ExposureLevel(1.0), single=True).message
+    assert load("builtin:hdr", exposure=ExposureLevel(1.0), single=True).kind == "still"
     (tmp_path / "a.xyz").write_text("")
     assert rejection(tmp_path / "a.xyz").code == "NS0731"
     (tmp_path / "empty").mkdir()
-    assert rejection(tmp_path / "empty", exposure=Exposure(1.0)).code == "NS0735"
+    assert rejection(tmp_path / "empty", exposure=ExposureLevel(1.0)).code == "NS0735"
 
 
 def test_exposure_and_crop_are_parsed() -> None:
-    assert parse_exposure("3e4") == Exposure(30000.0, 99.0)
-    assert parse_exposure("100@0") == Exposure(100.0, 0.0)
+    assert parse_exposure("3e4") == ExposureLevel(30000.0, 99.0)
+    assert parse_exposure("100@0") == ExposureLevel(100.0, 0.0)
     assert parse_crop("3,12") == (3, 12)
     for text in ("", "0", "-5", "nan", "inf", "1@", "1@101", "1@-1", "1@nan", "1@2@3", "x"):
         with pytest.raises(Rejected):

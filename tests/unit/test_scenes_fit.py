@@ -17,7 +17,7 @@ from scipy.io import savemat
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.scenes import Exposure, Laid, Scene, laid_scene, load_scene
+from nscc_runtime.scenes import ExposureLevel, PlacedLight, Scene, laid_scene, load_scene
 from nscc_runtime.scenes.colour import srgb_to_linear
 
 RNG = np.random.default_rng(11)
@@ -36,9 +36,9 @@ def light_of(path: Path) -> NDArray[np.float64]:
     return srgb_to_linear(np.asarray(Image.open(path), np.float64) / 255)
 
 
-def laid(path: Path, **more: Any) -> tuple[Laid, list[Diagnostic]]:
+def laid(path: Path, **more: Any) -> tuple[PlacedLight, list[Diagnostic]]:
     said: list[Diagnostic] = []
-    found = laid_scene(str(path), exposure=Exposure(5000.0, 50.0), warn=said.append,
+    found = laid_scene(str(path), exposure=ExposureLevel(5000.0, 50.0), warn=said.append,
                        **{**SIZE, **more})  # fmt: skip
     return found, said
 
@@ -46,10 +46,10 @@ def laid(path: Path, **more: Any) -> tuple[Laid, list[Diagnostic]]:
 def test_scaled_pictures_are_means_of_areas(photo: Path) -> None:
     """100 x 96 on 25 x 24: blocks of 4 x 4, and the median of them has the exposure asked for."""
     found, said = laid(photo, rows=25, fit="scale")
-    assert (found.where.size, found.where.arrays) == ((25, 24), (1, 1))
+    assert (found.placement.size, found.placement.arrays) == ((25, 24), (1, 1))
     grey = light_of(photo) @ [0.2126, 0.7152, 0.0722]
     means = grey.reshape(25, 4, 24, 4).mean(axis=(1, 3))
-    total = found.where.cut(found.light.total_e())
+    total = found.placement.cut(found.light.total_e())
     assert np.allclose(total, means * 5000 / np.median(means), rtol=1e-5)
     assert [each.code for each in said] == ["NS0773", "NS0773"]
     assert found.colour
@@ -63,7 +63,7 @@ def test_the_rest_of_the_array_sees_a_mirror(photo: Path) -> None:
 
 def test_pieces_put_together_are_the_picture(photo: Path) -> None:
     found, _ = laid(photo, fit="tiles")
-    where = found.where
+    where = found.placement
     assert (where.size, where.arrays) == ((100, 96), (5, 3))
     pieces = [piece.total_e() for piece in where.pieces(found.light)]
     assert {piece.shape for piece in pieces} == {(24, 32)}
@@ -76,7 +76,7 @@ def test_small_and_thin_pictures_are_scaled_up(tmp_path: Path) -> None:
     for shape, size in (((3, 4), (24, 32)), ((1, 200), (1, 32)), ((500, 2), (24, 1))):
         Image.fromarray(np.full(shape, 128, np.uint8)).save(tmp_path / "small.png")
         found, _ = laid(tmp_path / "small.png", fit="scale")
-        assert found.where.size == size
+        assert found.placement.size == size
         assert np.allclose(found.light.total_e(), 5000, rtol=1e-6)
     with pytest.raises(Rejected, match="NS0734"):
         laid(tmp_path / "small.png")
@@ -84,12 +84,12 @@ def test_small_and_thin_pictures_are_scaled_up(tmp_path: Path) -> None:
 
 def test_what_is_cut_off_is_said(photo: Path) -> None:
     found, said = laid(photo)
-    assert found.where.whole
+    assert found.placement.fits_one_array
     assert (
         said[0].message
         == f"'{photo}' is 100 x 96, the array 24 x 32: 0.08 of the picture is exposed"
     )
-    plain = load_scene(str(photo), exposure=Exposure(5000.0, 50.0), **SIZE)
+    plain = load_scene(str(photo), exposure=ExposureLevel(5000.0, 50.0), **SIZE)
     assert np.array_equal(found.light.total_e(), plain.total_e())
     with pytest.raises(Rejected, match="NS0739"):
         laid(photo, fit="tiles", crop=(0, 0))

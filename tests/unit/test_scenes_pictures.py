@@ -11,8 +11,10 @@ import pytest
 import tifffile
 from PIL import Image
 
+import nscc
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime import capture
+from nscc_runtime.scenes import ExposureLevel, Scene, load_scene
 from nscc_runtime.scenes.picture_files import open_pages, read_picture
 
 RNG = np.random.default_rng(0)
@@ -21,7 +23,10 @@ ROWS, COLS = 8, 10
 
 def clip_light(path: Path, slots: int, **options: Any) -> np.ndarray:
     """The light in slots of a clip, brightest 1."""
-    settings: dict[str, Any] = {"exposure": Exposure(1.0, 100.0), "transfer": "linear"} | options
+    settings: dict[str, Any] = {
+        "exposure": ExposureLevel(1.0, 100.0),
+        "transfer": "linear",
+    } | options
     light = load_scene(str(path), slot_us=(10.0,) * slots, rows=ROWS, cols=COLS, **settings)
     dense = np.asarray(light.dense())
     return dense / dense.max()
@@ -334,6 +339,9 @@ def test_raw_files_have_black_and_white_level_applied(tmp_path: Path, suffix: st
     pages = open_pages(path)
     (picture,) = pages.read()
     assert (picture.dtype, "colours as the camera has them" in pages.notes[0][0]) == ("u2", True)
+    program = nscc.compile("nsl 1\nframe 1 slots of 1ms\nopen when true\n")
+    meta = capture(program, Scene(str(path), exposure=1000, fit="scale")).meta
+    assert "colours as the camera has them" in meta["scene_notes"][0]
     expected = (np.array([1000, 2000, 3000]) - 200) / (4095 - 200) * 65535
     np.testing.assert_allclose(
         picture[20:40, 20:40], np.broadcast_to(expected, (20, 20, 3)), atol=1

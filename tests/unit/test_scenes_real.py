@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Severity
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 
 DATA = Path(os.environ.get("NSCC_DATA") or Path(__file__).resolve().parents[3] / "shared" / "data")
 FILES = sorted(
@@ -27,7 +27,7 @@ pytestmark = pytest.mark.skipif(
 def test_real_scene(path: Path) -> None:
     said: list[Diagnostic] = []
     light = load_scene(
-        str(path), slot_us=(125.0,) * 8, rows=256, cols=256, exposure=Exposure(30000.0),
+        str(path), slot_us=(125.0,) * 8, rows=256, cols=256, exposure=ExposureLevel(30000.0),
         warn=said.append,
     )  # fmt: skip
     total = light.total_e()
@@ -49,7 +49,7 @@ def test_benchmark_clips_are_their_own_frames(name: str) -> None:
         pytest.skip(f"{name} is not in {DATA}")
     orig = loadmat(path)["orig"]
     light = load_scene(
-        str(path), slot_us=(1000.0,) * 8, rows=256, cols=256, exposure=Exposure(30000.0)
+        str(path), slot_us=(1000.0,) * 8, rows=256, cols=256, exposure=ExposureLevel(30000.0)
     )
     frames = np.moveaxis(orig[:, :, :8] / 255.0, 2, 0)
     np.testing.assert_allclose(light.dense(), frames * light.exposure_scale_e, rtol=1e-6)

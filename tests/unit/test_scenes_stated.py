@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 from nscc_runtime.scenes.numbering import missing_frames
 
 ROWS, COLS = 8, 10
@@ -20,7 +20,7 @@ def light_of(path: Path, slots: int = 1, **options: Any) -> tuple[np.ndarray, li
     said: list[Diagnostic] = []
     light = load_scene(
         str(path), slot_us=(10.0,) * slots, rows=ROWS, cols=COLS, warn=said.append,
-        **{"exposure": Exposure(1.0, 100.0), **options},
+        **{"exposure": ExposureLevel(1.0, 100.0), **options},
     )  # fmt: skip
     return np.asarray(light.dense()), said
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.scenes import Exposure, load_scene, timing
+from nscc_runtime.scenes import ExposureLevel, load_scene, timing
 
 
 def dense(found: timing.Overlaps, frames: int) -> np.ndarray:
@@ -59,14 +59,14 @@ def test_a_clip_in_real_time(tmp_path: Path) -> None:
         Image.fromarray(np.full((4, 4), value, np.uint8)).save(tmp_path / f"{k}.png")
     light = load_scene(
         str(tmp_path), slot_us=(5000.0, 10000.0, 15000.0), rows=4, cols=4,
-        exposure=Exposure(3000.0), transfer="linear", fps=100.0,
+        exposure=ExposureLevel(3000.0), transfer="linear", fps=100.0,
     )  # fmt: skip
     parts = np.array([5 * 50, 5 * 50 + 5 * 100, 5 * 100 + 10 * 200])
     np.testing.assert_allclose(light.dense()[:, 0, 0], 3000.0 * parts / parts.sum(), rtol=1e-6)
     with pytest.raises(Rejected) as caught:
         load_scene(
             str(tmp_path), slot_us=(40000.0,), rows=4, cols=4,
-            exposure=Exposure(1.0), fps=100.0,
+            exposure=ExposureLevel(1.0), fps=100.0,
         )  # fmt: skip
     (found,) = caught.value.diagnostics
     assert found.code == "NS0735"

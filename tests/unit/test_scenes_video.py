@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
-from nscc_runtime.scenes import Exposure, load_scene
+from nscc_runtime.scenes import ExposureLevel, load_scene
 from nscc_runtime.scenes.clips import open_clip
 
 av = pytest.importorskip("av")
@@ -110,7 +110,7 @@ def test_a_ramp_grows_to_its_end(tmp_path: Path, curve: int, name: str) -> None:
     assert open_clip(tmp_path / "v.mkv").transfer == name
     light = load_scene(
         str(tmp_path / "v.mkv"), slot_us=(10.0,), rows=ROWS, cols=COLS,
-        exposure=Exposure(1.0, 100.0),
+        exposure=ExposureLevel(1.0, 100.0),
     ).dense()[0, 0]  # fmt: skip
     assert (np.diff(light) > 0).all()
     assert light[0] == 0
@@ -190,7 +190,7 @@ def test_a_video_that_breaks_off_says_how_many_frames_it_has(tmp_path: Path) -> 
     data = path.read_bytes()
     path.write_bytes(data[: len(data) * 6 // 10])
     said: list[Diagnostic] = []
-    settings: dict[str, Any] = {"rows": ROWS, "cols": COLS, "exposure": Exposure(1.0)}
+    settings: dict[str, Any] = {"rows": ROWS, "cols": COLS, "exposure": ExposureLevel(1.0)}
     load_scene(str(path), slot_us=(10.0,) * 5, warn=said.append, **settings)
     notes = [diagnostic.message for diagnostic in said if "breaks off" in diagnostic.message]
     assert len(notes) == 1

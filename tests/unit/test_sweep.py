@@ -25,7 +25,7 @@ from nscc_training.scene_files import files_in
 from nscc_training.sweep import compiling
 from nscc_training.sweep.grid import read_grid
 from nscc_training.sweep.kinds import key_of
-from nscc_training.sweep.point import Row
+from nscc_training.sweep.point import PointRow
 from nscc_training.sweep.store import POINTS, rows_in, store_in
 
 STOPS = """
@@ -54,7 +54,7 @@ def swept(folder: Path, *more: str, status: int = 0) -> list[dict[str, str]]:
     return list(csv.DictReader(io.StringIO((folder / "out/table.csv").read_text())))
 
 
-def kept(folder: Path) -> dict[str, Row]:
+def kept(folder: Path) -> dict[str, PointRow]:
     with store_in(folder / "out") as store:
         return rows_in(store)
 

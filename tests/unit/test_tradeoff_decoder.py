@@ -24,7 +24,7 @@ from nscc_training.decoders.declared import DECODERS  # noqa: E402
 from nscc_training.evaluation.methods import CLIPS  # noqa: E402
 from nscc_training.loop.decoding import decoded_frame  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
-from nscc_training.protocol_scenes.files import protocol_of, some_scenes  # noqa: E402
+from nscc_training.protocol_scenes.file_scenes import protocol_of, some_scenes  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 from nscc_training.tradeoff import decoder  # noqa: E402
 from nscc_training.tradeoff.decoder import Settings, cases, measure  # noqa: E402
@@ -113,7 +113,7 @@ def test_a_part_of_a_frame_is_decoded_by_its_own_shutters(clip_run: Path) -> Non
     folder, rng = load_run(clip_run), np.random.default_rng(3)
     codes = rng.integers(10, 200, (24, 20)).astype(np.uint8)
     full = np.zeros(codes.shape, bool)
-    made = [decoded_frame(folder.parts, codes, full, corner=at) for at in ((0, 0), (8, 4), (1, 0))]
+    made = [decoded_frame(folder.setup, codes, full, corner=at) for at in ((0, 0), (8, 4), (1, 0))]
     assert made[0].shape == (4, 24, 20)
     np.testing.assert_array_equal(made[0], made[1])
     assert not np.allclose(made[0], made[2])
@@ -132,7 +132,7 @@ def test_runs_decode_their_own_code(quick: None, clip_run: Path, tmp_path: Path)
     methods = {(way.method, way.setting) for way in todo[0].ways}
     assert {("unet3d small", "f32"), ("unet3d small", "bf16")} <= methods
     assert {("fcnet small", f"x{k} {d}") for k in (1, 2, 4) for d in ("f32", "bf16")} <= methods
-    tile = runs[0].parts.encoder.hard().numpy()
+    tile = runs[0].setup.encoder.hard().numpy()
     assert np.array_equal(todo[0].captures[0].masks[0, :, :4, :4], tile)
     points, _ = measure(todo, replace(TINY, count=1, repeats=1))
     assert all(np.isfinite(p.error) for p in points)
@@ -145,7 +145,7 @@ def test_a_network_is_the_runs_own(clip_run: Path) -> None:
     taken = case.captures[0]
     with torch.no_grad():
         frame = torch.from_numpy(taken.codes) / 255
-        wanted = folder.parts.decoder(frame, torch.from_numpy(taken.masks[0]))[0].numpy()
+        wanted = folder.setup.decoder(frame, torch.from_numpy(taken.masks[0]))[0].numpy()
     assert np.allclose(exact.run(taken), wanted * (30000 / 4), rtol=1e-4, atol=0.1)
     error = np.abs(rough.run(taken) - exact.run(taken)).max()
     assert 0 < error < 0.1 * np.abs(exact.run(taken)).max() + 10
@@ -180,7 +180,7 @@ def test_the_command(quick: None, tmp_path: Path) -> None:
         tmp_path,
     )
     assert done.status == 0, done.err
-    runs = [name for name, decoder in DECODERS.items() if not decoder.given]
+    runs = [name for name, decoder in DECODERS.items() if not decoder.fixed_channels]
     assert f"not measured: {', '.join(runs)};" in done.out
     rows = list(csv.DictReader(io.StringIO((tmp_path / "out.csv").read_text())))
     assert {row["error_unit"] for row in rows} == {"psnr_db", "ssim"}

@@ -34,13 +34,13 @@ from nscc_runtime.tradeoff.study import (
     REFERENCE,
     SUMMED,
     WITH_PLANNING,
-    Scene,
-    Settings,
+    NamedLight,
     Study,
+    StudySettings,
     error,
     measure,
 )
-from nscc_runtime.tradeoff.study_text import kept, studies_text
+from nscc_runtime.tradeoff.study_text import keeps_promise, studies_text
 
 ROWS, COLS, SLOTS = 48, 32, 4
 TEXT = f"""nsl 1
@@ -88,7 +88,7 @@ def rms(away: np.ndarray) -> float:
 
 def test_errors_are_those_of_the_frames(program: Program) -> None:
     light = clip()
-    settings = Settings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
+    settings = StudySettings((2.0, 40.0), 10.0, 2, 3, seed=5, device_seed=6)
     turns = []
 
     def progress(work):
@@ -97,7 +97,7 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
             yield item
 
     first, second = measure(
-        program, [Scene("a", light), Scene("b", clip(30.0))], settings, 10.0, progress
+        program, [NamedLight("a", light), NamedLight("b", clip(30.0))], settings, 10.0, progress
     )
     assert turns == turns[:2] * 4, "errors first, then the repeats go round"
     assert (first.scene, second.scene) == ("a", "b")
@@ -131,7 +131,7 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
     plain = (light.frames * opened()).sum(axis=0)
     plain_codes = np.clip(np.rint(plain / sensor.electrons_per_lsb), 0, 255)
     is_found((SUMMED, "none"), rms(exposures - plain), rms(codes - plain_codes))
-    for tolerance, asked in zip((2.0, 40.0), first.asked, strict=True):
+    for tolerance, asked in zip((2.0, 40.0), first.measured_plans, strict=True):
         taken = capture(
             container,
             light,
@@ -145,7 +145,7 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
         is_found((PLANNED, f"{tolerance:g}e"), away_e, rms(taken.frame[:, 0] - codes))
         assert asked.tolerance_e == tolerance
         assert asked.measured_e == pytest.approx(away_e)
-        assert kept(asked)
+        assert keeps_promise(asked)
     assert first.budget.tolerance_e == 10.0
     for point in first.points:
         assert len(point.times_ms) == (POOLED if "reference" in point.method else 3)
@@ -160,7 +160,7 @@ def test_errors_are_those_of_the_frames(program: Program) -> None:
 @pytest.mark.parametrize(("frames", "repeats"), [(1, 1), (2, 0)])
 def test_too_few_to_measure(program: Program, frames: int, repeats: int) -> None:
     with pytest.raises(ValueError, match=f"{frames} frames, {repeats} repeats"):
-        measure(program, [], Settings(frames=frames, repeats=repeats), 1.0)
+        measure(program, [], StudySettings(frames=frames, repeats=repeats), 1.0)
 
 
 def test_naive_ways(program: Program, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -193,8 +193,8 @@ def test_each_bucket_has_its_own_shutter(folder: Path) -> None:
 
 
 def test_light_that_numpy_cannot_draw(program: Program) -> None:
-    settings = Settings((5.0,), repeats=1)
-    [study] = measure(program, [Scene("bright", clip(1e25))], settings, 1.0)
+    settings = StudySettings((5.0,), repeats=1)
+    [study] = measure(program, [NamedLight("bright", clip(1e25))], settings, 1.0)
     [(method, why)] = study.missing
     assert method == DRAWN
     assert {p.method for p in study.points} == {
@@ -234,17 +234,17 @@ def test_memory() -> None:
 
 @pytest.fixture
 def study(program: Program) -> Study:
-    [found] = measure(program, [Scene("s", clip())], Settings((5.0,), repeats=1), 1.0)
+    [found] = measure(program, [NamedLight("s", clip())], StudySettings((5.0,), repeats=1), 1.0)
     return found
 
 
 def test_a_broken_promise_is_told(study: Study, folder: Path, monkeypatch) -> None:
-    [asked] = study.asked
-    assert kept(asked)
-    assert kept(replace(asked, measured_e=5.49))
+    [asked] = study.measured_plans
+    assert keeps_promise(asked)
+    assert keeps_promise(replace(asked, measured_e=5.49))
     assert "BROKEN" not in studies_text([study], 1.0)
-    broken = replace(study, asked=(replace(asked, measured_e=5.51),))
-    assert not kept(broken.asked[0])
+    broken = replace(study, measured_plans=(replace(asked, measured_e=5.51),))
+    assert not keeps_promise(broken.measured_plans[0])
     assert "PROMISE BROKEN" in studies_text([broken], 1.0)
     monkeypatch.setattr("nscc_runtime.tradeoff.study.measure", lambda *_: (broken,))
     done = invoke(["tradeoff", "emulator", "p.nsl", "-o", "out"], folder)

@@ -15,10 +15,10 @@ from nscc.prove.shutters import shutters_of_pixels
 from nscc_runtime import capture
 from nscc_training import load_run
 from nscc_training.config import settings_of
-from nscc_training.decoders.declared import DECODERS, Task
-from nscc_training.decoders.make import make_decoder
+from nscc_training.decoders.declared import DECODERS, DecoderTask
+from nscc_training.decoders.decoder_building import make_decoder
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.loop.setup import make_parts
+from nscc_training.loop.setup import make_setup
 from nscc_training.programs import Chip, compiled, program_of
 from nscc_training.sensor_model import SensorModel, differentiable_capture
 from nscc_training.tradeoff.decoder import Settings, cases
@@ -71,7 +71,7 @@ def test_a_bucket_learns_what_the_other_loses() -> None:
 @pytest.mark.parametrize("name", [name for name, each in DECODERS.items() if each.two_buckets])
 def test_decoders_see_both_frames(name: str) -> None:
     torch.manual_seed(2)
-    decoder = make_decoder(name, "small", Task("clip", 8, (4, 4), buckets=2)).eval()
+    decoder = make_decoder(name, "small", DecoderTask("clip", 8, (4, 4), buckets=2)).eval()
     shutters = (torch.rand(8, 4, 4) < 0.5).float()
     frame = torch.rand(1, 2, 16, 16) / 2
     with torch.no_grad():
@@ -90,7 +90,7 @@ def test_decoders_see_both_frames(name: str) -> None:
 def test_other_decoders_take_one() -> None:
     for name in (name for name, each in DECODERS.items() if each.clips and not each.two_buckets):
         with pytest.raises(ValueError, match="takes one bucket; unet2d, unet3d, any take two"):
-            make_decoder(name, "small", Task("clip", 4, (2, 2), buckets=2))
+            make_decoder(name, "small", DecoderTask("clip", 4, (2, 2), buckets=2))
 
 
 @pytest.mark.parametrize(
@@ -106,7 +106,7 @@ def test_other_decoders_take_one() -> None:
 def test_what_two_buckets_cannot_have(changes: tuple[str, ...], said: str) -> None:
     values = {"shutter": SMALL, "data": {"protocol": "two-bucket-v1"}}
     with pytest.raises(Rejected) as caught:
-        make_parts(settings_of(values, changes))
+        make_setup(settings_of(values, changes))
     assert "NS0815" in str(caught.value)
     assert said in str(caught.value)
 

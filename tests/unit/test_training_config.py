@@ -13,13 +13,13 @@ pytest.importorskip("torch")
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_training.config import config_toml, load_config, settings_of
 from nscc_training.decoders.declared import DECODERS
-from nscc_training.settings import Settings
+from nscc_training.settings import RunSettings
 
 
 def test_what_is_printed_is_read_back() -> None:
     for remarks in (False, True):
-        text = config_toml(Settings(), remarks=remarks)
-        assert settings_of(tomllib.loads(text)) == Settings()
+        text = config_toml(RunSettings(), remarks=remarks)
+        assert settings_of(tomllib.loads(text)) == RunSettings()
         assert max(len(line) for line in text.splitlines()) <= 100
     changed = settings_of({"shutter": {"class": "d", "tile": [2, 3]}, "train": {"rate": 1}})
     assert (changed.shutter.kind, changed.shutter.tile, changed.train.rate) == ("d", (2, 3), 1.0)
@@ -75,7 +75,7 @@ def test_files_that_are_none(tmp_path: Path) -> None:
 def test_the_schema_is_a_configuration(tmp_path: Path) -> None:
     outcome = invoke(["train", "--schema"], tmp_path)
     assert outcome.status == 0
-    assert settings_of(tomllib.loads(outcome.out)) == Settings()
+    assert settings_of(tomllib.loads(outcome.out)) == RunSettings()
     remarks = outcome.out.partition("[decoder]")[2].partition("name =")[0]
     assert f"# {', '.join(DECODERS)}, or" in remarks
 

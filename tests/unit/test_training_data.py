@@ -20,7 +20,7 @@ from safetensors.torch import load_file  # noqa: E402
 
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.data import Batch, ExposureSet, Scene, Scenes, cut_batch, load_scenes  # noqa: E402
+from nscc_training.data import Batch, ExposureSet, Scenes, SourceScene, cut_batch, load_scenes  # noqa: E402
 from nscc_training.data.exposures import quantiles  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.settings import DataSettings  # noqa: E402
@@ -35,7 +35,7 @@ class Cuts:
     def __init__(
         self, lights: dict[str, Any], batch: int = 6, seed: int = 3, slots: int = 4, **settings: Any
     ) -> None:
-        scenes = tuple(Scene(n, n, np.asarray(x, np.float32)) for n, x in lights.items())
+        scenes = tuple(SourceScene(n, n, np.asarray(x, np.float32)) for n, x in lights.items())
         self.settings = DataSettings(**{"patch": 16, **settings})
         self.drawn = ExposureSet(
             Scenes(scenes, scenes), self.settings, slots=slots, batch=batch, seed=seed

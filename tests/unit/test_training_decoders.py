@@ -11,9 +11,9 @@ torch = pytest.importorskip("torch")
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.any_code.decode import decoded_still  # noqa: E402
 from nscc_training.any_code.network import bf16_where_multiplied  # noqa: E402
-from nscc_training.decoders.blocks import BlockNet, put, taken  # noqa: E402
-from nscc_training.decoders.declared import DECODERS, Task  # noqa: E402
-from nscc_training.decoders.make import (  # noqa: E402
+from nscc_training.decoders.blocks import BlockNet, fold_blocks, unfold_blocks  # noqa: E402
+from nscc_training.decoders.declared import DECODERS, DecoderTask  # noqa: E402
+from nscc_training.decoders.decoder_building import (  # noqa: E402
     flops,
     make_decoder,
     parameter_count,
@@ -21,8 +21,8 @@ from nscc_training.decoders.make import (  # noqa: E402
 from nscc_training.decoders.unet import UNet  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
 
-STILL = Task("still", 256, (8, 8))
-CLIP = Task("clip", 16, (8, 8))
+STILL = DecoderTask("still", 256, (8, 8))
+CLIP = DecoderTask("clip", 16, (8, 8))
 
 
 def coded(slots: int, rows: int, cols: int) -> tuple[torch.Tensor, torch.Tensor]:
@@ -43,7 +43,7 @@ def test_clips_of_any_size(name: str, size: tuple[int, int]) -> None:
 
 @pytest.mark.parametrize("sees_code", [True, False])
 def test_stills(sees_code: bool) -> None:
-    decoder = make_decoder("unet2d", "small", Task("still", 64, (4, 4), sees_code))
+    decoder = make_decoder("unet2d", "small", DecoderTask("still", 64, (4, 4), sees_code))
     frame, shutters = coded(64, 29, 35)
     found = decoder(frame, shutters)
     assert found.shape == frame.shape
@@ -62,7 +62,7 @@ def test_sizes_are_those_that_were_promised() -> None:
             )
             assert parameter_count(make_decoder(name, "small", task)) <= 600_000
     with torch.device("meta"):
-        for name in (name for name, decoder in DECODERS.items() if not decoder.given):
+        for name in (name for name, decoder in DECODERS.items() if not decoder.fixed_channels):
             assert parameter_count(make_decoder(name, "small", CLIP)) <= 600_000
 
 
@@ -70,7 +70,7 @@ def test_what_is_given_is_what_a_run_begins_with() -> None:
     """A decoder that comes with weights makes of a frame what these weights make of it."""
     frame, shutters = coded(8, 24, 32)
     frame[:, 0, 0], shutters[:, 0, 0] = 1, 1
-    run = make_decoder("any", "small", Task("still", 8, (24, 32)))
+    run = make_decoder("any", "small", DecoderTask("still", 8, (24, 32)))
     dark, gained = run.noise.exp().detach()
     share = shutters.mean(dim=0)[None, None, None]
     variance = dark + gained * frame
@@ -85,7 +85,7 @@ def test_what_is_given_is_what_a_run_begins_with() -> None:
 def test_operations_are_counted() -> None:
     """The paper's 2D network: 34 GFLOP, of which a multiplication and addition are two."""
     with torch.device("meta"):
-        decoder = make_decoder("unet2d", "paper", Task("still", 16, (8, 8), sees_code=False))
+        decoder = make_decoder("unet2d", "paper", DecoderTask("still", 16, (8, 8), sees_code=False))
     assert flops(decoder, 16, 256, 256) == pytest.approx(34e9, rel=0.1)
 
 
@@ -138,10 +138,10 @@ def test_blocks_are_taken_and_put_as_torch_does(
 ) -> None:
     pictures = torch.rand(2, 3, *size, dtype=torch.float64)
     wanted = torch.nn.functional.unfold(pictures, block, stride=step)
-    found = taken(pictures, block, step)
+    found = unfold_blocks(pictures, block, step)
     assert torch.equal(found, wanted.transpose(1, 2))
     back = torch.nn.functional.fold(wanted, size, block, stride=step)
-    assert torch.allclose(put(found, (3, *size), block, step), back, rtol=1e-12)
+    assert torch.allclose(fold_blocks(found, (3, *size), block, step), back, rtol=1e-12)
 
 
 @pytest.mark.parametrize("overlapping", [(True, True), (False, True), (False, False)])
@@ -165,11 +165,11 @@ def test_what_a_decoder_cannot_be() -> None:
     for name, task, words in (
         ("unet3d", STILL, "clips"),
         ("fcnet", STILL, "clips"),
-        ("unet3d", Task("clip", 16, (8, 8), sees_code=False), "S\\^T E"),
+        ("unet3d", DecoderTask("clip", 16, (8, 8), sees_code=False), "S\\^T E"),
         ("unrolled", STILL, "clips"),
         ("refined", STILL, "clips"),
-        ("unrolled", Task("clip", 16, (8, 8), sees_code=False), "unrolled projects"),
-        ("refined", Task("clip", 16, (8, 8), sees_code=False), "refined projects"),
+        ("unrolled", DecoderTask("clip", 16, (8, 8), sees_code=False), "unrolled projects"),
+        ("refined", DecoderTask("clip", 16, (8, 8), sees_code=False), "refined projects"),
         ("unet4d", CLIP, "none of"),
     ):
         with pytest.raises(ValueError, match=words):
@@ -218,7 +218,7 @@ def test_codes_below_the_offset_of_the_adc_stay_finite(name: str, kind: str) -> 
     declared = DECODERS[name]
     if not (declared.stills if kind == "still" else declared.clips):
         return
-    decoder = make_decoder(name, "small", Task(kind, 8, (2, 2)))
+    decoder = make_decoder(name, "small", DecoderTask(kind, 8, (2, 2)))
     shutters = torch.ones(8, 2, 2)
     shutters[1:, 0, 0], shutters[:, 1, 1] = 0, 0
     frame = torch.full((1, 16, 16), -8 / 255, requires_grad=True)

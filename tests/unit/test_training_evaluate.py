@@ -27,7 +27,7 @@ from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.evaluation.baselines import BASELINES  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.protocol_scenes.hdr import Crop, exposed_crop  # noqa: E402
-from nscc_training.protocol_scenes.scene import Unusable  # noqa: E402
+from nscc_training.protocol_scenes.protocol_scene import Unusable  # noqa: E402
 from nscc_training.protocol_scenes.video import encoded  # noqa: E402
 from nscc_training.protocols import load_protocol  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
@@ -164,7 +164,7 @@ def decoded_by(run: Path, frame: np.ndarray, stops: np.ndarray) -> np.ndarray:
     """What a run's decoder makes of codes, in full wells."""
     opened = torch.from_numpy(np.arange(256)[:, None, None] < stops).float()
     with torch.no_grad():
-        made = load_run(run).parts.decoder(torch.from_numpy(frame / 255)[None], opened)
+        made = load_run(run).setup.decoder(torch.from_numpy(frame / 255)[None], opened)
     return np.asarray(made[0].numpy(), float)
 
 
@@ -236,7 +236,7 @@ def test_a_run_keeps_a_chip_and_a_sensor_of_ones_own(tmp_path: Path) -> None:
     outcome = invoke(arguments, here)
     assert outcome.status == 0, outcome.err
     assert len(json.loads(outcome.out)["items"]) == 1
-    model = load_run(tmp_path / "r").parts.model
+    model = load_run(tmp_path / "r").setup.model
     assert (model.full_well_e, model.electrons_per_lsb) == (20000, 70)
     # what is printed at the end works, and so does a frame of it
     command = re.search(r"`nscc (build .*)`", done.err)
@@ -298,7 +298,7 @@ def test_a_run_is_for_the_files_that_it_began_with(
         assert (tmp_path / "r" / path.name).read_bytes() == path.read_bytes(), path.name
     for name, text in given.items():
         assert (tmp_path / "r" / KEPT[name]).read_text() == text
-    assert load_run(tmp_path / "r").parts.target.rows == 64
+    assert load_run(tmp_path / "r").setup.target.rows == 64
 
 
 @pytest.mark.parametrize("which", ["t.toml", "s.toml"])
@@ -332,7 +332,7 @@ def test_files_of_an_earlier_run_in_the_folder_are_not_the_runs(
     train(settings_of(OWN), tmp_path / "r", stop_after=1)
     plain = {**OWN, "shutter": {**OWN["shutter"], "target": "scamp5"}, "sensor": {}}
     train(settings_of(plain), tmp_path / "r", resume="never")
-    parts = load_run(tmp_path / "r").parts
+    parts = load_run(tmp_path / "r").setup
     assert (parts.target.rows, parts.model.full_well_e) == (256, 30000)
 
 

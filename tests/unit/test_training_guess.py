@@ -12,9 +12,9 @@ torch = pytest.importorskip("torch")
 
 from nscc_training.baselines.hdr import merged  # noqa: E402
 from nscc_training.decoders import unet  # noqa: E402
-from nscc_training.decoders.declared import Task  # noqa: E402
+from nscc_training.decoders.declared import DecoderTask  # noqa: E402
+from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 from nscc_training.decoders.guess import averaged, clip_guess, still_guess  # noqa: E402
-from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.decoders.unet import ClipUNet, StillUNet  # noqa: E402
 from nscc_training.sensor_model import lifted  # noqa: E402
 
@@ -189,7 +189,7 @@ def noisy_frame(rows: int, cols: int) -> Any:
 
 
 def test_small_decoders_of_stills_begin_with_the_guess() -> None:
-    decoder = make_decoder("unet2d", "small", Task("still", 16, (4, 4)))
+    decoder = make_decoder("unet2d", "small", DecoderTask("still", 16, (4, 4)))
     shutters = (torch.arange(16).reshape(-1, 1, 1) < torch.tensor([[1, 4], [16, 2]])).float()
     frame = noisy_frame(13, 10)
     wanted = still_guess(frame, shutters.mean(dim=0).repeat(7, 5)[:13])
@@ -198,7 +198,7 @@ def test_small_decoders_of_stills_begin_with_the_guess() -> None:
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d"])
 def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
-    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
     # a frame counts full wells, a slot's light full wells / N
     wanted = clip_guess(lifted(5 * frame, shutters)[0], shutters)
@@ -207,7 +207,7 @@ def test_small_decoders_of_clips_begin_with_the_guess(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["unet2d", "unet3d"])
 def test_a_gate_says_how_much_of_the_guess_stays(name: str) -> None:
-    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     shutters, frame = random_shutters(5, 13, 10), noisy_frame(13, 10)
     guess = clip_guess(lifted(5 * frame, shutters)[0], shutters)
     bias = decoder.network.last.bias
@@ -221,7 +221,7 @@ def test_a_gate_says_how_much_of_the_guess_stays(name: str) -> None:
 
 def test_a_guess_does_not_round_with_the_network() -> None:
     """bf16 is of the network: light comes back from its first guess as exactly as before."""
-    decoder = make_decoder("unet2d", "small", Task("still", 16, (4, 4)))
+    decoder = make_decoder("unet2d", "small", DecoderTask("still", 16, (4, 4)))
     shutters = (torch.arange(16).reshape(-1, 1, 1) < torch.tensor([[1, 4], [16, 2]])).float()
     frame = noisy_frame(13, 10)
     exact = decoder(frame, shutters)
@@ -257,7 +257,7 @@ def test_only_decoders_that_guess_do(monkeypatch: pytest.MonkeyPatch) -> None:
 )  # fmt: skip
 def test_the_papers_sizes_begin_with_nothing(name: str, kind: str, channels: int) -> None:
     with torch.device("meta"):
-        decoder = make_decoder(name, "paper", Task(kind, 5, (4, 4)))
+        decoder = make_decoder(name, "paper", DecoderTask(kind, 5, (4, 4)))
     first = decoder.network.down[0][0]
     assert first.in_channels == channels
     assert decoder.guesses is False
@@ -265,11 +265,11 @@ def test_the_papers_sizes_begin_with_nothing(name: str, kind: str, channels: int
 
 def test_a_first_guess_may_be_chosen() -> None:
     """Whatever the size; not for what has none, nor without the code that it is made of."""
-    still = Task("still", 5, (4, 4), guess=True)
+    still = DecoderTask("still", 5, (4, 4), guess=True)
     with torch.device("meta"):
         assert make_decoder("unet2d", "paper", still).network.down[0][0].in_channels == 4
         assert make_decoder("unet2d", "small", replace(still, guess=False)).guesses is False
     with pytest.raises(ValueError, match=r"decoder\.guess is for unet2d and unet3d"):
-        make_decoder("unrolled", "small", Task("clip", 5, (4, 4), guess=False))
+        make_decoder("unrolled", "small", DecoderTask("clip", 5, (4, 4), guess=False))
     with pytest.raises(ValueError, match=r"takes decoder\.sees_code"):
         make_decoder("unet2d", "small", replace(still, sees_code=False))

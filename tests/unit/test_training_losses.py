@@ -12,7 +12,7 @@ torch = pytest.importorskip("torch")
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training import metrics  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
-from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.losses import LEAST_ERROR, LOSSES, Loss  # noqa: E402
 
 
@@ -60,7 +60,7 @@ def test_display_errors_are_those_of_srgb() -> None:
 
 
 def loss_of(name: str) -> Loss:
-    return make_parts(settings_of({"shutter": {"slots": 16}, "loss": {"name": name}})).loss
+    return make_setup(settings_of({"shutter": {"slots": 16}, "loss": {"name": name}})).loss
 
 
 def test_sums_of_losses() -> None:

@@ -9,8 +9,8 @@ torch = pytest.importorskip("torch")
 
 from nscc_training.curves import mu_law  # noqa: E402
 from nscc_training.data import Batch, ExposureSet, cut_batch, load_scenes  # noqa: E402
-from nscc_training.decoders.declared import Task  # noqa: E402
-from nscc_training.decoders.make import make_decoder  # noqa: E402
+from nscc_training.decoders.declared import DecoderTask  # noqa: E402
+from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 from nscc_training.encoders import ShutterSpec, make_encoder  # noqa: E402
 from nscc_training.losses import LOSSES  # noqa: E402
 from nscc_training.sensor_model import SensorModel, differentiable_capture  # noqa: E402
@@ -42,7 +42,7 @@ def decibels(kind: str, name: str, loss_name: str, steps: int, rate: float) -> f
     encoder = make_encoder(spec, "quad" if still else "random", seed=1)
     batch = one_batch(still, spec)
     torch.manual_seed(0)
-    decoder = make_decoder(name, "small", Task(kind, spec.slots, spec.tile))
+    decoder = make_decoder(name, "small", DecoderTask(kind, spec.slots, spec.tile))
     optimiser = torch.optim.Adam(decoder.parameters(), lr=rate)
     shutters = encoder.hard()
     frame = differentiable_capture(batch.light, shutters, SENSOR).frame / SENSOR.top_code

@@ -175,7 +175,7 @@ def test_a_run_executes_nothing_until_it_is_trusted(folder: Path, section: str) 
         assert not (folder / "executed").exists()
     with pytest.raises(Rejected, match="NS0823"):
         load_run(folder / "run")
-    assert load_run(folder / "run", trust_code=True).parts.still
+    assert load_run(folder / "run", trust_code=True).setup.still
     assert (folder / "executed").exists()
     # With trust it is the frame that is wrong.
     assert invoke(["reconstruct", "run", "f.npz", "-o", "out.npz", "--trust-code"],

@@ -188,15 +188,15 @@ def test_the_moving_average_is_what_is_kept(tmp_path: Path) -> None:
     values = values_of("a still", average=0.6, steps=4, validate_every=4)
     settings = settings_of(values)
     begun = loop.start(settings, None, Ranks(), tmp_path)
-    own = AveragedModel(begun.parts.decoder, multi_avg_fn=get_ema_multi_avg_fn(0.6))
+    own = AveragedModel(begun.setup.decoder, multi_avg_fn=get_ema_multi_avg_fn(0.6))
     for step in range(4):
         loop.update(begun, step, begun.dataset[step])
-        own.update_parameters(begun.parts.decoder)
+        own.update_parameters(begun.setup.decoder)
     run(values, tmp_path / "r")
     kept = load_file(tmp_path / "r/decoder.safetensors")
     for name, value in own.module.state_dict().items():
         assert torch.equal(kept[name], value), name
-    last = begun.parts.decoder.state_dict()
+    last = begun.setup.decoder.state_dict()
     assert any(not torch.equal(kept[name], last[name]) for name in kept)
 
 

@@ -17,7 +17,7 @@ from nscc.pipeline import Options  # noqa: E402
 from nscc.prove.shutters import replayed  # noqa: E402
 from nscc_training.codes_files import load_codes  # noqa: E402
 from nscc_training.config import load_config  # noqa: E402
-from nscc_training.loop.setup import make_parts  # noqa: E402
+from nscc_training.loop.setup import make_setup  # noqa: E402
 from nscc_training.run_folder import load_run  # noqa: E402
 
 RESULTS = Path(__file__).parents[2] / "training" / "results"
@@ -47,7 +47,7 @@ def test_a_run_is_of_one_piece(run: Path) -> None:
     shutter = replace(settings.shutter, init=str(run / "codes.npz"))
     # Weights that it began with are of a run that need not be there.
     decoder = replace(settings.decoder, init="")
-    encoder = make_parts(replace(settings, shutter=shutter, decoder=decoder)).encoder
+    encoder = make_setup(replace(settings, shutter=shutter, decoder=decoder)).encoder
     found = compile_file(run / "shutter.nsl", Options(target=settings.shutter.target, level=1))
     container = found.container
     assert container is not None
@@ -60,7 +60,7 @@ def test_a_run_is_of_one_piece(run: Path) -> None:
 
 @pytest.mark.parametrize("run", SHIPPED, ids=named)
 def test_a_decoder_works(run: Path) -> None:
-    parts = load_run(run).parts
+    parts = load_run(run).setup
     frame = torch.rand(1, 48, 48, generator=torch.Generator().manual_seed(1))
     with torch.no_grad():
         made = parts.decoder(frame, parts.encoder.hard())

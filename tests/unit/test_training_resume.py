@@ -188,7 +188,7 @@ def test_a_run_that_was_made_on_cuda_is_loaded_without(
     result["config_sha256"] = sha256(config.read_bytes()).hexdigest()
     (tmp_path / "result.json").write_text(json.dumps(result))
     monkeypatch.setattr(torch.cuda, "is_available", lambda: False)
-    assert load_run(tmp_path).parts.device == torch.device("cpu")
+    assert load_run(tmp_path).setup.device == torch.device("cpu")
 
 
 def test_the_same_seed_gives_the_same_bytes(tmp_path: Path) -> None:
@@ -212,7 +212,7 @@ def test_a_finished_run_goes_on_with_more_steps_and_not_with_fewer(tmp_path: Pat
     longer = (tmp_path / "r" / "metrics.csv").read_text().splitlines()
     assert longer[: len(log)] == log
     assert int(longer[-1].split(",")[0]) == steps + 2
-    assert load_run(tmp_path / "r").parts.settings.train.steps == steps + 2
+    assert load_run(tmp_path / "r").setup.settings.train.steps == steps + 2
     with pytest.raises(Rejected, match="NS0816"):
         run(STILL, tmp_path / "r")
     with pytest.raises(Rejected, match="NS0816"):

@@ -14,7 +14,7 @@ from nscc.chips.load import load_target  # noqa: E402
 from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.encoders import Encoder  # noqa: E402
-from nscc_training.loop.setup import make_parts, started_encoder  # noqa: E402
+from nscc_training.loop.setup import make_setup, started_encoder  # noqa: E402
 from nscc_training.programs import Chip  # noqa: E402
 
 TILE = [[8, 2], [3, 1]]
@@ -103,7 +103,7 @@ def test_other_shutters_than_a_programs_are_refused(
 def test_codes_that_learn_have_steps_to_learn_in(warm_up: float, settle: float) -> None:
     shutter = {"slots": 8, "tile": [2, 2], "warm_up": warm_up, "settle": settle}
     with pytest.raises(Rejected, match="none to learn in") as caught:
-        make_parts(settings_of({"shutter": shutter}))
+        make_setup(settings_of({"shutter": shutter}))
     assert [each.code for each in caught.value.diagnostics] == ["NS0815"]
-    make_parts(settings_of({"shutter": {**shutter, "learn": False}}))
-    make_parts(settings_of({"shutter": {**shutter, "warm_up": 0.2, "settle": 0.7}}))
+    make_setup(settings_of({"shutter": {**shutter, "learn": False}}))
+    make_setup(settings_of({"shutter": {**shutter, "warm_up": 0.2, "settle": 0.7}}))

@@ -15,10 +15,10 @@ from nscc_training.code_choices import SCATTERED
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.scattered import scattered
 from nscc_training.evaluation.baselines import BASELINES, _decoded, evaluate_baseline
-from nscc_training.evaluation.captured import Captured
-from nscc_training.protocol_scenes.deblur import Moment, moments
-from nscc_training.protocol_scenes.files import files_of
-from nscc_training.protocol_scenes.video import Window
+from nscc_training.evaluation.captured import CapturedScene
+from nscc_training.protocol_scenes.deblur import DeblurMoment, moments
+from nscc_training.protocol_scenes.file_scenes import files_of
+from nscc_training.protocol_scenes.video import ClipWindow
 from nscc_training.protocols import load_protocol
 from nscc_training.sensor_model import SensorModel
 
@@ -59,10 +59,10 @@ def test_a_moment_is_what_is_scored(tmp_path: Path) -> None:
     protocol = load_protocol("deblur-v1")
     files = files_of(protocol, tmp_path)
     first, second = moments(files, protocol)
-    assert isinstance(first, Moment)
-    assert isinstance(second, Moment)
+    assert isinstance(first, DeblurMoment)
+    assert isinstance(second, DeblurMoment)
     again = next(iter(moments(files, protocol)))
-    assert isinstance(again, Moment)
+    assert isinstance(again, DeblurMoment)
     assert np.array_equal(first.light_e, again.light_e)
     assert not np.array_equal(first.light_e, second.light_e)
     assert first.light_e.shape == (8, 256, 256)
@@ -115,12 +115,12 @@ def test_frames_are_decoded_together_or_alone(name: str) -> None:
     """Of still light, what frames together say is the light; a frame's slots are its own."""
     light = np.full((8, 16, 16), 1000.0)
     protocol = load_protocol("staggered-v1")
-    scene = Window(Path("c"), None, 0, light, protocol, 1000.0, False)
+    scene = ClipWindow(Path("c"), None, 0, light, protocol, 1000.0, False)
     tile = np.zeros((2, 8, 1, 1), np.float32)
     tile[0, :4] = tile[1, 4:] = 1
     model = SensorModel(30000.0, 1.0)
     codes = np.full((2, 16, 16), 4000.0, np.float32)
-    frames = Captured(scene, codes, tile, codes > 1e9, replace(model, adc_bits=16))
+    frames = CapturedScene(scene, codes, tile, codes > 1e9, replace(model, adc_bits=16))
     made = _decoded(BASELINES["staggered-v1"][name], frames)
     assert np.allclose(made, light, rtol=0.02)
 

@@ -31,7 +31,7 @@ from nscc.diagnostics.diagnostic import Rejected  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.data import Batch  # noqa: E402
 from nscc_training.draws import generator_of  # noqa: E402
-from nscc_training.loop.setup import Parts  # noqa: E402
+from nscc_training.loop.setup import TrainingSetup  # noqa: E402
 from nscc_training.loop.steps import decoded, window  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.loop.trials import pull, trial_of  # noqa: E402
@@ -167,7 +167,7 @@ def test_the_same_seed_is_the_same_trial() -> None:
     assert not torch.equal(one.moved, other.moved)
 
 
-def bright(relaxation: str) -> tuple[Parts, Batch]:
+def bright(relaxation: str) -> tuple[TrainingSetup, Batch]:
     """Light of eight full wells a frame: a stop of 8 of 64 fills the well. Half the peak."""
     parts = parts_of(Alone(), sensor_noise=True, relaxation=relaxation)
     return parts, replace(batch_of(parts, 8.0, 8.0), peak=torch.tensor([16.0]))

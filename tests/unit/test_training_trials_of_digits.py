@@ -32,7 +32,7 @@ from trial_problems import (  # noqa: E402
 from nscc_training.config import settings_of  # noqa: E402
 from nscc_training.draws import generator_of  # noqa: E402
 from nscc_training.encoders.trial import decided  # noqa: E402
-from nscc_training.loop.setup import Parts  # noqa: E402
+from nscc_training.loop.setup import TrainingSetup  # noqa: E402
 from nscc_training.loop.steps import decoded  # noqa: E402
 from nscc_training.loop.train import train  # noqa: E402
 from nscc_training.loop.trials import pull, trial_of  # noqa: E402
@@ -84,7 +84,9 @@ def law_of_choice(
     return found
 
 
-def mean_loss(parts: Parts, truth: NDArray[np.float64], laws: list[Law], words: float) -> float:
+def mean_loss(
+    parts: TrainingSetup, truth: NDArray[np.float64], laws: list[Law], words: float
+) -> float:
     """The loss in the mean over all codes of all pixels; squares, and changes between slots."""
     total = 0.0
     for chosen in product(*(law.items() for law in laws)):

@@ -10,9 +10,9 @@ import pytest
 torch = pytest.importorskip("torch")
 
 from nscc_training.baselines.tensor_tv import gap_tv_of  # noqa: E402
-from nscc_training.decoders.declared import Task  # noqa: E402
+from nscc_training.decoders.declared import DecoderTask  # noqa: E402
+from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 from nscc_training.decoders.guess import clip_guess  # noqa: E402
-from nscc_training.decoders.make import make_decoder  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
 from nscc_training.sensor_model import lifted  # noqa: E402
 
@@ -52,7 +52,7 @@ def given_back(clip: Any, frame: Any, mask: Any) -> Any:
 def test_they_begin_with_a_clip_that_gives_the_frame(
     name: str, size: tuple[int, int], slots: int
 ) -> None:
-    decoder = make_decoder(name, "small", Task("clip", slots, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", slots, (4, 4)))
     frame, shutters = coded(slots, *size)
     mask = whole(shutters, *size)
     if name == "refined":
@@ -73,7 +73,7 @@ def test_they_begin_with_a_clip_that_gives_the_frame(
 
 def test_a_stage_goes_its_step_of_the_way() -> None:
     """One whole step gives the frame, half a step leaves half of what misses."""
-    decoder = make_decoder("unrolled", "small", Task("clip", 5, (4, 4)))
+    decoder = make_decoder("unrolled", "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     mask = whole(shutters, 13, 10)
     missing = {}
@@ -97,14 +97,16 @@ def test_refined_begins_nearer_to_the_truth() -> None:
     frame = torch.from_numpy((clip * mask).sum(axis=0) / 8).float()[None]
     errors = {}
     for name in NAMES:
-        made = make_decoder(name, "small", Task("clip", 8, (4, 4)))(frame, torch.from_numpy(mask))
+        made = make_decoder(name, "small", DecoderTask("clip", 8, (4, 4)))(
+            frame, torch.from_numpy(mask)
+        )
         errors[name] = float(np.mean((made[0].detach().numpy() - clip) ** 2))
     assert errors["refined"] < errors["unrolled"] / 2
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_pixels_that_never_open_say_nothing(name: str) -> None:
-    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     closed = whole(shutters, 13, 10).sum(dim=0) == 0
     assert closed.any()
@@ -121,7 +123,7 @@ def test_pixels_that_never_open_say_nothing(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_gradients_reach_everything_and_are_finite(name: str) -> None:
-    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     frame.requires_grad_()
     shutters.requires_grad_()
@@ -144,7 +146,7 @@ def test_gradients_reach_everything_and_are_finite(name: str) -> None:
 
 def test_gradients_through_the_projection_are_true() -> None:
     """Of the start, without the network, against finite differences."""
-    decoder = make_decoder("unrolled", "small", Task("clip", 3, (2, 2))).double()
+    decoder = make_decoder("unrolled", "small", DecoderTask("clip", 3, (2, 2))).double()
     generator = torch.Generator().manual_seed(4)
     frame = torch.rand(1, 3, 4, generator=generator, dtype=torch.float64).requires_grad_()
     # above 1 a pixel, so that no count is at its bound
@@ -156,7 +158,7 @@ def test_gradients_through_the_projection_are_true() -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_projections_do_not_round_with_the_network(name: str) -> None:
-    decoder = make_decoder(name, "small", Task("clip", 5, (4, 4)))
+    decoder = make_decoder(name, "small", DecoderTask("clip", 5, (4, 4)))
     frame, shutters = coded(5, 13, 10)
     exact = decoder(frame, shutters)
     with torch.autocast("cpu", torch.bfloat16):

@@ -32,32 +32,32 @@ def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
     Raises Rejected: NS0801 where the file cannot be read as such, NS0802 for other shapes, NS0804
     for values that are not finite.
     """
-    found = _read(path, key)
-    if found.dtype.kind not in "uifb":
+    array = _read(path, key)
+    if array.dtype.kind not in "uifb":
         raise rejected(
             "NS0801",
-            f"the array in '{path}' holds {found.dtype}, not real numbers",
+            f"the array in '{path}' holds {array.dtype}, not real numbers",
             helps=("save it as float32, or as integers",),
         )
-    if found.ndim == 3 and found.shape[0] == 1:
-        found = found[0]
-    if found.ndim not in (2, 3) or 0 in found.shape:
+    if array.ndim == 3 and array.shape[0] == 1:
+        array = array[0]
+    if array.ndim not in (2, 3) or 0 in array.shape:
         raise rejected(
             "NS0802",
-            f"the array in '{path}' has the shape {found.shape}",
+            f"the array in '{path}' has the shape {array.shape}",
             notes=("a picture is (rows, cols), a clip (T, rows, cols)",),
             helps=("save one picture or one clip, without an axis for colours or batches",),
         )
-    bad = int(np.count_nonzero(~np.isfinite(found))) if found.dtype.kind == "f" else 0
-    if bad:
+    bad_count = int(np.count_nonzero(~np.isfinite(array))) if array.dtype.kind == "f" else 0
+    if bad_count:
         raise rejected(
             "NS0804",
-            f"{bad} of {found.size} values in '{path}' are not finite",
+            f"{bad_count} of {array.size} values in '{path}' are not finite",
             notes=("one of them would make every mean of errors meaningless",),
             helps=("find where they come from; np.nan_to_num hides them",),
-            data={"count": bad},
+            data={"count": bad_count},
         )
-    return found
+    return array
 
 
 def _read(path: Path, key: str | None) -> NDArray[Any]:
@@ -84,16 +84,16 @@ def _read_array(path: Path, suffix: str, key: str | None) -> NDArray[Any]:
         name = _chosen(path, names, key)
         return npz_arrays(path, name.__eq__, _MOST_BYTES)[0][name]
     name = _chosen(path, mat_names(path), key)
-    found = mat_array(path, name, _MOST_BYTES)
-    return np.moveaxis(found, 2, 0) if name in ("orig", "video") and found.ndim == 3 else found
+    array = mat_array(path, name, _MOST_BYTES)
+    return np.moveaxis(array, 2, 0) if name in ("orig", "video") and array.ndim == 3 else array
 
 
 def _chosen(path: Path, names: list[str], key: str | None) -> str:
-    wanted = [key] if key is not None else [name for name in KEYS if name in names]
-    if key is None and not wanted and len(names) == 1:
-        wanted = names
-    if wanted and wanted[0] in names:
-        return wanted[0]
+    candidates = [key] if key is not None else [name for name in KEYS if name in names]
+    if key is None and not candidates and len(names) == 1:
+        candidates = names
+    if candidates and candidates[0] in names:
+        return candidates[0]
     unnamed = f"name the array with an option; without one, {', '.join(KEYS)} are looked for"
     raise rejected(
         "NS0801",

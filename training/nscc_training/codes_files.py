@@ -63,10 +63,10 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
         )
     try:
         if path.suffix == ".mat":
-            found = mat_arrays(path)
+            arrays = mat_arrays(path)
         else:
-            found, _ = npz_arrays(path)
-        return {name: _integers(path, name, values) for name, values in found.items()}
+            arrays, _ = npz_arrays(path)
+        return {name: _integers(path, name, values) for name, values in arrays.items()}
     except Rejected:
         raise
     except Exception as error:  # numpy, zipfile and scipy raise a dozen types for damaged files
@@ -76,13 +76,13 @@ def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
 
 
 def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.int64]:
-    whole = values.dtype.kind in "iub"
+    integral = values.dtype.kind in "iub"
     if values.dtype.kind == "f":
         reals = values.astype(np.float64)
-        whole = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
+        integral = bool((np.abs(reals) < 2**53).all() and (np.rint(reals) == reals).all())
     if values.dtype.kind == "u" and values.size and int(values.max()) > np.iinfo(np.int64).max:
-        whole = False
-    if not whole or values.ndim != 2 or values.size == 0:
+        integral = False
+    if not integral or values.ndim != 2 or values.size == 0:
         raise rejected(
             "NS0805",
             f"'{name}' in '{path}' is no code: {values.dtype}, {values.shape}",

@@ -10,25 +10,25 @@ from typing import Any
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.toml.files import file_bytes, file_text, file_values
 from nscc.toml.schema import Found, Key
-from nscc_training.settings import SCHEMA, Settings
+from nscc_training.settings import SCHEMA, RunSettings
 
 
-def load_config(path: Path, changes: Sequence[str] = ()) -> Settings:
+def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
     """The settings of a file, with `changes`, each SECTION.KEY=VALUE, on top.
 
     Raises Rejected, status 2: NS0813 for a file that cannot be read or is no TOML, NS0814 for keys
     that are none, NS0815 for wrong values; all that is wrong at once.
     """
-    found, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
-    return _settings(found, problems, changes)
+    values, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
+    return _settings(values, problems, changes)
 
 
-def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> Settings:
+def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
     """The settings of a dictionary of sections; as `load_config`."""
     return _settings(*SCHEMA.read(values), changes)
 
 
-def config_toml(settings: Settings, *, remarks: bool = False) -> str:
+def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
     """A complete file that `load_config` reads back; with `remarks`, what each key means."""
 
     def remark(key: Key) -> str:
@@ -44,12 +44,12 @@ def config_toml(settings: Settings, *, remarks: bool = False) -> str:
     return file_text(SCHEMA, values, remark, head if remarks else ())
 
 
-def _settings(found: Found, problems: Sequence[Diagnostic], changes: Sequence[str]) -> Settings:
-    changed, wrong = SCHEMA.changed(changes)
-    if problems or wrong:
-        raise Rejected([*problems, *wrong], status=2)
-    settings = Settings()
-    for path, value in (found | changed).items():
+def _settings(values: Found, problems: Sequence[Diagnostic], changes: Sequence[str]) -> RunSettings:
+    changed, change_problems = SCHEMA.changed(changes)
+    if problems or change_problems:
+        raise Rejected([*problems, *change_problems], status=2)
+    settings = RunSettings()
+    for path, value in (values | changed).items():
         key = SCHEMA.by_path[path]
         section = replace(getattr(settings, key.section), **{key.attribute: value})
         settings = replace(settings, **{key.section: section})

@@ -111,20 +111,20 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
         """The x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2, for one number gamma."""
         if isinstance(gamma, Tensor) and gamma.numel() > 1:
-            found: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
-            return found
+            result: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
+            return result
         x = z if isinstance(z, Tensor) else torch.full_like(self.A_adjoint(y), z or 0.0)
         inverse = _inverse(self._overlap(y), 1.0 / gamma)
         return x + self.A_adjoint(_times(inverse, y - self.A(x)))
 
     def _weights(self, like: Tensor) -> Tensor:
         """What light counts, (buckets, slots, rows, cols); a still has one slot, the frame."""
-        found: Tensor = self.shutters
+        weights: Tensor = self.shutters
         if self.encoder is not None:
-            found = laid(_of_buckets(self.encoder(), self.encoder), *self.img_size[-2:])
+            weights = laid(_of_buckets(self.encoder(), self.encoder), *self.img_size[-2:])
         if self.still:
-            found = torch.einsum("kthw,t->khw", found, self.slot_share.to(found)).unsqueeze(1)
-        return found.to(like)
+            weights = torch.einsum("kthw,t->khw", weights, self.slot_share.to(weights)).unsqueeze(1)
+        return weights.to(like)
 
     def _overlap(self, like: Tensor) -> Tensor:
         weights = self._weights(like)
@@ -185,8 +185,8 @@ def _tile(shutters: object) -> Tensor:
 
 def _of_buckets(shutters: Tensor, encoder: Encoder) -> Tensor:
     """An encoder's shutters (N, rows, cols) as those of its buckets, (buckets, N, rows, cols)."""
-    found = shared_out(shutters, encoder.spec.buckets)
-    return found if found.ndim == 4 else found.unsqueeze(0)
+    bucket_shutters = shared_out(shutters, encoder.spec.buckets)
+    return bucket_shutters if bucket_shutters.ndim == 4 else bucket_shutters.unsqueeze(0)
 
 
 def _shares(shutters: object, slots: int) -> Tensor:
@@ -209,5 +209,5 @@ def _inverse(matrix: Tensor, damping: Any = 0.0) -> Tensor:
     if count == 1:
         opened = damped > 0  # a pixel that never opens has no inverse, nor a gradient that is none
         return torch.where(opened, 1.0 / torch.where(opened, damped, 1.0), 0.0)
-    found: Tensor = torch.linalg.pinv(damped, hermitian=True)
-    return found
+    inverse: Tensor = torch.linalg.pinv(damped, hermitian=True)
+    return inverse

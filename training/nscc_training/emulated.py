@@ -79,9 +79,9 @@ class EmulatedSensor:
         known = self.light_e.to(exposure_e)
         after = torch.searchsorted(known, steady.detach().contiguous(), right=True)
         after = after.clamp(1, len(known) - 1)
-        part = (steady - known[after - 1]) / (known[after] - known[after - 1])
-        codes = self._between(self.code, after, part.clamp(max=1))
-        known_part = part.detach().clamp(max=1)
+        fraction = (steady - known[after - 1]) / (known[after] - known[after - 1])
+        codes = self._between(self.code, after, fraction.clamp(max=1))
+        known_part = fraction.detach().clamp(max=1)
         full = self._between(self.full, after, known_part)
         marked: Tensor = full > 0.5
         if generator is not None:
@@ -92,14 +92,14 @@ class EmulatedSensor:
         codes = saturated(codes, 0.0, float(model.top_code), model.slope)
         return codes.float() - model.adc_offset_lsb, marked
 
-    def _between(self, table: Tensor, after: Tensor, part: Tensor) -> Tensor:
+    def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
         """Values (batch, rows, cols) of a table (K, r, c) between entries `after` - 1 and that."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
-        table = table.to(part)
+        table = table.to(fraction)
         low, high = table[after - 1, down, across], table[after, down, across]
-        return low + part * (high - low)
+        return low + fraction * (high - low)
 
 
 def captures_on(device: torch.device) -> str | None:
@@ -151,26 +151,26 @@ def _measured(
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))
-    held = across // times
+    levels_per_scene = across // times
     slot_s = np.asarray(container.slot_us)
     sums, squares, full = np.zeros((3, len(light_e), *tile))
-    for first in range(0, len(light_e), held):
-        levels = light_e[first : first + held]
+    for first in range(0, len(light_e), levels_per_scene):
+        levels = light_e[first : first + levels_per_scene]
         # What is left over at the right has the last level, and is not looked at.
         row = np.full(cols, levels[-1])
         width = times * tile[1]
         row[: len(levels) * width] = np.repeat(levels, width)
         still = np.broadcast_to(row, (rows, cols)).astype(np.float32)
         light = Light.of_still(np.ascontiguousarray(still), slot_s / slot_s.sum())
-        each = slice(first, first + len(levels))
+        level_slice = slice(first, first + len(levels))
 
         def mean(
             values: NDArray[Any], used: int = len(levels) * width, count: int = len(levels)
         ) -> NDArray[np.float64]:
             """Over frames and pixels of a place, (levels, r, c)."""
-            part = values[:, : down * tile[0], :used].astype(np.float64)
-            part = part.reshape(_FRAMES, down, tile[0], count, times, tile[1])
-            return np.asarray(part.mean(axis=(0, 1, 4)).transpose(1, 0, 2))
+            tiles = values[:, : down * tile[0], :used].astype(np.float64)
+            tiles = tiles.reshape(_FRAMES, down, tile[0], count, times, tile[1])
+            return np.asarray(tiles.mean(axis=(0, 1, 4)).transpose(1, 0, 2))
 
         for chip in range(chips):
             request = Request.of(
@@ -179,9 +179,9 @@ def _measured(
             )  # fmt: skip
             frame = simulate(container, light, sensor, request).frame
             codes = _codes_of(frame, sensor).astype(np.float64)
-            sums[each] += mean(codes) / chips
-            squares[each] += mean(np.square(codes)) / chips
-            full[each] += mean(frame.saturated[..., 0, :, :]) / chips
+            sums[level_slice] += mean(codes) / chips
+            squares[level_slice] += mean(np.square(codes)) / chips
+            full[level_slice] += mean(frame.saturated[..., 0, :, :]) / chips
     # Rounding adds a twelfth, which codes get again when the table is used.
     variance = np.maximum(squares - np.square(sums) - 1 / 12, 0)
     return sums, np.sqrt(variance), full

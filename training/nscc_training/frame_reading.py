@@ -48,15 +48,21 @@ def read_frame(path: Path) -> FrameRead:
     """A frame file of one exposure, or three in colours, in one bucket or two; Rejected (NS0819)
     for another."""
     file = frame_arrays(path)
-    found, saturated, kept = file.frame, file.saturated, file.shutter
-    in_colours = "colours" in file.meta and found.shape[:1] == (len(COLOURS),)
-    if found.ndim != 3 + in_colours or found.shape[-3] not in (1, 2):
-        raise no_frame(path, f"its frame is {found.shape}, not one exposure in a bucket or two")
-    if kept is not None and kept.shape[:-1] != found.shape[-3:]:
-        raise no_frame(path, f"its shutters are of {kept.shape[:-1]}, its frame {found.shape}")
-    shutter = None if kept is None else np.asarray(kept[0].transpose(2, 0, 1), np.bool_)
+    frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
+    in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
+    if frame.ndim != 3 + in_colours or frame.shape[-3] not in (1, 2):
+        raise no_frame(path, f"its frame is {frame.shape}, not one exposure in a bucket or two")
+    if stored_shutters is not None and stored_shutters.shape[:-1] != frame.shape[-3:]:
+        raise no_frame(
+            path, f"its shutters are of {stored_shutters.shape[:-1]}, its frame {frame.shape}"
+        )
+    shutter = (
+        None
+        if stored_shutters is None
+        else np.asarray(stored_shutters[0].transpose(2, 0, 1), np.bool_)
+    )
     opened = None if file.opened is None else by_colour(file.opened, in_colours)
-    codes, full = (by_colour(part, in_colours) for part in (found, saturated))
+    codes, full = (by_colour(values, in_colours) for values in (frame, saturated))
     return FrameRead(codes, full, file.meta, shutter, opened)
 
 
@@ -81,14 +87,16 @@ def frame_arrays(path: Path) -> FrameRead:
         raise no_frame(path, f"`{_SLOTS}` are no lengths of slots")
     # Without `saturated`, the codes that say so are.
     saturated = arrays.get("saturated", np.zeros(codes.shape, np.bool_))
-    kept = None
+    stored_shutters = None
     if "shutter" in arrays:
         try:
             count = int(arrays["shutter_shape"][3])
-            kept = np.unpackbits(arrays["shutter"], axis=-1, count=count, bitorder="little")
+            stored_shutters = np.unpackbits(
+                arrays["shutter"], axis=-1, count=count, bitorder="little"
+            )
         except (LookupError, TypeError, ValueError, OverflowError) as error:
             raise no_frame(path, "its shutters are damaged") from error
-    return FrameRead(codes, saturated, meta, kept, arrays.get(OPEN), slot_us)
+    return FrameRead(codes, saturated, meta, stored_shutters, arrays.get(OPEN), slot_us)
 
 
 def are_lengths(slot_us: Array) -> bool:

@@ -92,5 +92,5 @@ def saturated(x: Tensor, low: float, high: float, slope: float = 0.0) -> Tensor:
 
 
 def _apply(function: Any, *arguments: Any) -> Tensor:
-    found: Tensor = function.apply(*arguments)
-    return found
+    result: Tensor = function.apply(*arguments)
+    return result

@@ -12,7 +12,7 @@ from typing import Any
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_training.problems import is_out_of_memory, said
+from nscc_training.problems import is_out_of_memory, one_line
 
 
 def is_import_path(text: str) -> bool:
@@ -20,38 +20,38 @@ def is_import_path(text: str) -> bool:
     return ":" in text
 
 
-def imported(text: str, what: str) -> Any:
+def imported(text: str, role: str) -> Any:
     """The object at `module:name`; Rejected (NS0812) where it cannot be had."""
     module, _, name = text.partition(":")
-    here = str(Path.cwd())
-    added = here not in sys.path
+    current_folder = str(Path.cwd())
+    added = current_folder not in sys.path
     if added:
-        sys.path.insert(0, here)
+        sys.path.insert(0, current_folder)
     try:
-        found: Any = importlib.import_module(module)
-        for part in name.split("."):
-            found = getattr(found, part)
+        target: Any = importlib.import_module(module)
+        for attribute in name.split("."):
+            target = getattr(target, attribute)
     except Exception as error:  # whatever the user's module raises while it is imported
         raise rejected(
             "NS0812",
-            f"the {what} '{text[:100]}' cannot be imported",
-            notes=(f"{type(error).__name__}: {said(error)}",),
+            f"the {role} '{text[:100]}' cannot be imported",
+            notes=(f"{type(error).__name__}: {one_line(error)}",),
             helps=("an import path is `module:name`, importable from the current folder",),
         ) from error
     finally:
-        if added and here in sys.path:
-            sys.path.remove(here)
-    if not callable(found):
+        if added and current_folder in sys.path:
+            sys.path.remove(current_folder)
+    if not callable(target):
         raise rejected(
             "NS0812",
-            f"the {what} '{text[:100]}' is a {type(found).__name__}, which cannot be called",
+            f"the {role} '{text[:100]}' is a {type(target).__name__}, which cannot be called",
             helps=("name a class or a function",),
         )
-    return found
+    return target
 
 
 @contextmanager
-def own_code(text: str, what: str) -> Iterator[None]:
+def own_code(text: str, role: str) -> Iterator[None]:
     """Whatever the user's code raises in this block is Rejected (NS0822), with its place."""
     try:
         yield
@@ -62,14 +62,16 @@ def own_code(text: str, what: str) -> Iterator[None]:
             raise
         last = traceback.extract_tb(error.__traceback__)[-1]
         place = f"{Path(last.filename).name}, line {last.lineno}"
-        raise own_failed(text, what, f"{type(error).__name__}: {said(error)} ({place})") from error
+        raise own_failed(
+            text, role, f"{type(error).__name__}: {one_line(error)} ({place})"
+        ) from error
 
 
-def own_failed(text: str, what: str, reason: str) -> Rejected:
+def own_failed(text: str, role: str, reason: str) -> Rejected:
     """NS0822: the user's code does not do what training needs of it."""
     return rejected(
         "NS0822",
-        f"the {what} '{text[:100]}' does not work",
+        f"the {role} '{text[:100]}' does not work",
         notes=(reason,),
         helps=("`nscc explain NS0822` says what it is called with and has to give",),
     )

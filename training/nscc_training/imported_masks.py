@@ -70,34 +70,34 @@ def import_mask(
     mask = _slots_first(read_binary_mask(path), array)
     shutters, tile = _tile(mask, array, path)
     reasons: list[str] = []
-    found: list[tuple[float, ImportedMask]] = []
+    fitting: list[tuple[float, ImportedMask]] = []
     for spec, codes in _candidates(shutters, tile, reasons):
         files = program(spec, codes, chip, f"Imported from {path.name}.")
         try:
-            made = compiled(files, chip)
+            compiled_program = compiled(files, chip)
         except Rejected as error:
             reasons.append(f"class {spec.kind}: {error.diagnostics[0].message}")
             continue
-        _check_same(made, shutters, tile)
+        _check_same(compiled_program, shutters, tile)
         text = files.text.replace(f'"{CODES_FILE}"', f'"{codes_name}"')
-        words = words_per_slot(made)
+        words = words_per_slot(compiled_program)
         packed = codes_bytes(codes) if codes else b""
-        found.append(
+        fitting.append(
             (
                 words,
                 ImportedMask(text, packed, spec.kind, (tile.shape[0], tile.shape[1]), words, ()),
             )
         )
-    if not found:
+    if not fitting:
         raise rejected(
             "NS0847",
             f"no class holds the mask of '{path}' on {table.name}",
             notes=tuple(reasons),
             helps=("use fewer slots or fewer different shutters, or a target with more registers",),
         )
-    words, best = min(found, key=lambda pair: pair[0])
-    reasons += [f"class {other.kind}: {more:g} words a slot instead of {words:g}"
-                for more, other in found if other is not best]  # fmt: skip
+    words, best = min(fitting, key=lambda pair: pair[0])
+    reasons += [f"class {candidate.kind}: {other_words:g} words a slot instead of {words:g}"
+                for other_words, candidate in fitting if candidate is not best]  # fmt: skip
     return ImportedMask(best.text, best.codes, best.kind, best.tile, words, tuple(reasons))
 
 
@@ -128,18 +128,18 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
     known = {row.tobytes(): code for code, row in reversed([*enumerate(
         np.packbits(table.shutters[table.shutter_of_code, 0], axis=-1))])}  # fmt: skip
     shutters, tile = _tile(mask, (target.rows, target.cols), path)
-    wanted = [known.get(row.tobytes()) for row in np.packbits(shutters, axis=-1)]
-    missing = wanted.count(None)
+    shutter_codes = [known.get(row.tobytes()) for row in np.packbits(shutters, axis=-1)]
+    missing = shutter_codes.count(None)
     if missing or len(container.buckets) != 1 or shutters.shape[1] != container.slots:
         raise rejected(
             "NS0847",
             f"the program does not open the shutters of the mask in '{path}'",
-            notes=(f"{missing} of {len(wanted)} shutters of the mask are unknown to it; it has "
-                   f"{container.slots} slots and {len(container.buckets)} bucket(s)",),
+            notes=(f"{missing} of {len(shutter_codes)} shutters of the mask are unknown to it; it "
+                   f"has {container.slots} slots and {len(container.buckets)} bucket(s)",),
             helps=("`nscc import-mask MASK -o P.nsl` writes a program that does; `--codes open` "
                    "compiles for every legal code",),
         )  # fmt: skip
-    codes = table.codes[np.array(wanted)[_over(tile, (target.rows, target.cols))]]
+    codes = table.codes[np.array(shutter_codes)[_over(tile, (target.rows, target.cols))]]
     return {name: np.ascontiguousarray(codes[..., k]) for k, name in enumerate(table.fields)}
 
 
@@ -197,8 +197,8 @@ def _candidates(
     if count == 1 and shutters.all():
         yield ShutterSpec("a", slots, (1, 1)), {}
     if not bumps.all():
-        wrong = f"{np.count_nonzero(~bumps)} of {count} shutters open more than once, or never"
-        reasons.append(f"classes b, c, d: {wrong}")
+        reason = f"{np.count_nonzero(~bumps)} of {count} shutters open more than once, or never"
+        reasons.append(f"classes b, c, d: {reason}")
     else:
         if not start.any():
             yield ShutterSpec("b", slots, shape), {"stop": stop[tile]}
@@ -223,9 +223,9 @@ def _candidates(
         reasons.append(f"class e: {slots} slots, and a code has at most {_MOST_BITS} bits")
 
 
-def _check_same(made: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
+def _check_same(compiled_program: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
     """ValueError where a compiled program opens other shutters than the mask's: a fault of ours."""
-    container = made.container
+    container = compiled_program.container
     assert container is not None
     assert container.pixel_codes is not None
     lanes = container.table.shutter_of_code[container.pixel_codes]

@@ -31,25 +31,25 @@ def looked(
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
     light = light.double()
-    held = _held(light, share, sensor, generator)
+    charge_e = _charge_at_looks(light, share, sensor, generator)
     well = sensor.full_well_e
-    margin = held[:, :-1] - level * step_e
+    margin = charge_e[:, :-1] - level * step_e
     sigma = torch.sqrt((sensor.comparator_noise * well) ** 2 + light.detach()[:, None] * share[:-1])
     if generator is not None:
         offset = sensor.comparator_offset * well * normal(light, generator)[:, None]
         margin = margin + offset + sensor.comparator_noise * well * normal(margin, generator)
     chosen = _first(margin.detach() > 0)
     if fields.requires_grad:
-        likely = _first(ndtr((held[:, :-1] - level * step_e) / sigma.clamp(min=1.0)))
+        likely = _first(ndtr((charge_e[:, :-1] - level * step_e) / sigma.clamp(min=1.0)))
         chosen = chosen + likely - likely.detach()
-    exposure = (chosen * held).sum(dim=1)
-    part = (chosen * share).sum(dim=1)
+    exposure = (chosen * charge_e).sum(dim=1)
+    open_share = (chosen * share).sum(dim=1)
     # Photons have been counted; what is left is the readout.
     quiet = sensor.counted()
-    return read_out(exposure, quiet, generator), part.float()
+    return read_out(exposure, quiet, generator), open_share.float()
 
 
-def _held(
+def _charge_at_looks(
     light: Tensor, share: Tensor, sensor: SensorModel, generator: torch.Generator | None
 ) -> Tensor:
     """What PIX holds at each look and at the end (batch, looks + 1, rows, cols): counts of the time

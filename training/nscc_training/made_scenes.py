@@ -13,8 +13,8 @@ def still(generator: Generator, size: int) -> Picture:
     """A picture (size, size) of light over four to six decades: surfaces, edges, lamps."""
     surface = _fractal(generator, size, 4.0)
     for _ in range(int(generator.integers(6, 14))):
-        where = _shape(generator, size)
-        surface = np.where(where, surface * 0.3 + generator.normal(0, 1.2), surface)
+        shape_mask = _shape(generator, size)
+        surface = np.where(shape_mask, surface * 0.3 + generator.normal(0, 1.2), surface)
     for _ in range(int(generator.integers(1, 5))):
         y, x = generator.random(2) * size
         rows, cols = np.mgrid[:size, :size]
@@ -29,12 +29,12 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
     ground = _unit(_fractal(generator, size + 2 * margin, 1.0))
     pan = generator.uniform(-1.5, 1.5, 2)
     sprites = [_sprite(generator, size) for _ in range(int(generator.integers(2, 6)))]
-    found = np.empty((frames, size, size), np.float32)
+    light = np.empty((frames, size, size), np.float32)
     for k in range(frames):
-        found[k] = _moved(ground, margin + pan * k, size)
+        light[k] = _moved(ground, margin + pan * k, size)
         for texture, mask, place, speed in sprites:
-            _paste(found[k], texture, mask, place + speed * k)
-    return found
+            _paste(light[k], texture, mask, place + speed * k)
+    return light
 
 
 def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
@@ -42,8 +42,8 @@ def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
     frequency[0, 0] = 1.0
     white = np.fft.rfft2(generator.standard_normal((size, size)))
-    made = np.fft.irfft2(white / frequency**1.4, s=(size, size))
-    return np.asarray((made - made.mean()) / made.std() * spread * 0.5)
+    noise = np.fft.irfft2(white / frequency**1.4, s=(size, size))
+    return np.asarray((noise - noise.mean()) / noise.std() * spread * 0.5)
 
 
 def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -76,11 +76,11 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
     """The window of that size whose corner lies between pixels."""
     base = np.floor(corner).astype(int)
-    part = corner - base
+    fraction = corner - base
     y, x = base
     block = ground[y : y + size + 1, x : x + size + 1]
-    down = block[:-1] * (1 - part[0]) + block[1:] * part[0]
-    return np.asarray(down[:, :-1] * (1 - part[1]) + down[:, 1:] * part[1], np.float32)
+    down = block[:-1] * (1 - fraction[0]) + block[1:] * fraction[0]
+    return np.asarray(down[:, :-1] * (1 - fraction[1]) + down[:, 1:] * fraction[1], np.float32)
 
 
 def _paste(
@@ -90,10 +90,10 @@ def _paste(
     """Lay a thing over the picture at whole pixels; what lies outside is cut."""
     side = len(texture)
     y, x = np.rint(place).astype(int)
-    top, left = max(y, 0), max(x, 0)
-    bottom, right = min(y + side, picture.shape[0]), min(x + side, picture.shape[1])
-    if top >= bottom or left >= right:
+    y0, x0 = max(y, 0), max(x, 0)
+    y1, x1 = min(y + side, picture.shape[0]), min(x + side, picture.shape[1])
+    if y0 >= y1 or x0 >= x1:
         return
-    inner = (slice(top - y, bottom - y), slice(left - x, right - x))
-    part = picture[top:bottom, left:right]
-    part += ((texture[inner] - part) * mask[inner]).astype(np.float32)
+    inner = (slice(y0 - y, y1 - y), slice(x0 - x, x1 - x))
+    region = picture[y0:y1, x0:x1]
+    region += ((texture[inner] - region) * mask[inner]).astype(np.float32)

@@ -36,15 +36,15 @@ def real_array(path: Path, name: str) -> Floats:
     Rejected
         NS0845 for a file without such an array, or with other values in it.
     """
-    names, found = _read(path, name)
-    if found is None:
+    names, array = _read(path, name)
+    if array is None:
         raise refused(path, f"it has no array `{name}`", f"it holds {listed(sorted(names))}")
-    if found.dtype.kind not in "uifb":
-        raise refused(path, f"`{name}` holds {found.dtype}, not real numbers")
-    values = np.asarray(found, np.float64)
-    bad = int(np.count_nonzero(~np.isfinite(values)))
-    if bad:
-        raise refused(path, f"{bad} of {values.size} values of `{name}` are not finite")
+    if array.dtype.kind not in "uifb":
+        raise refused(path, f"`{name}` holds {array.dtype}, not real numbers")
+    values = np.asarray(array, np.float64)
+    bad_count = int(np.count_nonzero(~np.isfinite(values)))
+    if bad_count:
+        raise refused(path, f"{bad_count} of {values.size} values of `{name}` are not finite")
     if (np.abs(values) > _MOST).any():
         raise refused(path, f"`{name}` has values beyond {_MOST:g}")
     return values

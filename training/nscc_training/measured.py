@@ -65,17 +65,17 @@ class Measured:
         """The frames that a clip (batch, N, rows, cols) would give."""
         return (self.mask * clip.unsqueeze(1)).sum(dim=2)
 
-    def missing(self, seen: Tensor, target: Tensor) -> Tensor:
+    def missing(self, predicted: Tensor, target: Tensor) -> Tensor:
         """How far a clip's frames are from a target; where saturated, more is never too much."""
-        gap = target - seen
+        gap = target - predicted
         return torch.where(self.saturated, gap.clamp(min=0), gap)
 
     def trust(self, sigma: Tensor) -> Tensor:
         """The part of a difference that is the clip's error, of standard deviation `sigma`
         (batch,), and not the frames' noise; as `value`."""
         spread = self.energy * sigma.reshape(-1, 1, 1, 1).square()
-        part: Tensor = spread / (spread + self.variance).clamp(min=1e-20)
-        return part
+        error_share: Tensor = spread / (spread + self.variance).clamp(min=1e-20)
+        return error_share
 
     def correction(self, gap: Tensor, sigma: Tensor) -> Tensor:
         """What to add to a clip for frames that differ by `gap`: its most likely error if that has
@@ -86,8 +86,8 @@ class Measured:
             shares = gap / (self.energy + noise).clamp(min=1e-6)
             return (self.mask * shares.unsqueeze(2)).sum(dim=1)
         weights = torch.linalg.solve(self._joint(sigma), gap.permute(0, 2, 3, 1))
-        found: Tensor = (self.mask * weights.permute(0, 3, 1, 2).unsqueeze(2)).sum(dim=1)
-        return found
+        update: Tensor = (self.mask * weights.permute(0, 3, 1, 2).unsqueeze(2)).sum(dim=1)
+        return update
 
     @cached_property
     def disjoint(self) -> bool:

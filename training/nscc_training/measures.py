@@ -59,7 +59,7 @@ def measures(
     """
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
-    found: dict[str, Any] = {
+    values: dict[str, Any] = {
         "psnr_db": decibels(scores.mean),
         "psnr_of_mean_mse_db": decibels(scores.of_mean_mse),
         "infinite": scores.infinite,
@@ -71,11 +71,11 @@ def measures(
         else None,
     }
     if truth.ndim == 3:
-        found["sd_db"] = scores.sd
-        found["frames"] = [
+        values["sd_db"] = scores.sd
+        values["frames"] = [
             {"frame": k, **frame_scores(a, b, data_range)} for k, (a, b) in enumerate(frames)
         ]
-    return found
+    return values
 
 
 def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
@@ -140,22 +140,22 @@ def measure_files(
     }
 
 
-def measures_text(found: Mapping[str, Any]) -> str:
+def measures_text(values: Mapping[str, Any]) -> str:
     """What `measure_files` found, one number a line."""
     rows = [
         ("PSNR", "psnr_db", " dB"),
         ("PSNR of the mean error", "psnr_of_mean_mse_db", " dB"),
         ("SSIM", "ssim", ""),
         ("PSNR, mu-law 5000", "mu_psnr_db", " dB"),
-        (f"PSNR, PU21, {found['nits']:g} cd/m2", "pu21_psnr_db", " dB"),
+        (f"PSNR, PU21, {values['nits']:g} cd/m2", "pu21_psnr_db", " dB"),
         ("temporal error", "temporal_error", ""),
     ]
-    lines = [f"data range {found['data_range']:g}, {' x '.join(map(str, found['shape']))}"]
+    lines = [f"data range {values['data_range']:g}, {' x '.join(map(str, values['shape']))}"]
     for name, key, unit in rows:
-        value = found[key]
+        value = values[key]
         if value is not None:
             text = value if isinstance(value, str) else f"{value:.4f}"
             lines.append(f"  {name:28}{text}{unit}")
-    if found["infinite"]:
-        lines.append(f"  {found['infinite']} frames without any error are left out of the mean")
+    if values["infinite"]:
+        lines.append(f"  {values['infinite']} frames without any error are left out of the mean")
     return "\n".join(lines) + "\n"

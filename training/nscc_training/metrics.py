@@ -48,8 +48,8 @@ def psnr(truth: Array, result: Array, data_range: float) -> float:
 def mu_psnr(truth: Array, result: Array, data_range: float, mu: float = MU) -> float:
     """PSNR after mu-law of both, clipped to 0..data_range; the curve's range is 1."""
     _check_range(data_range)
-    there = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
-    return psnr(mu_law(there[0], mu), mu_law(there[1], mu), 1.0)
+    relative = [np.clip(x.astype(np.float64) / data_range, 0.0, 1.0) for x in _pair(truth, result)]
+    return psnr(mu_law(relative[0], mu), mu_law(relative[1], mu), 1.0)
 
 
 def pu21_psnr(truth: Array, result: Array, data_range: float, nits: float) -> float:
@@ -181,9 +181,11 @@ def _pair(truth: Array, result: Array) -> tuple[Array, Array]:
     if first.size == 0:
         raise wrong_argument(f"a metric needs at least one value, and the arrays are {first.shape}")
     for name, values in (("truth", first), ("reconstruction", second)):
-        bad = int(np.count_nonzero(~np.isfinite(values)))
-        if bad:
-            raise wrong_argument(f"{bad} of {values.size} values of the {name} are not finite")
+        bad_count = int(np.count_nonzero(~np.isfinite(values)))
+        if bad_count:
+            raise wrong_argument(
+                f"{bad_count} of {values.size} values of the {name} are not finite"
+            )
     return first, second
 
 

@@ -29,7 +29,7 @@ class NoiseModel:
     def parse(cls, text: str) -> NoiseModel:
         """`SD` or `SD,GAIN`; NS0846 for anything else."""
         try:
-            numbers = [float(part) for part in text.split(",")]
+            numbers = [float(item) for item in text.split(",")]
         except ValueError:
             numbers = []
         if len(numbers) not in (1, 2) or not all(0 <= number < np.inf for number in numbers):
@@ -124,8 +124,8 @@ def reconstruct_measurement(measurement: Measurement, noise: NoiseModel) -> Reco
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
         value, spread = (
-            torch.from_numpy(np.ascontiguousarray(part, np.float32))[None, None]
-            for part in (values, variance)
+            torch.from_numpy(np.ascontiguousarray(array, np.float32))[None, None]
+            for array in (values, variance)
         )
         full = torch.zeros_like(value, dtype=torch.bool)
         clips.append(decoded_clip(Measured(value, opened, spread, full))[0].numpy())

@@ -15,7 +15,7 @@ def listed(names: Sequence[str], most: int = 12) -> str:
     return shown + (f" and {len(names) - most} more" if len(names) > most else "")
 
 
-def said(error: object, most: int = 200) -> str:
+def one_line(error: object, most: int = 200) -> str:
     """An exception's text in one line."""
     return " ".join(str(error).split())[:most]
 
@@ -25,7 +25,7 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
     if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
         return "there is no such file" if missing else (error.strerror or str(error)).lower()
-    return said(error)
+    return one_line(error)
 
 
 def is_out_of_memory(error: Exception) -> bool:
@@ -41,5 +41,5 @@ def is_out_of_memory(error: Exception) -> bool:
 
 def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rejected:
     """A file that its reader could not read, with the reader's words."""
-    notes = (f"the reader says: {said(error)}",) if said(error) else ()
+    notes = (f"the reader says: {one_line(error)}",) if one_line(error) else ()
     return rejected(code, message, notes=notes, helps=(help_text,))

@@ -140,31 +140,34 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
     levels. ValueError for a program of other slots, fields, levels or buckets, or whose pixels are
     not this tile's again and again, and Rejected as the compiler."""
     target = chip.table or load_target(chip.target, Path())
-    made = compile_file(path, Options(level=0, target=target))
-    found = made.container
-    assert found is not None
-    if found.slots != spec.slots:
-        raise ValueError(f"the program has {found.slots} slots, and the run {spec.slots}")
+    compiled_program = compile_file(path, Options(level=0, target=target))
+    container = compiled_program.container
+    assert container is not None
+    if container.slots != spec.slots:
+        raise ValueError(f"the program has {container.slots} slots, and the run {spec.slots}")
     if spec.kind == "looks":
-        asked = () if found.machine is None else found.machine.comparisons
-        if len(asked) != spec.tile[1]:
-            raise ValueError(f"it looks {len(asked)} times, and the run {spec.tile[1]}")
-        moments = np.array([[each.boundary for each in asked]])
-        return Begun({"at": moments, "level": np.array([[each.level for each in asked]])}, None)
-    if found.machine is not None:
+        comparisons = () if container.machine is None else container.machine.comparisons
+        if len(comparisons) != spec.tile[1]:
+            raise ValueError(f"it looks {len(comparisons)} times, and the run {spec.tile[1]}")
+        moments = np.array([[comparison.boundary for comparison in comparisons]])
+        return Begun(
+            {"at": moments, "level": np.array([[comparison.level for comparison in comparisons]])},
+            None,
+        )
+    if container.machine is not None:
         raise ValueError(f"its pixels look at the light, and those of class {spec.kind} do not")
-    if found.pixel_codes is None:
+    if container.pixel_codes is None:
         raise ValueError("the program has no pixels")
-    table, wanted = found.table, _fields(spec)
-    if set(table.fields) != set(wanted):
-        have, want = (", ".join(names) or "none" for names in (table.fields, wanted))
+    table, expected_fields = container.table, _fields(spec)
+    if set(table.fields) != set(expected_fields):
+        have, want = (", ".join(names) or "none" for names in (table.fields, expected_fields))
         raise ValueError(f"its code has the fields: {have}; class {spec.kind} has: {want}")
-    if len(found.buckets) > spec.buckets:
-        raise ValueError(f"the program has {len(found.buckets)} buckets, and the run one")
-    at = _tile_of(found.pixel_codes, spec.tile)
+    if len(container.buckets) > spec.buckets:
+        raise ValueError(f"the program has {len(container.buckets)} buckets, and the run one")
+    at = _tile_of(container.pixel_codes, spec.tile)
     codes = {name: table.codes[at][..., k] for k, name in enumerate(table.fields)}
     if spec.kind == "codebook":
-        codes["book"] = _book_of(made, path, target)
+        codes["book"] = _book_of(compiled_program, path, target)
     return Begun(codes, table.shutters[table.shutter_of_code[at]].transpose(2, 3, 0, 1))
 
 
@@ -177,38 +180,42 @@ def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int
     """The places of a tile (rows, cols) that repeats over the array; ValueError for pixels that do
     not."""
     rows, cols = pixels.shape
-    found = pixels[: tile[0], : tile[1]]
-    repeated = np.tile(found, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
+    tile_codes = pixels[: tile[0], : tile[1]]
+    repeated = np.tile(tile_codes, (-(-rows // tile[0]), -(-cols // tile[1])))[:rows, :cols]
     if not np.array_equal(repeated, pixels):
         raise ValueError(
             f"its pixels are not one tile of {tile[0]} x {tile[1]} again and again: give the run "
             "the program's own tile"
         )
-    return found
+    return tile_codes
 
 
-def _book_of(made: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
+def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
     """The shapes (K, N) of a program's codebook, those that no pixel chooses among them."""
-    source = made.program.source
-    table = analyse(source, made.tree, base=path.parent, codes="open", target=target).table
+    source = compiled_program.program.source
+    table = analyse(
+        source, compiled_program.tree, base=path.parent, codes="open", target=target
+    ).table
     return np.asarray(table.shutters[table.shutter_of_code, 0], np.int64)
 
 
-def words_per_slot(found: Compiled) -> float:
+def words_per_slot(compiled_program: Compiled) -> float:
     """Words executed in a slot, in the mean over the frame: digital, analog and refresh. None are
     by pixels without logic."""
-    if found.sending is not None:
+    if compiled_program.sending is not None:
         return 0.0
-    assert found.lowered is not None
-    return sum(found.lowered.words_per_boundary) / len(found.program.frame.slot_us)
+    assert compiled_program.lowered is not None
+    return sum(compiled_program.lowered.words_per_boundary) / len(
+        compiled_program.program.frame.slot_us
+    )
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
     """The codes (codes, fields) that the class and `require` allow; Rejected where none is left."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
-    tree, wrong = parse(source)
-    if any(found.severity is Severity.ERROR for found in wrong):
-        raise Rejected(wrong)
+    tree, problems = parse(source)
+    if any(problem.severity is Severity.ERROR for problem in problems):
+        raise Rejected(problems)
     target = chip.table or load_target(chip.target, Path())
     return analyse(source, tree, base=Path(), codes="open", target=target).table.codes
 
@@ -233,9 +240,9 @@ def _rules(spec: ShutterSpec) -> list[str]:
     if spec.buckets == 1:
         return [*fields, opened]
     rule = opened.removeprefix("open when ")
-    rest = f"({rule})" if "<" in rule else rule
+    operand = f"({rule})" if "<" in rule else rule
     return [
-        *fields, f"bucket first open when {rule}", f"bucket second open when not {rest}",
+        *fields, f"bucket first open when {rule}", f"bucket second open when not {operand}",
     ]  # fmt: skip
 
 

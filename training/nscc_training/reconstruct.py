@@ -20,8 +20,8 @@ from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.formats import Content
 from nscc_runtime.sensor import sensor_sha256
-from nscc_training.dark import of_pixels, read_dark, undarkened
-from nscc_training.encoders.looks import LOOKS
+from nscc_training.dark_frames import of_pixels, read_dark, undarkened
+from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import FrameRead, no_frame, read_frame
 from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
@@ -79,12 +79,12 @@ def reconstruct(
     offset: NDArray[np.float64] | None = None
     doubts: tuple[Diagnostic, ...] = ()
     if dark is not None:
-        found = read_dark(dark, folder.parts.buckets)
-        size = (folder.parts.target.rows, folder.parts.target.cols)
-        offset, doubts = found.offset, found.checked(read.meta, size, force=force)
+        dark_frames = read_dark(dark, folder.setup.buckets)
+        size = (folder.setup.target.rows, folder.setup.target.cols)
+        offset, doubts = dark_frames.offset, dark_frames.checked(read.meta, size, force=force)
     light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
     messages, seconds = (*messages, *doubts), perf_counter() - begin
-    return Reconstruction(light, folder.parts.still, len(read.frame) > 1, messages, seconds)
+    return Reconstruction(light, folder.setup.still, len(read.frame) > 1, messages, seconds)
 
 
 def reconstructed(
@@ -101,39 +101,39 @@ def reconstructed(
     if messages and not force:
         raise Rejected(messages, status=2)
     messages += (*_unlearned(folder, read, name), *overexposed(name, read.saturated))
-    size = (folder.parts.target.rows, folder.parts.target.cols)
-    found = read.frame.shape[-2:]
-    if found != size and "laid" not in read.meta:
-        raise no_frame(name, f"it is of {found} pixels, the run's chip has {size}")
-    if read.buckets != folder.parts.buckets:
+    size = (folder.setup.target.rows, folder.setup.target.cols)
+    shape = read.frame.shape[-2:]
+    if shape != size and "laid" not in read.meta:
+        raise no_frame(name, f"it is of {shape} pixels, the run's chip has {size}")
+    if read.buckets != folder.setup.buckets:
         have = f"it has {counted(read.buckets, 'bucket')}"
-        raise no_frame(name, f"{have}, the run's program {folder.parts.buckets}")
+        raise no_frame(name, f"{have}, the run's program {folder.setup.buckets}")
     if offset is not None and offset.shape[-2:] != size:
         raise no_frame(name, f"without light it is of {offset.shape} pixels, not {size}")
-    if offset is not None and folder.parts.settings.sensor.effects:
-        offset = of_pixels(offset, folder.parts.encoder.spec.tile)
+    if offset is not None and folder.setup.settings.sensor.effects:
+        offset = of_pixels(offset, folder.setup.encoder.spec.tile)
     shares: list[NDArray[np.float32] | None] = [None] * len(read.frame)
-    if folder.parts.encoder.spec.kind == LOOKS:
+    if folder.setup.encoder.spec.kind == LOOKS:
         if read.opened is None or read.opened.shape != read.frame.shape:
             raise no_frame(name, "it does not say how long its pixels were open")
-        shares = list((read.opened / folder.parts.slots).astype(np.float32))
-    made = [
+        shares = list((read.opened / folder.setup.slots).astype(np.float32))
+    light = [
         decoded_frame(
-            folder.parts, codes if offset is None else undarkened(codes, offset), saturated, share
+            folder.setup, codes if offset is None else undarkened(codes, offset), saturated, share
         )
         for codes, saturated, share in zip(read.frame, read.saturated, shares, strict=True)
     ]
-    return np.stack(made, axis=-1) if len(made) > 1 else made[0], messages
+    return np.stack(light, axis=-1) if len(light) > 1 else light[0], messages
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame was exposed with other shutters."""
     if read.shutter is not None:
-        hard = shutters_at(folder.parts, read.frame.shape[-2:]).numpy().astype(bool)
+        hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
             yield "it was exposed with other shutters than the run's"
     elif not _is_program(folder, read.meta.get("program_sha256")):
-        chip = "" if folder.parts.chip.file is None else f" with --target {TARGET_FILE}"
+        chip = "" if folder.setup.chip.file is None else f" with --target {TARGET_FILE}"
         yield f"its program is not the run's shutter.nsl, compiled{chip} at any level"
 
 
@@ -141,41 +141,50 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
     """Whether that is the digest of the run's program at some level; the likely ones first."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
-        options = Options(level=level, target=folder.parts.chip.file)
-        found = compile_source(source, folder.path, options)
-        if found.container and sha256(to_bytes(found.container)).hexdigest() == digest:
+        options = Options(level=level, target=folder.setup.chip.file)
+        compiled_program = compile_source(source, folder.path, options)
+        if (
+            compiled_program.container
+            and sha256(to_bytes(compiled_program.container)).hexdigest() == digest
+        ):
             return True
     return False
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
     """Reasons to think that the frame came from another sensor."""
-    model, own = folder.parts.model, folder.parts.sensor
-    if read.meta.get("sensor_sha256") == sensor_sha256(own):
+    model, own_sensor = folder.setup.model, folder.setup.sensor
+    if read.meta.get("sensor_sha256") == sensor_sha256(own_sensor):
         return
-    held = read.meta.get("sensor")
-    if isinstance(held, dict) and held and all(own.values.get(k) == v for k, v in held.items()):
+    frame_sensor = read.meta.get("sensor")
+    if (
+        isinstance(frame_sensor, dict)
+        and frame_sensor
+        and all(own_sensor.values.get(k) == v for k, v in frame_sensor.items())
+    ):
         return  # a frame of an older version: it does not know what has been added since
     figures = (("electrons_per_lsb", model.electrons_per_lsb), ("adc_offset", model.adc_offset_lsb))
-    for name, wanted in figures:
+    for name, expected in figures:
         have = read.meta.get(name)
-        if not isinstance(have, int | float) or abs(have - wanted) > 1e-6 * max(1, abs(wanted)):
-            yield f"its sensor has {name} = {have}, the run's {wanted:g}"
+        if not isinstance(have, int | float) or abs(have - expected) > 1e-6 * max(1, abs(expected)):
+            yield f"its sensor has {name} = {have}, the run's {expected:g}"
             return
     yield "its sensor has other values than the run's"
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
     """NS0842, a warning, where a frame has effects that the decoder was not trained under."""
-    learned = folder.parts.settings.sensor.effects
-    known = {each.name for each in selected(learned).effects} if learned else set(_OF_MODEL)
+    learned = folder.setup.settings.sensor.effects
+    known = {effect.name for effect in selected(learned).effects} if learned else set(_OF_MODEL)
     plan = read.meta.get("plan") or {}
-    kept = [each["name"] for each in plan.get("effects", ()) if each["decision"] == "kept"]
-    others = [each for each in kept if each not in known]
-    if others:
+    simulated = [
+        effect["name"] for effect in plan.get("effects", ()) if effect["decision"] == "kept"
+    ]
+    unlearned = [effect for effect in simulated if effect not in known]
+    if unlearned:
         yield Diagnostic(
             "NS0842",
-            f"the run was not trained under effects that '{name}' has: {', '.join(others)}",
+            f"the run was not trained under effects that '{name}' has: {', '.join(unlearned)}",
             severity=Severity.WARNING,
             notes=("what these do to codes, the decoder takes for light",),
             helps=('train with `[sensor] effects = "all"`', *_DARK_HELPS),
@@ -184,11 +193,11 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
 
 def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
     """NS0844, a warning, where most of a frame's pixels are saturated."""
-    part = float(saturated.mean()) if saturated.size else 0.0
-    if part > _OVEREXPOSED:
+    share = float(saturated.mean()) if saturated.size else 0.0
+    if share > _OVEREXPOSED:
         yield Diagnostic(
             "NS0844",
-            f"{100 * part:.3g} % of the pixels of '{name}' are saturated",
+            f"{100 * share:.3g} % of the pixels of '{name}' are saturated",
             severity=Severity.WARNING,
             notes=("of these a decoder knows only that there was so much light or more",),
             helps=("expose the scene for less light, or with shutters some of which close early",),

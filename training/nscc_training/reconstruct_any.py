@@ -27,14 +27,14 @@ def reconstruct_any(
     Rejected as `read_coded_frames`.
     """
     doubts: list[Diagnostic] = []
-    every = read_coded_frames(frame, program, dark, doubts.append)
-    still = (kind or ("image" if every[0].is_still else "video")) == "image"
+    coded_frames = read_coded_frames(frame, program, dark, doubts.append)
+    still = (kind or ("image" if coded_frames[0].is_still else "video")) == "image"
     begin = perf_counter()
-    made = [_light(coded, still) for coded in every]
-    light = np.stack(made, axis=-1) if len(made) > 1 else made[0]
-    full = np.stack([coded.saturated for coded in every])
+    lights = [_light(coded, still) for coded in coded_frames]
+    light = np.stack(lights, axis=-1) if len(lights) > 1 else lights[0]
+    full = np.stack([coded.saturated for coded in coded_frames])
     messages = (*doubts, *overexposed(str(frame), full))
-    return Reconstruction(light, still, len(made) > 1, messages, perf_counter() - begin)
+    return Reconstruction(light, still, len(lights) > 1, messages, perf_counter() - begin)
 
 
 def _light(coded: CodedFrame, still: bool) -> NDArray[np.float32]:

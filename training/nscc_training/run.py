@@ -24,9 +24,9 @@ from nscc_runtime.given import LightLike
 from nscc_runtime.scenes.scene import Scene
 from nscc_training import run_folder
 from nscc_training.curve_chart import curve_chart
-from nscc_training.dark import Dark, mean_dark, read_dark
+from nscc_training.dark_frames import Dark, mean_dark, read_dark
 from nscc_training.encoders import Encoder
-from nscc_training.encoders.looks import LOOKS
+from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import FrameRead, by_colour, read_frame
 from nscc_training.loop.decoding import decoded_frame
 from nscc_training.reconstruct import reconstructed
@@ -50,17 +50,17 @@ class Run:
     @property
     def still(self) -> bool:
         """Whether it reconstructs pictures, and not clips."""
-        return self.folder.parts.still
+        return self.folder.setup.still
 
     @property
     def encoder(self) -> Encoder:
         """The learned shutters: `encoder.codes()` are int64 on the tile, by field."""
-        return self.folder.parts.encoder
+        return self.folder.setup.encoder
 
     @property
     def decoder(self) -> nn.Module:
         """The learned decoder, from frames (batch, rows, cols) and shutters (N, rows, cols)."""
-        return self.folder.parts.decoder
+        return self.folder.setup.decoder
 
     @property
     def result(self) -> dict[str, Any]:
@@ -70,7 +70,7 @@ class Run:
     @cached_property
     def program(self) -> ShutterProgram:
         """The learned shutters as a program, `shutter.nsl`, compiled as `nscc run` does it."""
-        return compile(self.path / "shutter.nsl", target=self.folder.parts.chip.file)
+        return compile(self.path / "shutter.nsl", target=self.folder.setup.chip.file)
 
     @cached_property
     def curves(self) -> dict[str, NDArray[np.float64]]:
@@ -125,38 +125,40 @@ class Run:
         elif isinstance(frame, Capture):
             about = frame.meta
             in_colours = "colours" in about
-            buckets = self.folder.parts.buckets
+            buckets = self.folder.setup.buckets
             if frame.frame.shape[-3] != buckets or (frame.frame.ndim != 3 and not in_colours):
-                wanted = "one bucket" if buckets == 1 else "two buckets"
+                expected = "one bucket" if buckets == 1 else "two buckets"
                 raise wrong_argument(
-                    f"reconstruct takes {wanted} of one exposure, not {shown(frame.frame)}"
+                    f"reconstruct takes {expected} of one exposure, not {shown(frame.frame)}"
                 )
-            codes, full = (by_colour(part, in_colours) for part in (frame.frame, frame.saturated))
+            codes, full = (
+                by_colour(values, in_colours) for values in (frame.frame, frame.saturated)
+            )
             read = FrameRead(codes, full, about, None)
             name = "the capture"
         else:
             codes = self._codes(frame)
-            full = last_codes(codes, self.folder.parts.target) != 0
-            return decoded_frame(self.folder.parts, codes, full)
-        found, target = None if dark is None else self._dark(dark), self.folder.parts.target
-        offset = None if found is None else found.offset
+            full = last_codes(codes, self.folder.setup.target) != 0
+            return decoded_frame(self.folder.setup, codes, full)
+        dark_frames, target = None if dark is None else self._dark(dark), self.folder.setup.target
+        offset = None if dark_frames is None else dark_frames.offset
         size = (target.rows, target.cols)
-        doubts = () if found is None else found.checked(read.meta, size, force=force)
-        made, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
+        doubts = () if dark_frames is None else dark_frames.checked(read.meta, size, force=force)
+        light, messages = reconstructed(self.folder, read, name, force=force, offset=offset)
         warn((*messages, *doubts))
-        return made
+        return light
 
     def __repr__(self) -> str:
         spec, score = self.encoder.spec, self._score()
         return (
             f"<nscc run {str(self.path)!r}: class {spec.kind}, {spec.slots} slots, tile "
-            f"{spec.tile[0]} x {spec.tile[1]}, {self.folder.parts.settings.decoder.name}{score}>"
+            f"{spec.tile[0]} x {spec.tile[1]}, {self.folder.setup.settings.decoder.name}{score}>"
         )
 
     def _repr_html_(self) -> str:
-        spec, parts = self.encoder.spec, self.folder.parts
+        spec, setup = self.encoder.spec, self.folder.setup
         about = (
-            f"class {spec.kind}, {spec.slots} slots, {parts.settings.decoder.name}{self._score()}"
+            f"class {spec.kind}, {spec.slots} slots, {setup.settings.decoder.name}{self._score()}"
         )
         return html.card(
             str(self.path), about,
@@ -165,8 +167,8 @@ class Run:
         )  # fmt: skip
 
     def _score(self) -> str:
-        found = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
-        return f", {found[-1]:.2f} dB" if found else ""
+        scores_db = [v for v in self.curves.get("psnr_db", np.array([])) if np.isfinite(v)]
+        return f", {scores_db[-1]:.2f} dB" if scores_db else ""
 
     def _shutters(self) -> html.Html:
         """The chart of the distinct shutters of the tile, with the first code of each."""
@@ -180,7 +182,7 @@ class Run:
             ", ".join(f"{name} {values[at]}" for name, values in flat.items()) or "all pixels"
             for at in first
         ]
-        slot_us = [self.folder.parts.chip.slot_us] * spec.slots
+        slot_us = [self.folder.setup.chip.slot_us] * spec.slots
         if spec.buckets == 1:
             return shutter_chart(rows[:, None], labels, slot_us, ("exposure",))
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
@@ -188,22 +190,22 @@ class Run:
     def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
         """A frame without light."""
         if not isinstance(dark, Capture):
-            return read_dark(Path(dark), self.folder.parts.buckets)
+            return read_dark(Path(dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
-        offset = mean_dark(codes, self.folder.parts.model.adc_offset_lsb)
+        offset = mean_dark(codes, self.folder.setup.model.adc_offset_lsb)
         full = float(dark.saturated.mean())
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
         """Codes that were given as an array."""
-        target = self.folder.parts.target
+        target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
-        if self.folder.parts.buckets > 1:
-            size = (self.folder.parts.buckets, *size)
+        if self.folder.setup.buckets > 1:
+            size = (self.folder.setup.buckets, *size)
         values = np.asarray(frame)
         if values.shape == (1, *size):
             values = values[0]
-        top = self.folder.parts.model.top_code
+        top = self.folder.setup.model.top_code
         if values.dtype.kind not in "ui" or values.shape != size:
             raise wrong_argument(
                 f"reconstruct takes a capture, a frame file or its codes {size}, not {shown(frame)}"

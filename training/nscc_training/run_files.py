@@ -57,7 +57,7 @@ class RunCapture:
 
     def check(self, container: Container, program: Path) -> None:
         """NS0821 for a program whose slots are not those of the run."""
-        away_us = (abs(each - self.slot_us) for each in container.slot_us)
+        away_us = (abs(length_us - self.slot_us) for length_us in container.slot_us)
         if container.slots == self.slots and max(away_us) <= _SLOT_ERROR_US:
             return
         raise rejected(
@@ -81,34 +81,36 @@ def shipped_runs() -> Mapping[str, Path]:
 def shipped_evaluations() -> Path:
     """The folder of what `nscc evaluate` said of the runs and baselines that results tell of."""
     installed = Path(__file__).with_name("shipped_evaluations")
-    here = Path(__file__).resolve().parents[1] / "results" / "evaluations"
-    return installed if installed.is_dir() else here
+    in_repository = Path(__file__).resolve().parents[1] / "results" / "evaluations"
+    return installed if installed.is_dir() else in_repository
 
 
 def searched_codes() -> Path:
     """The codes (16 slots, free bits of an 8 x 8 tile) of the best search for clips."""
     installed = Path(__file__).with_name("searched_codes.npz")
-    here = Path(__file__).resolve().parents[1] / "results" / "runs" / _SEARCHED / "codes.npz"
-    return installed if installed.is_file() else here
+    in_repository = (
+        Path(__file__).resolve().parents[1] / "results" / "runs" / _SEARCHED / "codes.npz"
+    )
+    return installed if installed.is_file() else in_repository
 
 
-def run_path(given: Path) -> Path:
+def run_path(folder: Path) -> Path:
     """A run folder, or the one that comes with nscc under that name if there is no such run."""
-    if (given / CONFIG).is_file():
-        return given
-    return shipped_runs().get(str(given), given)
+    if (folder / CONFIG).is_file():
+        return folder
+    return shipped_runs().get(str(folder), folder)
 
 
-def run_capture(given: Path) -> RunCapture:
+def run_capture(folder: Path) -> RunCapture:
     """What a run's frames are like; Rejected (NS0818) for a folder that is none of a run."""
-    path = run_path(given)
+    path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]
     if missing:
         names = ", ".join(shipped_runs())
         raise rejected(
             "NS0818",
-            f"'{given}' is no run of nscc train",
+            f"'{folder}' is no run of nscc train",
             notes=(f"it has no {', '.join(missing)}",),
             helps=(f"name a run folder, or one that comes with nscc: {names}",),
         )
@@ -118,8 +120,8 @@ def run_capture(given: Path) -> RunCapture:
     protocol = load_protocol(data.protocol)
     still = protocol.name == "hdr-v1"
     # Of stills a part saturates when always open: the pixel below that part is at the full well.
-    part = sum(data.saturated) / len(data.saturated)
-    percentile = 100 * (1 - part) if still else float(protocol.values.get(
+    share = sum(data.saturated) / len(data.saturated)
+    percentile = 100 * (1 - share) if still else float(protocol.values.get(
         "full_well_percentile", 99))  # fmt: skip
     exposed_e = float(protocol.values.get("full_well_e", 30000))
     if protocol.mid_grey_e is not None:

@@ -17,11 +17,11 @@ from nscc_training.codes_files import load_codes
 from nscc_training.config import load_config
 from nscc_training.encoders import Encoder
 from nscc_training.import_paths import is_import_path
-from nscc_training.loop.setup import Parts, make_parts, started_encoder
-from nscc_training.problems import is_out_of_memory, said
+from nscc_training.loop.setup import TrainingSetup, make_setup, started_encoder
+from nscc_training.problems import is_out_of_memory, one_line
 from nscc_training.programs import CODES_FILE, SENSOR_FILE, TARGET_FILE, Chip
 from nscc_training.run_files import CONFIG, run_path
-from nscc_training.settings import Settings
+from nscc_training.settings import RunSettings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
 """What a result has digests of, and reconstructions depend on."""
@@ -33,9 +33,9 @@ class RunFolder:
     `seen` the digests of the files that it learned from or was chosen by, `result` its own."""
 
     path: Path
-    parts: Parts
+    setup: TrainingSetup
     program: str
-    seen: frozenset[str]
+    seen_digests: frozenset[str]
     result: dict[str, Any]
 
 
@@ -52,8 +52,8 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     needed = ("config.resolved.toml", "decoder.safetensors", "shutter.nsl", "split.json",
               "result.json")  # fmt: skip
     if not path.is_dir():
-        what = "it is a file: the run's folder is named first" if path.is_file() else ""
-        raise _no_run(path, what or "there is no such folder")
+        reason = "it is a file: the run's folder is named first" if path.is_file() else ""
+        raise _no_run(path, reason or "there is no such folder")
     reads(*(path / name for name in (*needed, CODES_FILE)))
     missing = [name for name in needed if not (path / name).is_file()]
     if missing:
@@ -75,28 +75,28 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     if sensor.file and (path / SENSOR_FILE).is_file():
         sensor = replace(sensor, file=str(path / SENSOR_FILE))
     begun = replace(settings, shutter=shutter, decoder=decoder, sensor=sensor, train=train)
-    parts = make_parts(begun)
-    parts = replace(parts, settings=settings)
+    setup = make_setup(begun)
+    setup = replace(setup, settings=settings)
     try:
         if (path / CODES_FILE).is_file():
-            parts.encoder.load_codes(load_codes(path / CODES_FILE))
+            setup.encoder.load_codes(load_codes(path / CODES_FILE))
         check_size((path / "decoder.safetensors").stat().st_size)
-        parts.decoder.load_state_dict(load_file(str(path / "decoder.safetensors")))
+        setup.decoder.load_state_dict(load_file(str(path / "decoder.safetensors")))
         split = json.loads(read_whole(path / "split.json"))
-        seen = frozenset(str(s["sha256"]) for part in split.values() for s in part)
+        seen_digests = frozenset(str(s["sha256"]) for entries in split.values() for s in entries)
         result = dict(json.loads(read_whole(path / "result.json")))
         _check_whole(path, result)
         program = read_whole(path / "shutter.nsl").decode()
     except (ValueError, KeyError, TypeError, AttributeError, RuntimeError, OSError) as error:
         if is_out_of_memory(error):
             raise
-        raise _no_run(path, f"{type(error).__name__}: {said(error, 150)}") from error
+        raise _no_run(path, f"{type(error).__name__}: {one_line(error, 150)}") from error
     except Exception as error:
         if type(error).__name__ != "SafetensorError":
             raise
         raise _no_run(path, f"decoder.safetensors: {error}") from error
-    parts.decoder.eval()
-    return RunFolder(path, parts, program, seen, result)
+    setup.decoder.eval()
+    return RunFolder(path, setup, program, seen_digests, result)
 
 
 def run_codes(path: Path) -> Encoder:
@@ -110,12 +110,12 @@ def run_codes(path: Path) -> Encoder:
     return started_encoder(chosen, chip, load_target(chosen.target, Path()), 0)
 
 
-def _refuse_code(path: Path, settings: Settings) -> None:
+def _refuse_code(path: Path, settings: RunSettings) -> None:
     """NS0823 where to load the run would run code that is not nscc's."""
     named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
     code = [
-        f"its {what} is `{name.strip()[:100]}`"
-        for what, names in named.items()
+        f"its {role} is `{name.strip()[:100]}`"
+        for role, names in named.items()
         for name in names
         if is_import_path(name)
     ]
@@ -144,10 +144,10 @@ def _check_whole(path: Path, result: dict[str, Any]) -> None:
     }
     for name, digest in named.items():
         file = path / name
-        found = file_sha256(file) if file.is_file() else None
-        if found != digest:
-            what = "is missing" if found is None else "is of another run"
-            raise ValueError(f"{name} {what}: result.json has another digest of it")
+        actual = file_sha256(file) if file.is_file() else None
+        if actual != digest:
+            difference = "is missing" if actual is None else "is of another run"
+            raise ValueError(f"{name} {difference}: result.json has another digest of it")
 
 
 def _no_run(path: Path, reason: str) -> Exception:

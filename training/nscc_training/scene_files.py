@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes import clips
-from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, clip_white, read_mat
 from nscc_runtime.scenes.clips import read_clip
 from nscc_runtime.scenes.colour import Transfer, grey
+from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, read_mat
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
 CLIPS = (*clips.CLIPS, ".mat")
@@ -31,27 +31,27 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
     """
     if folder.is_dir():
         return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
-    found = []
-    for part in str(folder).split("+"):
-        picked = _PICKED.fullmatch(part)
-        names = [part] if picked is None else [picked[1]]
+    matching = []
+    for pattern in str(folder).split("+"):
+        picked = _PICKED.fullmatch(pattern)
+        names = [pattern] if picked is None else [picked[1]]
         files = [
             path for place in folders_of(names[0]) if place.is_dir()
             for path in files_in(place, endings)
         ]  # fmt: skip
         places = None if picked is None else {int(place) for place in picked[2].split(",")}
-        found += [
+        matching += [
             path for k, path in enumerate(files)
             if picked is None or places is None or k % int(picked[3]) in places
         ]  # fmt: skip
-    return found
+    return matching
 
 
 def folders_of(text: str) -> list[Path]:
     """Return the folders that such a text names."""
     if Path(text).is_dir():
         return [Path(text)]
-    names = (_PICKED.sub(r"\1", part) for part in text.split("+"))
+    names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))
     return [
         Path(folder) for name in names if name
         for folder in (sorted(glob(name)) if "*" in name else [name])
@@ -59,11 +59,11 @@ def folders_of(text: str) -> list[Path]:
 
 
 def protocol_files(
-    folder: Path, endings: Collection[str], what: str, wanted: str, protocol: str
+    folder: Path, endings: Collection[str], kind_text: str, expected: str, protocol: str
 ) -> list[Path]:
     """Return the same; Rejected (NS0811) if there are none that a protocol is about."""
-    found = files_in(folder, endings)
-    if not found:
+    matching = files_in(folder, endings)
+    if not matching:
         raise rejected(
             "NS0811",
             f"'{folder}' holds no data for protocol {protocol}",
@@ -73,11 +73,11 @@ def protocol_files(
                     if any(map(Path.is_dir, folders_of(str(folder))))
                     else ("there is no such folder",)
                 ),
-                f"{what} {', '.join(endings)}",
+                f"{kind_text} {', '.join(endings)}",
             ),
-            helps=(f"name a folder of {wanted}",),
+            helps=(f"name a folder of {expected}",),
         )
-    return found
+    return matching
 
 
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
@@ -89,11 +89,11 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
     """The frames of a clip as they are stored, one after the other; floats have 1 for white."""
     if path.suffix.lower() != ".mat":
         return read_clip(path)
-    key, found = read_mat(path, lambda _shape: None)
+    key, stored = read_mat(path, lambda _shape: None)
     if key != MAT_CLIP_KEY:
-        return found
-    white = clip_white(found)
-    return np.moveaxis(found if white is None else found / white, 2, 0)
+        return stored
+    white = clip_white(stored)
+    return np.moveaxis(stored if white is None else stored / white, 2, 0)
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:

@@ -109,8 +109,8 @@ class SensorModel:
 
     def relative(self, codes: Tensor) -> Tensor:
         """Codes above the offset as decoders see a frame: over `full_e`, 1 where saturated."""
-        found = codes / (self.full_e / self.electrons_per_lsb)
-        return torch.where(codes >= self.full_code, found.clamp(min=1), found)
+        relative_codes = codes / (self.full_e / self.electrons_per_lsb)
+        return torch.where(codes >= self.full_code, relative_codes.clamp(min=1), relative_codes)
 
 
 class _Masked(Function):
@@ -121,8 +121,8 @@ class _Masked(Function):
         ctx.save_for_backward(light, shutters)
         total = torch.zeros_like(light[:, 0], dtype=torch.float64)
         for first in range(0, light.shape[1], _BLOCK):
-            part = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
-            total += part.sum(dim=1, dtype=torch.float64)
+            masked = light[:, first : first + _BLOCK] * shutters[first : first + _BLOCK]
+            total += masked.sum(dim=1, dtype=torch.float64)
         return total
 
     @staticmethod
@@ -134,8 +134,8 @@ class _Masked(Function):
             return to_light, None
         to_shutters = torch.empty_like(shutters, dtype=light.dtype)
         for first in range(0, light.shape[1], _BLOCK):
-            part = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
-            to_shutters[first : first + _BLOCK] = part.sum(dim=0)
+            products = light[:, first : first + _BLOCK] * grad.unsqueeze(1)
+            to_shutters[first : first + _BLOCK] = products.sum(dim=0)
         return to_light, to_shutters.to(shutters.dtype)
 
 
@@ -202,10 +202,10 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
     `light` and `tile` as in `differentiable_capture`, without the batch.
     """
-    given = torch.as_tensor(light, dtype=torch.float32)[None]
+    light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
-        differentiable_capture(given, tile, sensor, generator=generator).frame[0]
+        differentiable_capture(light_batch, tile, sensor, generator=generator).frame[0]
         - sensor.adc_offset_lsb
     )
 
@@ -215,8 +215,8 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
-        wanted = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
-        raise ValueError(f"light is {wanted}, and not {tuple(light.shape)}")
+        expected = "(batch, N, rows, cols), or of stills (batch, rows, cols)"
+        raise ValueError(f"light is {expected}, and not {tuple(light.shape)}")
     if slot_share is None:
         return
     if light.ndim == 4:
@@ -247,7 +247,9 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
     (batch, buckets, rows, cols).
     """
     if shutters.ndim == 4:
-        return torch.stack([exposed(light, each, slot_share) for each in shutters], dim=1)
+        return torch.stack(
+            [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
+        )
     slots = shutters.shape[0]
     rows, cols = light.shape[-2:]
     if light.ndim == 3:
@@ -259,8 +261,8 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
         return light.double() * laid(opened, rows, cols)
     if light.shape[1] != slots:
         raise ValueError(f"light of {light.shape[1]} slots, shutters of {slots}")
-    found: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
-    return found
+    electrons: Tensor = _Masked.apply(light, laid(shutters, rows, cols))  # type: ignore[no-untyped-call]
+    return electrons
 
 
 def read_out(

@@ -212,7 +212,7 @@ class TrainSettings:
 
 
 @dataclass(frozen=True)
-class Settings:
+class RunSettings:
     """A whole configuration."""
 
     shutter: ShutterSettings = field(default_factory=ShutterSettings)
@@ -226,9 +226,9 @@ class Settings:
 SCHEMA = Schema(
     "configuration",
     tuple(
-        key for name, section in vars(Settings()).items() for key in keys_of(type(section), name)
+        key for name, section in vars(RunSettings()).items() for key in keys_of(type(section), name)
     ),
-    dict.fromkeys(vars(Settings()), ""),
+    dict.fromkeys(vars(RunSettings()), ""),
     Codes("NS0813", "NS0813", unknown="NS0814", wrong="NS0815", change="NS0815"),
     "`nscc train --schema > config.toml` writes a complete file to start from",
     noun="setting",

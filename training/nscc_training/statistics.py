@@ -90,12 +90,12 @@ def paired(
         second[k] - first[k] if np.isfinite(first[k]) and np.isfinite(second[k]) else np.inf
         for k in common
     ]
-    found = summary(gains, [scene_of[k] for k in common])
+    gain_summary = summary(gains, [scene_of[k] for k in common])
     return {
         "items": len(common),
         "scenes": len({scene_of[k] for k in common}),
         "only_first": len(set(first) - set(second)),
         "only_second": len(set(second) - set(first)),
-        "gain_db": found.pop("mean"),
-        **found,
+        "gain_db": gain_summary.pop("mean"),
+        **gain_summary,
     }

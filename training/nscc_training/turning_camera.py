@@ -33,8 +33,8 @@ def turned(
     yaw, pitch = somewhere()
     turn = np.radians(_velocity(generator, _TURNS) * (0.3, 1.0))[::-1]
     views = [view(panorama, yaw + turn[0] * k, pitch + turn[1] * k, size) for k in range(frames)]
-    found = np.stack(views)
-    level = float(np.median(found))
+    clip = np.stack(views)
+    level = float(np.median(clip))
     rows, cols = np.mgrid[:size, :size]
     for _ in range(int(generator.integers(1, 4))):
         texture = view(panorama, *somewhere(), size)
@@ -47,8 +47,8 @@ def turned(
             cover = np.clip(0.5 - outside * min(height, width), 0, 1)
             shift = np.array([[1, 0, x - place[1]], [0, 1, y - place[0]]])
             moved = cv2.warpAffine(texture, shift, (size, size), borderMode=cv2.BORDER_REFLECT)
-            found[k] += ((moved * light - found[k]) * cover).astype(np.float32)
-    return found
+            clip[k] += ((moved * light - clip[k]) * cover).astype(np.float32)
+    return clip
 
 
 def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
@@ -74,8 +74,8 @@ def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
     y = (latitude / np.pi + 0.5) * rows - 0.5
     # The seam: one column more on either side.
     wide = np.concatenate([panorama[:, -1:], panorama, panorama[:, :1]], axis=1)
-    found = cv2.remap(
+    picture = cv2.remap(
         wide, (x + 1).astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
         borderMode=cv2.BORDER_REPLICATE,
     )  # fmt: skip
-    return np.asarray(found, np.float32)
+    return np.asarray(picture, np.float32)

@@ -32,18 +32,18 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes = _changes(result)
-    figure, (learning, *others) = panels(2 if changes else 1, _PANEL, 2)
+    figure, (learning, *change_axes) = panels(2 if changes else 1, _PANEL, 2)
     for number, split in enumerate(("train", "val")):
-        found = [(_number(r.get("step")), _number(r.get("psnr_db"))) for r in rows
+        scores = [(_number(r.get("step")), _number(r.get("psnr_db"))) for r in rows
                  if r.get("split") == split]  # fmt: skip
-        points = [(step, value) for step, value in found if step is not None and value is not None]
+        points = [(step, value) for step, value in scores if step is not None and value is not None]
         if points:
             style = look().of(number)
             learning.plot(*zip(*points, strict=True), **style, label=split)
     learning.set_title("learning")
     learning.set_xlabel("step")
     learning.set_ylabel("PSNR in dB")
-    for axes in others:
+    for axes in change_axes:
         _bars(axes, changes, _ELSEWHERE)
     handles = learning.get_legend_handles_labels()[0]
     head(figure, path.name, "PSNR of training and validation patches", handles)
@@ -64,7 +64,7 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
         value = _number(item.get("psnr_db"))
         if value is not None:
             scenes.setdefault(str(item.get("file")), []).append(value)
-    means = sorted((float(np.mean(found)), name) for name, found in scenes.items())
+    means = sorted((float(np.mean(scores_db)), name) for name, scores_db in scenes.items())
     figure, (axes,) = panels(1, (7.0, 0.9 + 0.24 * min(len(means), _MOST_SCENES)), 1)
     _bars(
         axes,
@@ -118,13 +118,13 @@ def _bars(axes: Axes, values: dict[str, float], title: str) -> None:
 
 def _changes(result: dict[str, Any]) -> dict[str, float]:
     rows = result.get("robustness") or ()
-    found = {str(row["change"]): _number(row["psnr_db"]) for row in rows}
-    return {name: value for name, value in found.items() if value is not None}
+    scores = {str(row["change"]): _number(row["psnr_db"]) for row in rows}
+    return {name: value for name, value in scores.items() if value is not None}
 
 
 def _number(value: object) -> float | None:
     try:
-        found = float(str(value))
+        number = float(str(value))
     except ValueError:
         return None
-    return found if np.isfinite(found) else None
+    return number if np.isfinite(number) else None

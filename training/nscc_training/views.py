@@ -1,6 +1,6 @@
 """Pictures of what nscc makes: frames, reconstructions, runs, results and sensors, by their files.
 
-Programs are drawn by `nscc_runtime.pictures.shutters`.
+Programs are drawn by `nscc_runtime.pictures.shutter_sheet`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole, reads
 from nscc.npy import MOST_BYTES, InvalidArrays, npz_arrays
 from nscc_runtime.formats import Content
-from nscc_runtime.formats.sheet import content_sheet
+from nscc_runtime.formats.content_sheet import content_sheet
 from nscc_runtime.frame_arrays import checked_meta, frame_meta
 from nscc_runtime.pictures.images import Image, image_sheet
 from nscc_runtime.pictures.sheet import png_of
@@ -49,14 +49,14 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     `tone` names a curve for light. Raises Rejected: NS0801 for a file that is none of these, what
     their readers raise for damaged ones.
     """
-    found = run_path(path)
-    if found.is_dir():
-        if not (found / "metrics.csv").is_file():
+    folder = run_path(path)
+    if folder.is_dir():
+        if not (folder / "metrics.csv").is_file():
             raise _nothing_to_view(path, "it is a folder without metrics.csv, no run of nscc train")
-        reads(found / "metrics.csv")
-        result = found / "result.json"
-        told = _json(result) if result.is_file() else {}
-        return _drawn(path, run_sheet, found, told)
+        reads(folder / "metrics.csv")
+        result = folder / "result.json"
+        result_values = _json(result) if result.is_file() else {}
+        return _drawn(path, run_sheet, folder, result_values)
     suffix = path.suffix.lower()
     if not path.is_file():
         raise _nothing_to_view(path, "there is no such file")
@@ -64,10 +64,10 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
     if suffix == ".toml":
         return png_of(sensor_sheet, path)
     if suffix == ".json":
-        told = _json(path)
-        if not ("robustness" in told or "items" in told):
+        result_values = _json(path)
+        if not ("robustness" in result_values or "items" in result_values):
             raise _nothing_to_view(path, "it has no items and no robustness: no result of nscc")
-        return _drawn(path, result_sheet, told, path.name)
+        return _drawn(path, result_sheet, result_values, path.name)
     if suffix == ".npz":
         return _of_arrays(path, tone)
     if suffix in PICTURES:
@@ -90,10 +90,10 @@ def view_of(path: Path, tone: str | None = None) -> bytes:
 
 def _of_arrays(path: Path, tone: str | None) -> bytes:
     try:
-        _, held = npz_arrays(path, lambda _: False)
-        most_bytes = MOST_BYTES if "frame" in held else _MOST_DRAWN_BYTES
-        wanted = (*_FRAME_KEYS, "meta", "image", "video")
-        arrays, _ = npz_arrays(path, wanted.__contains__, most_bytes)
+        _, array_names = npz_arrays(path, lambda _: False)
+        most_bytes = MOST_BYTES if "frame" in array_names else _MOST_DRAWN_BYTES
+        read_names = (*_FRAME_KEYS, "meta", "image", "video")
+        arrays, _ = npz_arrays(path, read_names.__contains__, most_bytes)
         meta = frame_meta(arrays)
         if meta is not None and "frame" in arrays:
             checked_meta(arrays)
@@ -109,7 +109,7 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
             content = Content({}, light, moving, colour, tone=tone,
                               usual="srgb" if moving else "log")  # fmt: skip
             return png_of(content_sheet, content, path.name)
-    names = ", ".join(sorted(held)[:8]) or "nothing"
+    names = ", ".join(sorted(array_names)[:8]) or "nothing"
     raise _nothing_to_view(path, f"it is no frame file and has no image or video, but {names}")
 
 
@@ -121,9 +121,11 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
     share = (most / (rows * cols)) ** 0.5
     if share >= 1:
         return picture
-    kept = picture if picture.dtype in (np.uint8, np.uint16) else picture.astype(np.float32)
+    picture_values = (
+        picture if picture.dtype in (np.uint8, np.uint16) else picture.astype(np.float32)
+    )
     shape = max(1, int(cols * share)), max(1, int(rows * share))
-    return np.asarray(cv2.resize(kept, shape, interpolation=cv2.INTER_AREA))
+    return np.asarray(cv2.resize(picture_values, shape, interpolation=cv2.INTER_AREA))
 
 
 def _check_array(
@@ -173,12 +175,12 @@ def frame_view(
 
 def _json(path: Path) -> dict[str, Any]:
     try:
-        found = json.loads(read_whole(path))
+        document = json.loads(read_whole(path))
     except (OSError, ValueError, RecursionError) as error:
         raise _nothing_to_view(path, str(error)) from error
-    if not isinstance(found, dict):
+    if not isinstance(document, dict):
         raise _nothing_to_view(path, "it is no result of nscc")
-    return found
+    return document
 
 
 def _nothing_to_view(path: Path, reason: str) -> Rejected:

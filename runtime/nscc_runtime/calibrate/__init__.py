@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from nscc_runtime.calibrate.calibration_report import as_json, as_table, as_toml, messages
 from nscc_runtime.calibrate.chain import Chain
 from nscc_runtime.calibrate.estimate import Calibration, calibrate_files, calibrated
-from nscc_runtime.calibrate.frames import Stack, grouped, load_stack
-from nscc_runtime.calibrate.report import as_json, as_table, as_toml, messages
-from nscc_runtime.calibrate.sensor import Choice, parameters
+from nscc_runtime.calibrate.frame_stacks import Stack, grouped, load_stack
+from nscc_runtime.calibrate.sensor_parameters import ParameterChoice, parameters
 
 __all__ = [
     "Calibration",
     "Chain",
-    "Choice",
+    "ParameterChoice",
     "Stack",
     "as_json",
     "as_table",

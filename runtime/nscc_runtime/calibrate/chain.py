@@ -38,4 +38,4 @@ class Chain:
 
         reads, resets = weights.squared("reads"), weights.squared("resets")
         sums = (reads, resets, weights.error_sum)
-        return cls(*(float(each[lanes, 0].mean()) for each in sums))
+        return cls(*(float(per_shutter[lanes, 0].mean()) for per_shutter in sums))

@@ -11,11 +11,11 @@ import numpy as np
 
 from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.dark import Dark, dark_of
-from nscc_runtime.calibrate.fit import propagated, root, shared_variance
-from nscc_runtime.calibrate.frames import Stack, grouped, load_stack
-from nscc_runtime.calibrate.levels import QUIET, Mask, Moments, level_of, moments
-from nscc_runtime.calibrate.pixels import good_pixels, refuse_uneven, valid_pixels
+from nscc_runtime.calibrate.dark_fit import DarkFit, dark_of
+from nscc_runtime.calibrate.frame_stacks import Stack, grouped, load_stack
+from nscc_runtime.calibrate.levels import QUIET, LevelMoments, Mask, level_of, moments
+from nscc_runtime.calibrate.line_fit import propagated, root, shared_variance
+from nscc_runtime.calibrate.pixel_selection import good_pixels, refuse_uneven, valid_pixels
 from nscc_runtime.calibrate.response import linearity, response_variance
 from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
 from nscc_runtime.progress import Progress, unseen
@@ -64,7 +64,7 @@ _FIGURES = {
 }
 
 
-def _found(
+def _quantities(
     remark: str, known: Known = "measured", **values: tuple[float, float | None]
 ) -> dict[str, Quantity]:
     return {
@@ -82,8 +82,8 @@ class Calibration:
 
     quantities: dict[str, Quantity]
     curve: Transfer
-    flats: tuple[Moments, ...]
-    darks: tuple[Moments, ...]
+    flats: tuple[LevelMoments, ...]
+    darks: tuple[LevelMoments, ...]
     pixels: int
     defects: int
     shape: tuple[int, int]
@@ -125,35 +125,36 @@ def calibrated(
     """
     light = [level_of(stack, top_code) for stack in flats]
     dim = [level_of(stack, top_code) for stack in darks]
-    good = good_pixels(light, dim)
-    flat_moments = [moments(level, good) for level in light]
-    dark_moments = [moments(level, good) for level in dim]
+    good_mask = good_pixels(light, dim)
+    flat_moments = [moments(level, good_mask) for level in light]
+    dark_moments = [moments(level, good_mask) for level in dim]
     _refuse_exchanged(flat_moments, dark_moments)
-    dark = dark_of(dim, dark_moments, good)
+    dark = dark_of(dim, dark_moments, good_mask)
     offset = None if dark is None else (dark.offset, dark.offset_se)
     curve = transfer(flat_moments, dark_moments, offset, top_code, crosstalk)
-    used = [i for i, seen in enumerate(flat_moments) if seen in curve.used]
+    used = [i for i, flat in enumerate(flat_moments) if flat in curve.used]
     chosen = [light[i] for i in used]
-    refuse_uneven(chosen, good, 0.0 if dark is None else dark.offset)
+    refuse_uneven(chosen, good_mask, 0.0 if dark is None else dark.offset)
 
-    spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good)
+    spread = response_variance(chosen, [flat_moments[i] for i in used], dark, good_mask)
     full = curve.saturation.mean if curve.saturation else float(top_code)
-    found = {
+    quantities = {
         **_gain(curve, crosstalk),
         **_noise(curve, dark_moments, dark),
-        **_dark(curve, dark, good),
+        **_dark(curve, dark, good_mask),
         **_prnu(spread, curve, _fits(dark, flat_moments)),
         **_range(curve, flat_moments, top_code),
         **_linear(flat_moments, dark, full),
     }
-    count = int(np.count_nonzero(good))
+    count = int(np.count_nonzero(good_mask))
     return Calibration(
-        found, curve, tuple(flat_moments), tuple(dark_moments), count,
-        int(np.count_nonzero(valid_pixels((*light, *dim)))) - count, (good.shape[0], good.shape[1]),
+        quantities, curve, tuple(flat_moments), tuple(dark_moments), count,
+        int(np.count_nonzero(valid_pixels((*light, *dim)))) - count,
+        (good_mask.shape[0], good_mask.shape[1]),
     )  # fmt: skip
 
 
-def _refuse_exchanged(flats: Sequence[Moments], darks: Sequence[Moments]) -> None:
+def _refuse_exchanged(flats: Sequence[LevelMoments], darks: Sequence[LevelMoments]) -> None:
     light, dim = max(level.mean for level in flats), min(level.mean for level in darks)
     if light <= dim:
         raise rejected(
@@ -163,25 +164,29 @@ def _refuse_exchanged(flats: Sequence[Moments], darks: Sequence[Moments]) -> Non
         )
 
 
-def _gain(curve: Transfer, given: float | None) -> dict[str, Quantity]:
+def _gain(curve: Transfer, known_crosstalk: float | None) -> dict[str, Quantity]:
     remark = f"slope of variance over mean through {len(curve.used)} levels, " + (
         "neighbours' covariance included"
-        if given is None
-        else f"crosstalk {given:g} taken as known"
+        if known_crosstalk is None
+        else f"crosstalk {known_crosstalk:g} taken as known"
     )
     inverse = propagated(lambda v: 1 / v[0], [curve.gain], curve.covariance[:1, :1])
-    found = _found(remark, system_gain=(curve.gain, curve.gain_se), conversion_gain=inverse)
+    quantities = _quantities(
+        remark, system_gain=(curve.gain, curve.gain_se), conversion_gain=inverse
+    )
     crosstalk, crosstalk_se = max(curve.crosstalk, 0.0), sqrt(float(curve.covariance[2, 2]))
-    if given is not None:
-        return found | _found("--crosstalk", "given", crosstalk=(crosstalk, None))
+    if known_crosstalk is not None:
+        return quantities | _quantities("--crosstalk", "given", crosstalk=(crosstalk, None))
     why = "covariance of the shot noise of neighbours"
-    return found | _found(why, crosstalk=(crosstalk, crosstalk_se))
+    return quantities | _quantities(why, crosstalk=(crosstalk, crosstalk_se))
 
 
-def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict[str, Quantity]:
+def _noise(
+    curve: Transfer, darks: Sequence[LevelMoments], dark: DarkFit | None
+) -> dict[str, Quantity]:
     def at_most(most: float, why: str) -> dict[str, Quantity]:
         in_electrons = (most / curve.gain, None)
-        return _found(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
+        return _quantities(why, "at most", dark_noise_lsb=(most, None), dark_noise_e=in_electrons)
 
     if dark is None:
         return _unknown(_CUT_OFF, "dark_noise_lsb", "dark_noise_e")
@@ -198,10 +203,10 @@ def _noise(curve: Transfer, darks: Sequence[Moments], dark: Dark | None) -> dict
     errors, values = curve.covariance[:2, :2], [curve.gain, curve.noise]
     in_codes = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)), values, errors)
     in_electrons = propagated(lambda v: sqrt(max(v[1] - ROUNDING, 0.0)) / v[0], values, errors)
-    return _found(remark, dark_noise_lsb=in_codes, dark_noise_e=in_electrons)
+    return _quantities(remark, dark_noise_lsb=in_codes, dark_noise_e=in_electrons)
 
 
-def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]:
+def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Quantity]:
     """Offset, its pattern (DSNU), dark current and its spread over the pixels."""
     if dark is None:
         return _unknown(_CUT_OFF, "offset", "dsnu_lsb", "dsnu_e", "dark_current", "dark_spread")
@@ -210,11 +215,11 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
         remark = f"of darks of {times}"
     else:
         remark = f"darks of {len(dark.times_s)} times, extrapolated to no time"
-    pattern, pattern_se = root(*shared_variance(dark.offsets, good))
+    pattern, pattern_se = root(*shared_variance(dark.offsets, good_mask))
     gain_share = curve.gain_se / curve.gain
     in_electrons = pattern / curve.gain
     electrons_se = sqrt((pattern_se / curve.gain) ** 2 + (in_electrons * gain_share) ** 2)
-    found = _found(
+    quantities = _quantities(
         remark,
         offset=(dark.offset, dark.offset_spread_se),
         dsnu_lsb=(pattern, pattern_se),
@@ -222,19 +227,21 @@ def _dark(curve: Transfer, dark: Dark | None, good: Mask) -> dict[str, Quantity]
     )
     if dark.currents is None or dark.current is None or dark.current_se is None:
         why = "it takes darks of two exposure times or more, times given"
-        return found | _unknown(why, "dark_current", "dark_spread")
+        return quantities | _unknown(why, "dark_current", "dark_spread")
     current = max(dark.current, 0.0) / curve.gain
     current_se = sqrt((dark.current_se / curve.gain) ** 2 + (current * gain_share) ** 2)
     slope = f"slope of the darks of {len(dark.times_s)} times"
-    found |= _found(slope, dark_current=(current, current_se))
+    quantities |= _quantities(slope, dark_current=(current, current_se))
     if dark.current < _SURE * dark.current_se:
-        return found | _unknown("the dark current is too small to see its spread", "dark_spread")
-    sigma, sigma_se = root(*_unsmeared(shared_variance(dark.currents, good), curve))
+        return quantities | _unknown(
+            "the dark current is too small to see its spread", "dark_spread"
+        )
+    sigma, sigma_se = root(*_unsmeared(shared_variance(dark.currents, good_mask), curve))
     spread = sigma / dark.current
     spread_se = sqrt(
         (sigma_se / dark.current) ** 2 + (spread * dark.current_se / dark.current) ** 2
     )
-    return found | _found("relative to the mean", dark_spread=(spread, spread_se))
+    return quantities | _quantities("relative to the mean", dark_spread=(spread, spread_se))
 
 
 def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
@@ -243,7 +250,7 @@ def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, f
     return propagated(lambda v: v[0] / kept_variance(v[1]), [variance[0], curve.crosstalk], errors)
 
 
-def _fits(dark: Dark | None, flats: Sequence[Moments]) -> bool:
+def _fits(dark: DarkFit | None, flats: Sequence[LevelMoments]) -> bool:
     """Whether the dark charge of every flat is known, pixel by pixel."""
     if dark is None:
         return False
@@ -264,11 +271,11 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
         )
     if not freed:
         why = "no darks of the flats' times: the spread of their dark charge counts in it"
-        return _found(why, "at most", prnu=(value, None))
-    return _found("about a smooth surface", prnu=(value, error))
+        return _quantities(why, "at most", prnu=(value, None))
+    return _quantities("about a smooth surface", prnu=(value, error))
 
 
-def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str, Quantity]:
+def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dict[str, Quantity]:
     """Where the chip saturates, in codes and electrons."""
     if curve.offset is None:
         return _unknown("no dark tells the code without charge", "saturation_lsb", "full_well")
@@ -279,7 +286,7 @@ def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str
         height, height_se = limit.mean - zero, sqrt(limit.mean_se**2 + curve.offset_se**2)
         errors = np.diag([curve.gain_se**2, height_se**2])
         electrons = propagated(lambda v: v[1] / v[0], [curve.gain, height], errors)
-        return _found(remark, saturation_lsb=(height, height_se), full_well=electrons)
+        return _quantities(remark, saturation_lsb=(height, height_se), full_well=electrons)
     highest = max(level.mean for level in flats) - zero
     if limit is None:
         remark = "no flat saturates"
@@ -288,12 +295,14 @@ def _range(curve: Transfer, flats: Sequence[Moments], top_code: int) -> dict[str
     else:
         remark = "the brightest flat saturates in part"
     in_electrons = (highest / curve.gain, None)
-    return _found(remark, "at least", saturation_lsb=(highest, None), full_well=in_electrons)
+    return _quantities(remark, "at least", saturation_lsb=(highest, None), full_well=in_electrons)
 
 
-def _linear(flats: Sequence[Moments], dark: Dark | None, full: float) -> dict[str, Quantity]:
+def _linear(
+    flats: Sequence[LevelMoments], dark: DarkFit | None, full: float
+) -> dict[str, Quantity]:
     line = linearity(flats, dark, full)
     if isinstance(line, str):
         return _unknown(line, "linearity_error")
     remark = f"mean absolute deviation of {line.levels} levels from the line over time"
-    return _found(remark, linearity_error=(line.error_percent, line.error_se))
+    return _quantities(remark, linearity_error=(line.error_percent, line.error_se))

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.frames import Codes, Stack
+from nscc_runtime.calibrate.frame_stacks import Codes, Stack
 
 Map = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -55,7 +55,7 @@ class Level:
 
 
 @dataclass(frozen=True)
-class Moments:
+class LevelMoments:
     """The same over the good pixels.
 
     `mean_se` is what noise and rounding leave uncertain of `mean`. `mean_rounding` is what rounding
@@ -99,47 +99,50 @@ def level_of(stack: Stack, top_code: int) -> Level:
     codes = stack.codes
     halves = np.stack([codes[half::2].mean(axis=0, dtype=np.float64) for half in (0, 1)])
     mean = codes.mean(axis=0, dtype=np.float64)
-    squares, beside, below = (np.zeros_like(part) for part in (mean, mean[:, 1:], mean[1:]))
+    squares, beside, below = (np.zeros_like(template) for template in (mean, mean[:, 1:], mean[1:]))
     for frame in codes:
-        rest = frame - mean
-        rest -= rest.mean()
-        squares += rest * rest
-        beside += rest[:, :-1] * rest[:, 1:]
-        below += rest[:-1] * rest[1:]
+        residual = frame - mean
+        residual -= residual.mean()
+        squares += residual * residual
+        beside += residual[:, :-1] * residual[:, 1:]
+        below += residual[:-1] * residual[1:]
     # What the means of N pixels and of the frames took away: one part in N, of K - 1 in all.
     variance = squares / (count - 1) * (mean.size / (mean.size - 1))
-    taken = variance.mean() / mean.size
+    removed = variance.mean() / mean.size
     level = Level(
         stack.name, stack.exposure_s, count, stack.valid, halves, variance,
-        beside / (count - 1) + taken, below / (count - 1) + taken,
+        beside / (count - 1) + removed, below / (count - 1) + removed,
         np.count_nonzero(codes == 0, axis=0), np.count_nonzero(codes == top_code, axis=0),
     )  # fmt: skip
     _refuse_twice(codes, level)
     return level
 
 
-def moments(level: Level, good: Mask) -> Moments:
+def moments(level: Level, good_mask: Mask) -> LevelMoments:
     """Over the pixels where `good`; neighbours count where both are."""
-    pixels = int(np.count_nonzero(good))
-    variance = float(level.variance[good].mean())
-    pairs = (level.beside[good[:, :-1] & good[:, 1:]], level.below[good[:-1] & good[1:]])
+    pixels = int(np.count_nonzero(good_mask))
+    variance = float(level.variance[good_mask].mean())
+    pairs = (
+        level.beside[good_mask[:, :-1] & good_mask[:, 1:]],
+        level.below[good_mask[:-1] & good_mask[1:]],
+    )
     joined = np.concatenate(pairs)
     samples = pixels * level.frames
-    spread = float(level.mean_map[good].var()) - variance / level.frames
+    spread = float(level.mean_map[good_mask].var()) - variance / level.frames
     of_mean, of_variance = _rounding(variance, max(spread, 0.0))
-    return Moments(
+    return LevelMoments(
         level.name,
         level.exposure_s,
         level.frames,
         pixels,
-        float(level.mean_map[good].mean()),
+        float(level.mean_map[good_mask].mean()),
         float(np.sqrt(variance / samples + of_mean**2)),
         of_mean,
         variance,
         of_variance,
         float(joined.mean()) if joined.size else 0.0,
-        float(level.at_zero[good].sum() / samples),
-        float(level.at_top[good].sum() / samples),
+        float(level.at_zero[good_mask].sum() / samples),
+        float(level.at_top[good_mask].sum() / samples),
     )
 
 
@@ -152,8 +155,8 @@ def _rounding(variance: float, spread: float) -> tuple[float, float]:
     factor exp(-2 pi^2 spread), `spread` the variance of the pixels' own means.
     """
     noise = max(variance - 1 / 12, 0.0)
-    left = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
-    return float(left / np.pi), float(left * (4 * noise + np.pi**-2))
+    amplitude = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
+    return float(amplitude / np.pi), float(amplitude * (4 * noise + np.pi**-2))
 
 
 def _refuse_twice(codes: Codes, level: Level) -> None:

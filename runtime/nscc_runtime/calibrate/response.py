@@ -8,9 +8,9 @@ from math import sqrt
 
 import numpy as np
 
-from nscc_runtime.calibrate.dark import Dark
-from nscc_runtime.calibrate.fit import SURFACE_TERMS, line, shared_variance, surface
-from nscc_runtime.calibrate.levels import Level, Map, Mask, Moments
+from nscc_runtime.calibrate.dark_fit import DarkFit
+from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
+from nscc_runtime.calibrate.line_fit import SURFACE_TERMS, line, shared_variance, surface
 
 _RANGE = (0.05, 0.95)
 """The part of the range up to saturation over which linearity is judged (EMVA 1288)."""
@@ -18,7 +18,10 @@ _SAME = 0.01
 
 
 def response_variance(
-    levels: Sequence[Level], seen: Sequence[Moments], dark: Dark | None, good: Mask
+    levels: Sequence[Level],
+    level_moments: Sequence[LevelMoments],
+    dark: DarkFit | None,
+    good_mask: Mask,
 ) -> tuple[float, float]:
     """Variance over the pixels of the response to light, relative to its mean, with its error.
 
@@ -26,25 +29,29 @@ def response_variance(
     With darks it goes through them; without, it has a start of its own in each pixel. A smooth
     surface, the fall of the light, does not count.
     """
-    halves = np.stack([_response(levels, seen, dark, good, half) for half in (0, 1)])
-    smooth = surface((halves[0] + halves[1]) / 2, good)
-    return shared_variance(halves - smooth, good, SURFACE_TERMS)
+    halves = np.stack([_response(levels, level_moments, dark, good_mask, half) for half in (0, 1)])
+    smooth = surface((halves[0] + halves[1]) / 2, good_mask)
+    return shared_variance(halves - smooth, good_mask, SURFACE_TERMS)
 
 
 def _response(
-    levels: Sequence[Level], seen: Sequence[Moments], dark: Dark | None, good: Mask, half: int
+    levels: Sequence[Level],
+    level_moments: Sequence[LevelMoments],
+    dark: DarkFit | None,
+    good_mask: Mask,
+    half: int,
 ) -> Map:
-    weight = np.array([moments.frames / moments.variance for moments in seen])
+    weight = np.array([moments.frames / moments.variance for moments in level_moments])
     signal = [
         level.halves[half] - (0.0 if dark is None else dark.at(level.exposure_s)[half])
         for level in levels
     ]
-    mean = np.array([values[good].mean() for values in signal])
+    mean = np.array([values[good_mask].mean() for values in signal])
     centre = float((weight * mean).sum() / weight.sum()) if dark is None else 0.0
     share = weight * (mean - centre)
     total = np.zeros_like(signal[0])
-    for part, values in zip(share, signal, strict=True):
-        total += part * values
+    for level_share, values in zip(share, signal, strict=True):
+        total += level_share * values
     # For every pixel alike, the part of `centre` falls out: the shares of a start add up to 0.
     return np.asarray(total / (share * (mean - centre)).sum())
 
@@ -58,17 +65,21 @@ class Linearity:
     levels: int
 
 
-def linearity(seen: Sequence[Moments], dark: Dark | None, full: float) -> Linearity | str:
+def linearity(
+    level_moments: Sequence[LevelMoments], dark: DarkFit | None, full: float
+) -> Linearity | str:
     """EMVA 1288's linearity error of flats of one light and several times, or why there is none.
 
     `full` is the code at which flats saturate.
     """
     if dark is None:
         return "no dark tells the code without charge"
-    if any(level.exposure_s is None for level in seen):
+    if any(level.exposure_s is None for level in level_moments):
         return "not all flats have an exposure time"
-    low, high = (dark.offset + part * (full - dark.offset) for part in _RANGE)
-    inside = [m for m in seen if low <= m.mean <= high and not (m.cut_at_top or m.cut_at_zero)]
+    low, high = (dark.offset + range_share * (full - dark.offset) for range_share in _RANGE)
+    inside = [
+        m for m in level_moments if low <= m.mean <= high and not (m.cut_at_top or m.cut_at_zero)
+    ]
     time = np.array([level.exposure_s for level in inside], np.float64)
     if len(set(time)) < 3:
         return (
@@ -80,8 +91,8 @@ def linearity(seen: Sequence[Moments], dark: Dark | None, full: float) -> Linear
         same = signal[time == t]
         if np.ptp(same) > _SAME * same.mean():
             return "flats of the same time differ: the light was not constant"
-    found = line(time, signal, lambda _: signal)
-    fitted = found.start + found.slope * time
+    fit = line(time, signal, lambda _: signal)
+    fitted = fit.start + fit.slope * time
     apart = np.abs(signal - fitted) / fitted
     errors = np.array([level.mean_se for level in inside]) / fitted
     count = len(inside)

@@ -16,8 +16,8 @@ import numpy as np
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc_runtime.calibrate.fit import Line, Vector, line
-from nscc_runtime.calibrate.levels import QUIET, Moments
+from nscc_runtime.calibrate.levels import QUIET, LevelMoments
+from nscc_runtime.calibrate.line_fit import Line, Vector, line
 
 LINEAR_PART = 0.7
 """The part of the range up to saturation that the gain is fitted to (EMVA 1288)."""
@@ -52,8 +52,8 @@ class Transfer:
     crosstalk: float
     covariance: Vector
     fit: Line
-    used: tuple[Moments, ...]
-    left_out: tuple[tuple[Moments, str], ...]
+    used: tuple[LevelMoments, ...]
+    left_out: tuple[tuple[LevelMoments, str], ...]
     saturation: Saturation | None
 
     @property
@@ -63,8 +63,8 @@ class Transfer:
 
 
 def transfer(
-    flats: Sequence[Moments],
-    darks: Sequence[Moments],
+    flats: Sequence[LevelMoments],
+    darks: Sequence[LevelMoments],
     offset: tuple[float, float] | None,
     top_code: int,
     crosstalk: float | None = None,
@@ -86,17 +86,17 @@ def transfer(
         raise _too_few(judged, limit)
     if offset is not None:
         judged += [(level, _unfit(level, limit)) for level in darks]
-    found = _fitted([level for level, reason in judged if not reason], offset, crosstalk)
-    found = replace(found, left_out=tuple(each for each in judged if each[1]))
+    curve = _fitted([level for level, reason in judged if not reason], offset, crosstalk)
+    curve = replace(curve, left_out=tuple(judgement for judgement in judged if judgement[1]))
     if not (fallen or highest.cut_at_top):
-        return found
-    excess = highest.variance - found.noise
-    still = excess < _STILL * found.gain * (highest.mean - zero)
+        return curve
+    excess = highest.variance - curve.noise
+    still = excess < _STILL * curve.gain * (highest.mean - zero)
     of_pixel = offset is not None and still and not highest.cut_at_top
-    return replace(found, saturation=Saturation(highest.mean, highest.mean_se, of_pixel))
+    return replace(curve, saturation=Saturation(highest.mean, highest.mean_se, of_pixel))
 
 
-def _unfit(level: Moments, limit: float) -> str:
+def _unfit(level: LevelMoments, limit: float) -> str:
     """Why a level cannot be part of the fit; empty if it can."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
@@ -110,7 +110,7 @@ def _unfit(level: Moments, limit: float) -> str:
 
 
 def _fitted(
-    used: Sequence[Moments], offset: tuple[float, float] | None, known: float | None
+    used: Sequence[LevelMoments], offset: tuple[float, float] | None, known: float | None
 ) -> Transfer:
     zero, zero_se = offset or (0.0, 0.0)
     x = np.array([level.mean - zero for level in used])
@@ -120,19 +120,21 @@ def _fitted(
     degrees = np.array([(level.frames - 1) * level.pixels for level in used], np.float64)
     samples = np.array([level.frames * level.pixels for level in used], np.float64)
     # Darks of nearly the same mean are rounded alike: together no better than one of them.
-    alike = np.array([sum(abs(level.mean - other.mean) < 0.5 for other in used) for level in used])
+    alike = np.array(
+        [sum(abs(level.mean - other_level.mean) < 0.5 for other_level in used) for level in used]
+    )
     rounding = np.array([level.rounding for level in used]) * np.sqrt(alike)
     slope = float(np.ptp(variance) / max(np.ptp(x), 1e-9))
 
-    def own(fitted: Vector) -> Vector:
+    def standard_errors(fitted: Vector) -> Vector:
         size = np.maximum(fitted, QUIET / 2)
         errors = 2 * size**2 / degrees + slope**2 * size / samples + rounding**2
         return np.asarray(np.sqrt(errors))
 
     if np.ptp(x) < 1e-6:
         raise _no_transfer("all its levels have the same mean")
-    fit = line(x, variance, own)
-    across = line(x, neighbours, lambda _: own(fit.start + fit.slope * x) / 2)
+    fit = line(x, variance, standard_errors)
+    across = line(x, neighbours, lambda _: standard_errors(fit.start + fit.slope * x) / 2)
     if fit.slope <= 3 * sqrt(fit.covariance[1, 1]):
         raise _no_transfer(f"from {variance.min():.3g} to {variance.max():.3g} squared codes")
 
@@ -166,14 +168,14 @@ def kept_variance(crosstalk: float) -> float:
     return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
 
 
-def _crosstalk(own: float, across: float) -> float:
+def _crosstalk(variance: float, covariance: float) -> float:
     """c, from covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2)."""
-    ratio = across / own
+    ratio = covariance / variance
     a, half_b = 20 * ratio + 8, 4 * ratio + 1
     return float((half_b - np.sqrt(max(half_b**2 - a * ratio, 0.0))) / a)
 
 
-def _too_few(judged: Sequence[tuple[Moments, str]], limit: float) -> Rejected:
+def _too_few(judged: Sequence[tuple[LevelMoments, str]], limit: float) -> Rejected:
     used = [level for level, reason in judged if not reason]
     count = len({round(level.mean) for level in used})
     notes = [f"'{level.name}' (mean {level.mean:.4g}): {why}" for level, why in judged if why]

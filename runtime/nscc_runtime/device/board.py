@@ -29,7 +29,7 @@ Scene = Callable[[Sequence[float]], "Light"]
 
 
 @dataclass(frozen=True, eq=False)
-class Executed:
+class ExecutedFrame:
     """A frame as a loader sends it, and what each code register holds after it, as a PLANE object
     has it: states that are kept stand in such registers."""
 
@@ -51,7 +51,7 @@ class EmulatedChip:
     report: Callable[[Exception], None] = lambda _: None
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
-    def execute(self, container: Container, channels: int) -> Executed:
+    def execute(self, container: Container, channels: int) -> ExecutedFrame:
         """One frame of a container: all codes, then all exposures, readout by readout, column by
         column; then all planes of states.
         """
@@ -61,27 +61,31 @@ class EmulatedChip:
             self._light = (container.slot_us, self.scene(container.slot_us))
         exact, planes = self._executed(container, self._light[1])
         frame = read_out(exact, self.target, self._converting(container))
-        parts = [in_columns(frame.frame)] if channels & Channel.CODES else []
+        chunks = [in_columns(frame.frame)] if channels & Channel.CODES else []
         if channels & Channel.EXPOSURE:
-            parts.append(in_columns(frame.exposure_e.astype("<f8")))
+            chunks.append(in_columns(frame.exposure_e.astype("<f8")))
         packed = {name: packed_plane(plane) for name, plane in planes.items()}
         if channels & Channel.STATES:
-            parts += [packed[name] for name in container.state_planes]
-        return Executed(b"".join(parts), {name: packed[name] for name in container.code_registers})
+            chunks += [packed[name] for name in container.state_planes]
+        return ExecutedFrame(
+            b"".join(chunks), {name: packed[name] for name in container.code_registers}
+        )
 
     def _converting(self, container: Container) -> Sensor:
         """The sensor, with codes as they are where the program leaves no register to spread
         exposures with."""
         from nscc_runtime.sensor import default_sensor
 
-        own = default_sensor(converter_of(container))
+        program_sensor = default_sensor(converter_of(container))
         if self.sensor is None:
-            return own
+            return program_sensor
         common = default_sensor(self.target)
         return self.sensor.changed(
             electrons_per_lsb=self.sensor.electrons_per_lsb
-            * (own.electrons_per_lsb / common.electrons_per_lsb),
-            adc_offset_lsb=self.sensor.adc_offset_lsb + own.adc_offset_lsb - common.adc_offset_lsb,
+            * (program_sensor.electrons_per_lsb / common.electrons_per_lsb),
+            adc_offset_lsb=self.sensor.adc_offset_lsb
+            + program_sensor.adc_offset_lsb
+            - common.adc_offset_lsb,
         )
 
     def exposure(self, container: Container, channels: int) -> bytes:
@@ -95,8 +99,8 @@ class EmulatedChip:
         if looks(container):
             from nscc_runtime.reference.looks import executed
 
-            found = executed(container, light, self.sensor, self.device_seed)
-            return found.exposure, found.planes
+            executed_frame = executed(container, light, self.sensor, self.device_seed)
+            return executed_frame.exposure, executed_frame.planes
         from nscc_runtime.emulator import expose
 
         return expose(container, light, device_seed=self.device_seed), container.planes()
@@ -113,9 +117,9 @@ def looks(container: Container) -> bool:
     return any(decode(word).operation.effect is Effect.FLAG_ANALOG for word in words)
 
 
-def in_background(work: Callable[[], Executed]) -> Future[Executed]:
+def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
     """What comes of work in a thread of its own, for which nobody waits when the process ends."""
-    future: Future[Executed] = Future()
+    future: Future[ExecutedFrame] = Future()
 
     def run() -> None:
         try:

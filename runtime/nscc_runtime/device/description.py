@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 from dataclasses import asdict
 
-from nscc_runtime.device.messages import Info, State, Status
+from nscc_runtime.device.messages import Info, LoaderState, Status
 
 
 def info_text(info: Info, status: Status) -> str:
     """A loader's description, a line a fact."""
-    state = State(info.state).name.lower() if info.state in set(State) else str(info.state)
+    state = (
+        LoaderState(info.state).name.lower() if info.state in set(LoaderState) else str(info.state)
+    )
     holds = f"program {info.label.hex()}" if any(info.program) else "no program"
     return "\n".join(
         [

@@ -20,7 +20,7 @@ EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after
 
 
 @dataclass(frozen=True)
-class Faults:
+class LineFaults:
     """What goes wrong. `corrupt` and `drop` are rates a byte, `delay_s` holds for either way;
     after so many bytes (of both ways) the line is away for `outage_s`, or the loader reboots,
     each of them once. None: never."""
@@ -34,11 +34,11 @@ class Faults:
     seed: int = 0
 
     def __str__(self) -> str:
-        parts = [f"corrupt={self.corrupt:g}", f"drop={self.drop:g}", f"delay={self.delay_s:g}s"]
+        terms = [f"corrupt={self.corrupt:g}", f"drop={self.drop:g}", f"delay={self.delay_s:g}s"]
         for name, after in (("disconnect", self.disconnect_after), ("reboot", self.reboot_after)):
             if after is not None:
-                parts.append(f"{name}=after:{after}")
-        return ",".join([*parts, f"outage={self.outage_s:g}s", f"seed={self.seed}"])
+                terms.append(f"{name}=after:{after}")
+        return ",".join([*terms, f"outage={self.outage_s:g}s", f"seed={self.seed}"])
 
 
 NAMES = {
@@ -47,17 +47,17 @@ NAMES = {
 }  # fmt: skip
 
 
-def parse_faults(text: str) -> Faults:
+def parse_faults(text: str) -> LineFaults:
     """The faults that a list such as EXAMPLE names; raises Rejected (NS0769, status 2)."""
     values: dict[str, Any] = {}
-    for part in text.split(","):
-        name, _, value = (piece.strip() for piece in part.partition("="))
+    for item in text.split(","):
+        name, _, value = (piece.strip() for piece in item.partition("="))
         if name not in NAMES:
-            raise _wrong(f"'{name[:40]}' is no fault", *meant(name, NAMES))
+            raise _invalid_faults(f"'{name[:40]}' is no fault", *meant(name, NAMES))
         if NAMES[name] in values:
-            raise _wrong(f"'{name}' is given twice")
+            raise _invalid_faults(f"'{name}' is given twice")
         values[NAMES[name]] = _value(name, value)
-    return Faults(**values)
+    return LineFaults(**values)
 
 
 def _value(name: str, text: str) -> float | int:
@@ -66,24 +66,26 @@ def _value(name: str, text: str) -> float | int:
         with suppress(ValueError):
             if 0 <= float(text) <= 1:
                 return float(text)
-        raise _wrong(f"'{shown}' is not a rate from 0 to 1 a byte")
+        raise _invalid_faults(f"'{shown}' is not a rate from 0 to 1 a byte")
     if name in ("delay", "outage"):
-        found = _TIME.fullmatch(text)
-        seconds = float(found[1]) * _UNITS[found[2]] if found else _LONGEST_S + 1
+        match = _TIME.fullmatch(text)
+        seconds = float(match[1]) * _UNITS[match[2]] if match else _LONGEST_S + 1
         if seconds > _LONGEST_S:
-            raise _wrong(f"'{shown}' is not a time such as 50ms, at most {_LONGEST_S:g} s")
+            raise _invalid_faults(f"'{shown}' is not a time such as 50ms, at most {_LONGEST_S:g} s")
         return seconds
     digits = text if name == "seed" else text.removeprefix("after:")
     counted = name == "seed" or text.startswith("after:")
     if not counted or not digits.isascii() or not digits.isdigit() or len(digits) > 12:
-        raise _wrong(f"'{shown}' should be {name}={'1' if name == 'seed' else 'after:BYTES'}")
+        raise _invalid_faults(
+            f"'{shown}' should be {name}={'1' if name == 'seed' else 'after:BYTES'}"
+        )
     return int(digits)
 
 
-def _wrong(what: str, *helps: str) -> Rejected:
+def _invalid_faults(problem: str, *helps: str) -> Rejected:
     return rejected(
         "NS0769",
-        f"--fault: {what}",
+        f"--fault: {problem}",
         notes=(f"it takes, comma separated: {', '.join(NAMES)}",),
         helps=helps or (f"for instance --fault {EXAMPLE}",),
     )
@@ -92,7 +94,7 @@ def _wrong(what: str, *helps: str) -> Rejected:
 class Spoiler:
     """Spoils bytes at the rates of `faults`; one seed, one sequence of faults."""
 
-    def __init__(self, faults: Faults, seed: int) -> None:
+    def __init__(self, faults: LineFaults, seed: int) -> None:
         self._random = Random(f"{faults.seed} {seed}")
         self._faults = faults
         self._to_corrupt = self._gap(faults.corrupt)
@@ -131,7 +133,7 @@ class Accidents:
     """Says, from the number of bytes that passed, when the line breaks and when the loader
     reboots."""
 
-    def __init__(self, faults: Faults) -> None:
+    def __init__(self, faults: LineFaults) -> None:
         after = {"disconnect": faults.disconnect_after, "reboot": faults.reboot_after}
         self._to_come = {name: count for name, count in after.items() if count is not None}
         self._passed = 0
@@ -139,7 +141,7 @@ class Accidents:
     def passed(self, count: int) -> list[str]:
         """ "disconnect" and "reboot" where these bytes bring them about."""
         self._passed += count
-        found = [name for name, after in self._to_come.items() if self._passed >= after]
-        for name in found:
+        due = [name for name, after in self._to_come.items() if self._passed >= after]
+        for name in due:
             del self._to_come[name]
-        return found
+        return due

@@ -23,12 +23,12 @@ from typing import TYPE_CHECKING, NamedTuple, Self
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.board import in_background
 from nscc_runtime.device.kept_loaders import cached_folder, is_whole, keep, passing_folder
-from nscc_runtime.device.recording import Job, Recording
+from nscc_runtime.device.recording import BoardJob, Recording
 from nscc_runtime.device.target_header import target_header
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
-    from nscc_runtime.device.board import EmulatedChip, Executed
+    from nscc_runtime.device.board import EmulatedChip, ExecutedFrame
 
 _PACKAGE = Path(__file__).resolve().parents[1]
 _INSTALLED = _PACKAGE / "firmware_files"
@@ -71,21 +71,25 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
     It is kept in nscc's cache folder, or in `folder`; where there is no cache, for this process
     alone.
     """
-    found = compiler()
-    if found is None:
+    compiler_path = compiler()
+    if compiler_path is None:
         raise NotBuilt("there is no C++ compiler")
-    command = [found, *CORE_FLAGS, *WARNINGS, *extra]
-    return Built(compiled(command, ("core", "emulated", "host"), target, folder), found, target)
+    command = [compiler_path, *CORE_FLAGS, *WARNINGS, *extra]
+    return Built(
+        compiled(command, ("core", "emulated", "host"), target, folder), compiler_path, target
+    )
 
 
 def compiled(
-    command: Sequence[str], parts: Sequence[str], target: Target, folder: Path | None = None
+    command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
     """What a compiler makes of these parts of the firmware for a target, now or before.
 
     Raises NotBuilt.
     """
-    sources = [path for part in parts for path in sorted(SOURCES.glob(f"{part}/*.cpp"))]
+    sources = [
+        path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
+    ]
     if not sources:
         raise NotBuilt("its sources are not part of this installation")
     try:
@@ -97,7 +101,7 @@ def compiled(
     name = f"loader-{key.hexdigest()[:32]}"
     place = (folder or cached_folder()) / name
     if not is_whole(place):
-        includes = [f"-I{SOURCES / part}" for part in parts]
+        includes = [f"-I{SOURCES / subfolder}" for subfolder in subfolders]
         image = _compile([*command, *includes, *map(str, sources)], header)
         try:
             keep(place, image)
@@ -115,9 +119,9 @@ def _compile(command: list[str], header: str) -> bytes:
         (folder / "target.hpp").write_text(header)
         out = folder / "loader"
         line = [*command, f"-I{folder}", "-o", str(out)]
-        done = subprocess.run(line, capture_output=True, text=True)
-        if done.returncode:
-            lines = done.stderr.strip().splitlines() or [command[0]]
+        result = subprocess.run(line, capture_output=True, text=True)
+        if result.returncode:
+            lines = result.stderr.strip().splitlines() or [command[0]]
             raise NotBuilt(next((line for line in lines if "error" in line), lines[0]))
         return out.read_bytes()
 
@@ -144,7 +148,7 @@ class Firmware:
         """Readable where there are records."""
         return self._out.fileno()
 
-    def put(self, kind: bytes, data: bytes = b"") -> None:
+    def write_record(self, kind: bytes, data: bytes = b"") -> None:
         """Hand the process a record."""
         view = memoryview(_RECORD.pack(kind[0], len(data)) + data)
         while view:
@@ -171,24 +175,24 @@ class Firmware:
 
     def announce(self) -> None:
         """Start the loader anew."""
-        self.put(b"X")
+        self.write_record(b"X")
 
-    def execute(self, job: Job) -> Executed:
+    def execute(self, job: BoardJob) -> ExecutedFrame:
         """What becomes of what the loader's board was told to do."""
         return self.chip.execute(job.container, job.channels)
 
-    def answer(self, job: Job, exposed: Callable[[], Executed]) -> None:
+    def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
         """Tell the loader of its frame, or that there is none, whatever the reason."""
         try:
             executed = exposed()
         except Exception as error:
             self.chip.report(error)
-            self.put(b"R", _RESULT.pack(job.number, 0))
+            self.write_record(b"R", _RESULT.pack(job.number, 0))
         else:
             self._recording.keep(job, executed.planes)
-            self.put(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
+            self.write_record(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
 
-    def sent(self, job: Job, frame: bytes) -> bytes:
+    def sent(self, job: BoardJob, frame: bytes) -> bytes:
         """What of a frame is sent with the news that it is there: all of it."""
         return frame
 
@@ -205,14 +209,14 @@ class Firmware:
         return self._process.returncode
 
 
-class Running(Firmware):
+class RunningFirmware(Firmware):
     """A loader in real time, behind a line of its own: a file descriptor that does not wait."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         super().__init__(command, target, chip)
         self._line = -1
         self._unsent = b""
-        self._exposing: list[tuple[Job, Future[Executed]]] = []
+        self._exposing: list[tuple[BoardJob, Future[ExecutedFrame]]] = []
 
     @property
     def busy(self) -> bool:
@@ -234,11 +238,11 @@ class Running(Firmware):
         self.receive(b"", now_us)
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
-        while (found := self.next()) is not None:
-            self.follow(*found)
-        for each in [each for each in self._exposing if each[1].done()]:
-            self._exposing.remove(each)
-            self.answer(each[0], each[1].result)
+        while (record := self.next()) is not None:
+            self.follow(*record)
+        for pending in [pending for pending in self._exposing if pending[1].done()]:
+            self._exposing.remove(pending)
+            self.answer(pending[0], pending[1].result)
         try:
             return os.read(self._line, room)
         except BlockingIOError:
@@ -257,7 +261,7 @@ class Running(Firmware):
         return super().close()
 
 
-class Process(Running):
+class Process(RunningFirmware):
     """The loader compiled for this machine, behind its own pseudo-terminal."""
 
     def __init__(self, loader: Built, chip: EmulatedChip) -> None:
@@ -273,10 +277,10 @@ class Process(Running):
     def _named(self) -> str:
         """The name of its terminal, which comes after what its board was told at the start."""
         while True:
-            found = self.next()
-            if found is None:
+            record = self.next()
+            if record is None:
                 self.fill()
-            elif found[0] == _PORT:
-                return found[1].decode()
+            elif record[0] == _PORT:
+                return record[1].decode()
             else:
-                self.follow(*found)
+                self.follow(*record)

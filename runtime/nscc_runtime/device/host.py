@@ -11,8 +11,15 @@ from collections.abc import Callable, Generator
 from dataclasses import dataclass
 from typing import TypeVar
 
-from nscc_runtime.device.messages import Captured, Failure, Fault, Hello, Info, Status
-from nscc_runtime.device.packets import REPLY, VERSION, Kind, Packet, Unpacker
+from nscc_runtime.device.messages import (
+    CaptureReply,
+    Hello,
+    Info,
+    LoaderFailure,
+    LoaderFault,
+    Status,
+)
+from nscc_runtime.device.packets import REPLY, VERSION, Packet, PacketKind, Unpacker
 
 Result = TypeVar("Result")
 Task = Generator[float, "Packet | None", Result]
@@ -43,7 +50,7 @@ class Stalled(Exception):
 class Implausible(Exception):
     """A loader says of a frame what no frame of the program can be."""
 
-    def __init__(self, captured: Captured) -> None:
+    def __init__(self, captured: CaptureReply) -> None:
         super().__init__()
         self.captured = captured
 
@@ -53,10 +60,10 @@ class Contested(Exception):
 
 
 @dataclass(eq=False)
-class Refused(Exception):
+class RequestRefused(Exception):
     """The loader said why it will not do what it was asked."""
 
-    failure: Failure
+    failure: LoaderFailure
 
     @property
     def fault(self) -> int:
@@ -123,7 +130,7 @@ class Host:
             self._ever_heard = True
             if self._task is None:
                 continue
-            if packet.kind == Kind.BOOTED:
+            if packet.kind == PacketKind.BOOTED:
                 if self.info is not None:
                     self._step(None, SessionLost())
             elif packet.session == self._session:
@@ -157,7 +164,7 @@ class Host:
             self._task = None
             raise
 
-    def send(self, kind: Kind, body: bytes = b"") -> int:
+    def send(self, kind: PacketKind, body: bytes = b"") -> int:
         """Send a request; its sequence number."""
         self._sequence = self._sequence + 1 & 0xFFFF
         self._out += Packet(kind, self._sequence, self._session, body).wire()
@@ -189,7 +196,7 @@ class Host:
             return FIRST_WAIT_S + self._line_s
         return max(self._round_s + 4 * self._spread_s, _SHORTEST_WAIT_S) + self._line_s
 
-    def ask(self, kind: Kind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
+    def ask(self, kind: PacketKind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
         """Send a request until it is answered; raises Refused, SessionLost, Silent or Stalled."""
         sent: dict[int, float] = {}
         wait = self.wait_s
@@ -202,7 +209,7 @@ class Host:
                 packet = yield until
                 if packet is None or packet.sequence not in sent:
                     continue
-                if packet.kind == Kind.ERROR:
+                if packet.kind == PacketKind.ERROR:
                     raise_failure(packet)
                 if packet.kind == kind | REPLY:
                     self.timed(self.now - sent[packet.sequence])
@@ -214,35 +221,35 @@ class Host:
         """Begin a conversation; what the loader says of itself."""
         self._session = self._new_session()
         self.info = None
-        reply = yield from self.ask(Kind.HELLO, Hello(VERSION, VERSION).pack())
+        reply = yield from self.ask(PacketKind.HELLO, Hello(VERSION, VERSION).pack())
         self.info = checked(Info.unpack, reply)
         return self.info
 
     def status(self) -> Task[Status]:
         """The loader's state and counters."""
-        reply = yield from self.ask(Kind.STATUS)
+        reply = yield from self.ask(PacketKind.STATUS)
         return checked(Status.unpack, reply)
 
     def cancel(self) -> Task[None]:
         """Stop what the loader is doing, so that anything can begin."""
-        yield from self.ask(Kind.CANCEL)
+        yield from self.ask(PacketKind.CANCEL)
 
     def lasting(self, work: Callable[[], Task[Result]]) -> Task[Result]:
         """Say hello and do `work`, again and again until it is done: each time it goes on from
         what the loader has. Raises Stalled where the loader keeps starting anew, Contested where it
         does not and yet has the sessions of another host."""
-        taken, boot = 0, None
+        lost_sessions, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:
                 if self.info is None:
-                    found = yield from self.hello()
-                    taken = taken if found.boot == boot else 0
-                    boot = found.boot
+                    info = yield from self.hello()
+                    lost_sessions = lost_sessions if info.boot == boot else 0
+                    boot = info.boot
                 return (yield from work())
             except SessionTaken:
                 self.info = None
-                taken += 1
-                if taken == _MOST_TAKEN:
+                lost_sessions += 1
+                if lost_sessions == _MOST_TAKEN:
                     raise Contested from None
             except SessionLost:
                 self.info = None
@@ -251,10 +258,10 @@ class Host:
 
 def raise_failure(packet: Packet) -> None:
     """Raise what an ERROR packet says: SessionLost or Refused."""
-    failure = checked(Failure.unpack, packet)
-    if failure.fault == Fault.NO_SESSION:
+    failure = checked(LoaderFailure.unpack, packet)
+    if failure.fault == LoaderFault.NO_SESSION:
         raise SessionTaken
-    raise Refused(failure)
+    raise RequestRefused(failure)
 
 
 def checked(unpack: Callable[[bytes], Result], packet: Packet) -> Result:
@@ -262,4 +269,6 @@ def checked(unpack: Callable[[bytes], Result], packet: Packet) -> Result:
     try:
         return unpack(packet.body)
     except ValueError:
-        raise Refused(Failure(packet.kind, Fault.MALFORMED, len(packet.body))) from None
+        raise RequestRefused(
+            LoaderFailure(packet.kind, LoaderFault.MALFORMED, len(packet.body))
+        ) from None

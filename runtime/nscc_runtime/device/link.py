@@ -23,7 +23,7 @@ _LONGEST_SLEEP_S = 0.25
 _WINDOW_BITS = 16384 * 10
 
 
-class Link:
+class SerialLink:
     """An open port with a host behind it. Raises Rejected (status 3) where the device fails.
 
     A port that goes away is opened again, for `patience_s` at most, and the task goes on.
@@ -97,8 +97,8 @@ class Link:
             self._waiting = self._waiting[port.write(self._waiting) :]
         if not self.host.running:
             return
-        left = min(max(self.host.deadline - monotonic(), 0.0), _LONGEST_SLEEP_S)
-        if select.select([port], [port] if self._waiting else [], [], left)[0]:
+        wait_s = min(max(self.host.deadline - monotonic(), 0.0), _LONGEST_SLEEP_S)
+        if select.select([port], [port] if self._waiting else [], [], wait_s)[0]:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:

@@ -17,9 +17,10 @@ from nscc.chips.target import Target
 from nscc.operations import Op, op
 from nscc.words.encoding import encode
 from nscc_runtime.device import tasks
+from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
-from nscc_runtime.device.link import Link
-from nscc_runtime.device.messages import Captured, Channel
+from nscc_runtime.device.link import SerialLink
+from nscc_runtime.device.messages import CaptureReply, Channel
 from nscc_runtime.device.objects import (
     COUNT,
     READOUT,
@@ -32,7 +33,6 @@ from nscc_runtime.device.objects import (
     target_digest,
 )
 from nscc_runtime.device.trouble import rejected
-from nscc_runtime.device.wanted import Wanted
 
 LAUNCHES = 2001
 WORDS = 100
@@ -43,7 +43,7 @@ _LONGEST_MS = 10_000
 
 
 @dataclass(frozen=True)
-class Times:
+class MeasuredTimes:
     """Microseconds of a launch, an analog and a digital word, the loop at a boundary, a readout."""
 
     launch_us: float
@@ -64,7 +64,7 @@ class Times:
         )
 
 
-def measured(link: Link, target: Target) -> Times:
+def measured(link: SerialLink, target: Target) -> MeasuredTimes:
     """The times of the device behind a link; it loses the program that it holds.
 
     Raises Rejected (NS0723, status 3) for a device on which words take no time.
@@ -72,7 +72,7 @@ def measured(link: Link, target: Target) -> Times:
     register = target.digital_registers[-1]
     analog, digital = op("nop"), op("CLR", [register])
 
-    def took(kernel: Sequence[Op], launches: int, waits: bool = False) -> Captured:
+    def took(kernel: Sequence[Op], launches: int, waits: bool = False) -> CaptureReply:
         return _captured(link, _program(target, kernel, launches, waits))
 
     once = took([analog], 1).lasted_us
@@ -88,7 +88,7 @@ def measured(link: Link, target: Target) -> Times:
             f"words take no time on the device at '{link.path[:200]}': it has no pixels of its own",
             "measure a chip; `nscc device serve` stands in for one, with the times of its target",
         )
-    return Times(
+    return MeasuredTimes(
         round((plain.lasted_us - once) / (LAUNCHES - 1) - analog_us, 4),
         round(analog_us, 4),
         round(digital_us, 4),
@@ -97,13 +97,13 @@ def measured(link: Link, target: Target) -> Times:
     )
 
 
-def _captured(link: Link, program: Upload) -> Captured:
+def _captured(link: SerialLink, program: Upload) -> CaptureReply:
     """What the loader says of a frame of a program, once all of it has been fetched."""
-    wanted = Wanted(SystemRandom().randrange(1 << 63), Channel.CODES, program)
+    request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
-    def work() -> Task[tasks.Taken]:
+    def work() -> Task[tasks.FetchedFrame]:
         yield from tasks.upload(link.host, program)
-        return (yield from tasks.capture(link.host, wanted))
+        return (yield from tasks.capture(link.host, request))
 
     return link.run(work).captured
 

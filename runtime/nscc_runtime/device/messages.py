@@ -12,7 +12,7 @@ from struct import Struct, error
 from typing import Any, ClassVar, Self
 
 
-class State(IntEnum):
+class LoaderState(IntEnum):
     """What a loader is doing."""
 
     EMPTY = 0
@@ -23,7 +23,7 @@ class State(IntEnum):
     REFUSED = 5
 
 
-class Fault(IntEnum):
+class LoaderFault(IntEnum):
     """Why a loader did not do what it was asked."""
 
     NO_SESSION = 1
@@ -67,9 +67,11 @@ class Channel(IntFlag):
 
 def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
     """Bytes of a frame: of all readouts in these channels, and of so many planes of states."""
-    each = (1 if channels & Channel.CODES else 0) + (8 if channels & Channel.EXPOSURE else 0)
+    bytes_per_pixel = (1 if channels & Channel.CODES else 0) + (
+        8 if channels & Channel.EXPOSURE else 0
+    )
     planes = states if channels & Channel.STATES else 0
-    return readouts * each * pixels + planes * plane_bytes(pixels)
+    return readouts * bytes_per_pixel * pixels + planes * plane_bytes(pixels)
 
 
 def plane_bytes(pixels: int) -> int:
@@ -146,7 +148,7 @@ class Info(_Body):
         """The body's bytes; its texts follow, each behind its length."""
         *fixed, name, firmware = astuple(self)
         texts = (name.encode()[:60], firmware.encode()[:60])
-        return self.layout.pack(*fixed) + b"".join(bytes([len(each)]) + each for each in texts)
+        return self.layout.pack(*fixed) + b"".join(bytes([len(text)]) + text for text in texts)
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
@@ -178,7 +180,7 @@ class Begin(_Body):
 
 
 @dataclass(frozen=True)
-class Entry(_Body):
+class ObjectEntry(_Body):
     """An object: what it is, the register of a plane, bytes, SHA-256 of them."""
 
     kind: int
@@ -193,7 +195,7 @@ class Declare(_Body):
     """Some of a program's entries, from number `first` on."""
 
     first: int
-    entries: tuple[Entry, ...]
+    entries: tuple[ObjectEntry, ...]
     layout = Struct("<HH")
 
     def pack(self) -> bytes:
@@ -206,9 +208,15 @@ class Declare(_Body):
         """The value of a body; ValueError where it is none."""
         first, count = _fields(cls.layout, body[: cls.layout.size])
         packed = body[cls.layout.size :]
-        if len(packed) != count * Entry.layout.size:
+        if len(packed) != count * ObjectEntry.layout.size:
             raise ValueError(f"{count} entries in {len(body)} bytes")
-        return cls(first, tuple(Entry(*each) for each in Entry.layout.iter_unpack(packed)))
+        return cls(
+            first,
+            tuple(
+                ObjectEntry(*entry_fields)
+                for entry_fields in ObjectEntry.layout.iter_unpack(packed)
+            ),
+        )
 
 
 MOST_ENTRIES = 26
@@ -216,7 +224,7 @@ MOST_ENTRIES = 26
 
 
 @dataclass(frozen=True)
-class Progress(_Body):
+class UploadProgress(_Body):
     """How far an upload is: entries declared, bytes received of all objects in their order,
     and how often an object's digest did not fit, so that its bytes were dropped."""
 
@@ -228,7 +236,7 @@ class Progress(_Body):
 
 
 @dataclass(frozen=True)
-class Capture(_Body):
+class CaptureRequest(_Body):
     """Expose a frame, unless it is the one of this number that is there or being exposed."""
 
     number: int
@@ -237,14 +245,14 @@ class Capture(_Body):
 
 
 @dataclass(frozen=True)
-class Captured(_Body):
+class CaptureReply(_Body):
     """What became of a capture.
 
     `ready`: whether its frame can be read; `estimate_ms` is how long exposure and readout take, and
     `started_us` the loader's clock when it began. The bytes before `released` are gone. The frame
     took `lasted_us` from its first word to its last, and `readout_us` to read out so far; `late`
     launches came later than the program allows a launch to, the latest one by `latest_us`. The
-    sums are those of all `length` bytes, 0 until the loader has made them all (`whole`).
+    sums are those of all `length` bytes, 0 until the loader has made them all (`complete`).
     """
 
     number: int
@@ -259,20 +267,23 @@ class Captured(_Body):
     readout_us: int
     late: int
     latest_us: int
-    whole: int
+    complete: int
     crc32: int
     adler32: int
     layout = Struct("<QBBHIIIQIIIIIII")
 
 
 @dataclass(frozen=True)
-class Read(_Body):
-    """Send bytes of a frame, at most `chunk` of them a packet; the host has all before `kept`."""
+class ReadRequest(_Body):
+    """Send `length` bytes of a frame from `offset`, at most `chunk` of them a packet.
+
+    The host has all bytes before `confirmed`.
+    """
 
     number: int
     offset: int
     length: int
-    kept: int
+    confirmed: int
     chunk: int
     layout = Struct("<QIIIHxx")
 
@@ -291,7 +302,7 @@ class Status(_Body):
 
 
 @dataclass(frozen=True)
-class Failure(_Body):
+class LoaderFailure(_Body):
     """A request was not carried out; `detail` depends on the fault (the number of a word, ..)."""
 
     request: int

@@ -35,7 +35,7 @@ from nscc.chips.target import Target
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container, state_registers
 from nscc.words.legality import refuse_planes
-from nscc_runtime.device.messages import Begin, Entry
+from nscc_runtime.device.messages import Begin, ObjectEntry
 
 MOST_TIMES = (1 << 16) - 1
 MOST_LAUNCHES = 1 << 20
@@ -72,9 +72,9 @@ class Object:
     data: bytes
 
     @cached_property
-    def entry(self) -> Entry:
+    def entry(self) -> ObjectEntry:
         """What DECLARE says about it."""
-        return Entry(self.kind, self.register, len(self.data), sha256(self.data).digest())
+        return ObjectEntry(self.kind, self.register, len(self.data), sha256(self.data).digest())
 
 
 @dataclass(frozen=True)
@@ -101,13 +101,13 @@ class Upload:
     @cached_property
     def digest(self) -> bytes:
         """The program's digest."""
-        entries = b"".join(each.entry.pack() for each in self.objects)
+        entries = b"".join(object_.entry.pack() for object_ in self.objects)
         return program_digest(self.target, self.label, entries)
 
     @cached_property
     def stream(self) -> bytes:
         """All objects' bytes, one after the other."""
-        return b"".join(each.data for each in self.objects)
+        return b"".join(object_.data for object_ in self.objects)
 
     @property
     def begin(self) -> Begin:
@@ -205,7 +205,13 @@ def _readouts(container: Container) -> bytes:
     by_bucket = {readout.bucket: readout for readout in container.readouts}
     ordered = [by_bucket[bucket] for bucket in container.buckets]
     registers = container.target.analog_registers
-    return _counted(READOUT, [(registers.index(each.register), each.gain) for each in ordered])
+    return _counted(
+        READOUT,
+        [
+            (registers.index(register_readout.register), register_readout.gain)
+            for register_readout in ordered
+        ],
+    )
 
 
 def _counted(layout: Struct, rows: Sequence[tuple[float, ...]]) -> bytes:
@@ -231,5 +237,5 @@ def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
         at = launch.instant
     for (advance, kernel, level), same in groupby(steps):
         times = len(list(same))
-        for done in range(0, times, MOST_TIMES):
-            yield advance, kernel, min(times - done, MOST_TIMES), level
+        for launched in range(0, times, MOST_TIMES):
+            yield advance, kernel, min(times - launched, MOST_TIMES), level

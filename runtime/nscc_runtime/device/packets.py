@@ -23,7 +23,7 @@ _LARGEST = OVERHEAD + MOST_BODY
 _BLOCK = 254
 
 
-class Kind(IntEnum):
+class PacketKind(IntEnum):
     """What a packet is; a reply has the number of its request plus 0x80."""
 
     HELLO = 0x01
@@ -85,9 +85,9 @@ class Unpacker:
 
     def feed(self, data: bytes) -> list[Packet]:
         """The packets that these bytes complete."""
-        *whole, rest = (self._waiting + data).split(b"\0")
-        found = []
-        for piece in whole:
+        *pieces, tail = (self._waiting + data).split(b"\0")
+        packets = []
+        for piece in pieces:
             overlong, self._overlong = self._overlong, False
             if not piece and not overlong:
                 continue
@@ -95,11 +95,11 @@ class Unpacker:
             if packet is None:
                 self.damaged += 1
             else:
-                found.append(packet)
-        if len(rest) > LONGEST_WIRE:
-            rest, self._overlong = b"", True
-        self._waiting = rest
-        return found
+                packets.append(packet)
+        if len(tail) > LONGEST_WIRE:
+            tail, self._overlong = b"", True
+        self._waiting = tail
+        return packets
 
 
 def stuffed(data: bytes) -> bytes:

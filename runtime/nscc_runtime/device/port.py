@@ -95,9 +95,9 @@ def _trouble(error: OSError) -> PortTrouble:
     return PortTrouble("other", os.strerror(number) if number else str(error))
 
 
-def list_ports(found: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
+def list_ports(list_comports: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
     """Name and description of this machine's serial ports, in order of their names."""
     from serial.tools.list_ports import comports
 
-    ports = (found or comports)()
+    ports = (list_comports or comports)()
     return sorted((port.device, port.description or "") for port in ports)

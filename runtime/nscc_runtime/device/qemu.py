@@ -18,14 +18,14 @@ from nscc_runtime.device.firmware import (
     WARNINGS,
     Built,
     NotBuilt,
-    Running,
+    RunningFirmware,
     compiled,
 )
 
 if TYPE_CHECKING:
     from nscc.chips.target import Target
     from nscc_runtime.device.board import EmulatedChip
-    from nscc_runtime.device.recording import Job
+    from nscc_runtime.device.recording import BoardJob
 
 Core = Literal["m0", "m4"]
 COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"
@@ -68,7 +68,7 @@ def command(core: Core, image: Path, time: str) -> list[str]:
     ]  # fmt: skip
 
 
-class Emulated(Running):
+class Emulated(RunningFirmware):
     """A loader on an emulated board."""
 
     def __init__(self, loader: Built, chip: EmulatedChip, core: Core = "m4") -> None:
@@ -95,7 +95,7 @@ class Emulated(Running):
             line.setblocking(False)
             self._line = line.detach()
 
-    def sent(self, job: Job, frame: bytes) -> bytes:
+    def sent(self, job: BoardJob, frame: bytes) -> bytes:
         """Nothing: the board asks for the bytes of a frame, a column at a time."""
         self._frame = job.number, frame
         return b""
@@ -106,8 +106,8 @@ class Emulated(Running):
             super().follow(kind, data)
             return
         number, offset, count = _WANTED.unpack(data)
-        there, frame = self._frame
-        self.put(b"B", frame[offset : offset + count] if number == there else b"")
+        frame_number, frame = self._frame
+        self.write_record(b"B", frame[offset : offset + count] if number == frame_number else b"")
 
     def close(self) -> int:
         """End the emulator, which does not end by itself."""

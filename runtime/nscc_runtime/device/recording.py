@@ -24,7 +24,7 @@ _LIGHT_FALLS = 0xFFFF_FFFF
 _IN_IS_SET = 0xFFFF_FFFE
 
 
-class Job(NamedTuple):
+class BoardJob(NamedTuple):
     """A frame that a loader wants of its board."""
 
     number: int
@@ -41,11 +41,11 @@ class Recording:
 
     def _forget(self) -> None:
         self._planes: dict[int, bytes] = {}
-        self._latest: Job | None = None
+        self._latest: BoardJob | None = None
         self._words = self._runs = b""
         self._events: list[tuple[int, int]] = []
 
-    def take(self, kind: bytes, data: bytes) -> Job | None:
+    def take(self, kind: bytes, data: bytes) -> BoardJob | None:
         """Follow the loader; a job where a frame is to be exposed."""
         match kind:
             case b"F":
@@ -63,7 +63,7 @@ class Recording:
             case b"J":
                 number, channels, readouts, states = _JOB.unpack_from(data)
                 split = _JOB.size + readouts * _READOUT.size
-                self._latest = Job(
+                self._latest = BoardJob(
                     number,
                     channels,
                     self._container(
@@ -76,7 +76,7 @@ class Recording:
                 raise ValueError(f"a record of kind {kind!r}")
         return None
 
-    def keep(self, job: Job, planes: Mapping[str, bytes]) -> None:
+    def keep(self, job: BoardJob, planes: Mapping[str, bytes]) -> None:
         """What a frame left in code registers: the next one of the same program begins with it."""
         if job is self._latest:
             names = self.target.digital_registers
@@ -86,13 +86,13 @@ class Recording:
         numbers: dict[tuple[int, int], int] = {}
         launches: list[Launch] = []
         boundary, level = 0, None
-        for what, count in self._events:
-            if what == _LIGHT_FALLS:
+        for event, count in self._events:
+            if event == _LIGHT_FALLS:
                 boundary += count
-            elif what == _IN_IS_SET:
+            elif event == _IN_IS_SET:
                 level = count
             else:
-                kernel = numbers.setdefault((what, count), len(numbers))
+                kernel = numbers.setdefault((event, count), len(numbers))
                 launches.append(Launch(boundary, kernel, level))
                 level = None
         return container_of(

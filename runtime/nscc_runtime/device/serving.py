@@ -12,7 +12,7 @@ from contextlib import suppress
 from time import monotonic, sleep
 from typing import Protocol
 
-from nscc_runtime.device.faults import Accidents, Faults, Spoiler
+from nscc_runtime.device.faults import Accidents, LineFaults, Spoiler
 
 _MOST_READ = 4096
 _ROOM = 4096
@@ -51,7 +51,7 @@ class Terminal:
 
     def __init__(self, name: str | None = None) -> None:
         self.name = ""
-        held = []
+        spare_masters = []
         try:
             for _ in range(_MOST_TRIES):
                 master, slave = os.openpty()
@@ -60,13 +60,13 @@ class Terminal:
                 os.close(slave)
                 if name in (None, self.name):
                     break
-                held.append(master)
+                spare_masters.append(master)
             else:
-                master = held.pop()
+                master = spare_masters.pop()
         finally:
             # Numbers are given out lowest first: the others were only in the way of ours.
-            for other in held:
-                os.close(other)
+            for spare in spare_masters:
+                os.close(spare)
         os.set_blocking(master, False)
         self.fd = master
         self.opened = False
@@ -103,14 +103,14 @@ class Terminal:
             os.close(self.fd)
 
 
-class Server:
+class StandInServer:
     """Hands bytes between a terminal and a loader, spoiled by `faults`.
 
     `moved` is told the name of the port where it had to change.
     """
 
     def __init__(
-        self, loader: Loaded, faults: Faults, moved: Callable[[str], None] = lambda _: None
+        self, loader: Loaded, faults: LineFaults, moved: Callable[[str], None] = lambda _: None
     ) -> None:
         self.loader, self.faults, self.moved = loader, faults, moved
         self.terminal = Terminal()
@@ -162,9 +162,9 @@ class Server:
                 self._accident(len(out))
         while self._leaving and self._leaving[0][0] <= now:
             due, piece = self._leaving.popleft()
-            taken = self.terminal.write(piece)
-            if taken < len(piece):
-                self._leaving.appendleft((due, piece[taken:]))
+            written = self.terminal.write(piece)
+            if written < len(piece):
+                self._leaving.appendleft((due, piece[written:]))
                 break
 
     def _accident(self, count: int) -> None:

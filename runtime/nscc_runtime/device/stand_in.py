@@ -12,8 +12,8 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc_runtime.device import firmware, qemu
 from nscc_runtime.device.board import EmulatedChip
-from nscc_runtime.device.faults import Faults
-from nscc_runtime.device.serving import Loaded, Server
+from nscc_runtime.device.faults import LineFaults
+from nscc_runtime.device.serving import Loaded, StandInServer
 from nscc_runtime.scenes import Scene
 from nscc_runtime.sensor import Sensor
 
@@ -43,7 +43,7 @@ def emulated_chip(
 
 def serve(
     loader: Loaded,
-    faults: Faults,
+    faults: LineFaults,
     *,
     opened: Callable[[str], None],
     moved: Callable[[str], None] = lambda _: None,
@@ -55,7 +55,7 @@ def serve(
     Ends after the first host with `once`, after `seconds`, or never. `moved` is told the port's new
     name where the old one was taken.
     """
-    server = Server(loader, faults, moved)
+    server = StandInServer(loader, faults, moved)
     try:
         opened(server.terminal.name)
         server.serve(once=once, seconds=seconds)

@@ -86,13 +86,13 @@ def _limit(count: int | None) -> int:
 
 
 def _word(word: Word) -> str:
-    return "{{" + ", ".join(f"0x{part:05x}" for part in word) + "}}"
+    return "{{" + ", ".join(f"0x{field:05x}" for field in word) + "}}"
 
 
 def _operations() -> Iterator[str]:
-    found = masks()
-    yield f"constexpr Word kind_analog = {_word(found.kind_analog)};"
-    yield f"constexpr Word kind_digital = {_word(found.kind_digital)};\n"
+    word_masks = masks()
+    yield f"constexpr Word kind_analog = {_word(word_masks.kind_analog)};"
+    yield f"constexpr Word kind_digital = {_word(word_masks.kind_digital)};\n"
     yield "constexpr Operation operations[] = {"
     for row in OPERATIONS:
         kind = row.name.partition(".")[0]
@@ -106,21 +106,21 @@ def _operations() -> Iterator[str]:
             *(str(_limit(count)) for count in counts),
         ]
         yield f"    // {row.name}"
-        yield f"    {{{_word(found.fixed[row.name])}, {', '.join(numbers)}}},"
+        yield f"    {{{_word(word_masks.fixed[row.name])}, {', '.join(numbers)}}},"
     yield "};"
 
 
 def _registers(target: Target) -> Iterator[str]:
-    found = masks()
+    word_masks = masks()
     known = {*target.analog_registers, *target.digital_registers, "PIX", "IN", "FLAG", "SELECT"}
     yield "constexpr Register registers[] = {"
     for analog, names in ((True, ANALOG_SOURCES), (False, DIGITAL_SOURCES)):
         for name in names:
-            written = (of.get(name, _NOTHING) for of in (found.write, found.written))
+            written = (of.get(name, _NOTHING) for of in (word_masks.write, word_masks.written))
             flags = f"{analog}, {name in known}, {name == 'FLAG'}".lower()
-            words = map(_word, (found.read[name], *written))
-            own = not analog and name in target.digital_registers
-            bit = 1 << target.digital_registers.index(name) if own else 0
+            words = map(_word, (word_masks.read[name], *written))
+            digital = not analog and name in target.digital_registers
+            bit = 1 << target.digital_registers.index(name) if digital else 0
             yield f"    // {name}"
             yield "    {" + ",\n     ".join([*words, f"{flags}, {bit:#x}"]) + "},"
     yield "};"
@@ -177,7 +177,7 @@ def refresh_words(target: Target, register: str) -> list[Op]:
 
 
 def _table(ops: Sequence[Op]) -> str:
-    words = (", ".join(f"0x{part:05x}" for part in encode(each)) for each in ops)
+    words = (", ".join(f"0x{field:05x}" for field in encode(op)) for op in ops)
     return ",\n        ".join("{" + word + "}" for word in words)
 
 

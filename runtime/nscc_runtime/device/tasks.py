@@ -8,11 +8,12 @@ from dataclasses import dataclass
 from zlib import adler32, crc32
 
 from nscc_runtime.device import messages
+from nscc_runtime.device.frame_request import CHUNK, FrameBytes, FrameRequest
 from nscc_runtime.device.host import (
     LONGEST_WAIT_S,
     Host,
     Implausible,
-    Refused,
+    RequestRefused,
     Task,
     checked,
     raise_failure,
@@ -20,15 +21,14 @@ from nscc_runtime.device.host import (
 from nscc_runtime.device.messages import (
     DATA,
     FRAME,
-    Captured,
-    Failure,
-    Fault,
-    Progress,
-    State,
+    CaptureReply,
+    LoaderFailure,
+    LoaderFault,
+    LoaderState,
+    UploadProgress,
 )
 from nscc_runtime.device.objects import Upload
-from nscc_runtime.device.packets import OVERHEAD, REPLY, Kind
-from nscc_runtime.device.wanted import CHUNK, Part, Wanted
+from nscc_runtime.device.packets import OVERHEAD, REPLY, PacketKind
 
 _SMALLEST_WINDOW = 2 * (CHUNK + 64)
 _MOST_DIGEST_FAILURES = 8
@@ -48,10 +48,10 @@ Watch = Callable[[int], None]
 
 
 @dataclass(frozen=True)
-class Taken:
+class FetchedFrame:
     """A frame as it came: what the loader said of it, and its bytes, whose sums hold."""
 
-    captured: Captured
+    captured: CaptureReply
     data: bytes
 
 
@@ -59,18 +59,18 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[b
     """Bring a program to the loader, from where it was when the link was lost; then it is ready.
     Whether it was there already."""
     progress = yield from _begun(host, program.begin)
-    there = progress.state != State.RECEIVING
-    while progress.declared < len(program.objects) and progress.state == State.RECEIVING:
-        some = program.objects[progress.declared : progress.declared + messages.MOST_ENTRIES]
-        declare = messages.Declare(progress.declared, tuple(each.entry for each in some))
-        reply = yield from host.ask(Kind.DECLARE, declare.pack())
-        progress = checked(Progress.unpack, reply)
+    already_held = progress.state != LoaderState.RECEIVING
+    while progress.declared < len(program.objects) and progress.state == LoaderState.RECEIVING:
+        objects = program.objects[progress.declared : progress.declared + messages.MOST_ENTRIES]
+        declare = messages.Declare(progress.declared, tuple(object_.entry for object_ in objects))
+        reply = yield from host.ask(PacketKind.DECLARE, declare.pack())
+        progress = checked(UploadProgress.unpack, reply)
         host.moved()
-    if progress.state == State.RECEIVING:
+    if progress.state == LoaderState.RECEIVING:
         yield from _Sender(host, program.stream, progress, watch).run()
-    yield from host.ask(Kind.FINISH, program.digest)
+    yield from host.ask(PacketKind.FINISH, program.digest)
     host.moved()
-    return there
+    return already_held
 
 
 def forget(host: Host, program: Upload) -> Task[None]:
@@ -79,19 +79,19 @@ def forget(host: Host, program: Upload) -> Task[None]:
     yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
 
 
-def _begun(host: Host, begin: messages.Begin) -> Task[Progress]:
+def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
     """Announce a program; a loader that still exposes is stopped first."""
     while True:
         try:
-            reply = yield from host.ask(Kind.BEGIN, begin.pack())
-        except Refused as refused:
-            if refused.fault != Fault.BUSY:
+            reply = yield from host.ask(PacketKind.BEGIN, begin.pack())
+        except RequestRefused as refused:
+            if refused.fault != LoaderFault.BUSY:
                 raise
             yield from host.cancel()
             yield from pause(host, _BUSY_WAIT_S)
             continue
         host.moved()
-        return checked(Progress.unpack, reply)
+        return checked(UploadProgress.unpack, reply)
 
 
 def pause(host: Host, seconds: float) -> Task[None]:
@@ -109,12 +109,12 @@ class _Chunk:
         self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
         self._good = 0
 
-    def arrived(self) -> None:
+    def record_arrival(self) -> None:
         self._good += 1
         if self._good >= _GROW_AFTER and self.size < self.most:
             self.size, self._good = min(2 * self.size, self.most), 0
 
-    def lost(self) -> None:
+    def record_loss(self) -> None:
         self.size, self._good = max(self.size // 2, CHUNK), 0
 
 
@@ -122,7 +122,7 @@ class _Sender:
     """Sends a stream, many packets ahead of their acknowledgements, and goes back where one is
     lost: the loader only ever takes the bytes that it waits for."""
 
-    def __init__(self, host: Host, stream: bytes, progress: Progress, watch: Watch) -> None:
+    def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
         assert host.info is not None
         self.host, self.stream, self.watch = host, stream, watch
         self.most = max(host.info.window, _SMALLEST_WINDOW)
@@ -146,10 +146,10 @@ class _Sender:
                     self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
                     self._back_to(self.acknowledged)
                 continue
-            if packet.kind == Kind.ERROR and self._ours(packet.sequence):
+            if packet.kind == PacketKind.ERROR and self._ours(packet.sequence):
                 raise_failure(packet)
-            if packet.kind == Kind.DATA | REPLY:
-                self._acknowledge(packet.sequence, checked(Progress.unpack, packet))
+            if packet.kind == PacketKind.DATA | REPLY:
+                self._acknowledge(packet.sequence, checked(UploadProgress.unpack, packet))
 
     def _ours(self, sequence: int) -> bool:
         return any(number == sequence for number, *_ in self.sent)
@@ -160,7 +160,7 @@ class _Sender:
             cost = len(data) + OVERHEAD + DATA.size + 2 + len(data) // 128 + 2
             if self.flying and self.flying + cost > self.window:
                 return
-            sequence = self.host.send(Kind.DATA, DATA.pack(self.next) + data)
+            sequence = self.host.send(PacketKind.DATA, DATA.pack(self.next) + data)
             self.sent.append((sequence, self.next, cost, self.host.now))
             self.flying += cost
             self.next += len(data)
@@ -168,14 +168,14 @@ class _Sender:
     def _back_to(self, position: int) -> None:
         self.host.check_patience()
         self.host.resent += len(self.sent)
-        self.chunk.lost()
+        self.chunk.record_loss()
         self.window = max(self.window // 2, _SMALLEST_WINDOW)
         self.given_up = {number: since for number, _, _, since in self.sent}
         self.sent.clear()
         self.flying = 0
         self.acknowledged = self.next = position
 
-    def _acknowledge(self, sequence: int, progress: Progress) -> None:
+    def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
         """Take note of an acknowledgement."""
         if not self._ours(sequence):
             self._acknowledge_late(sequence, progress)
@@ -188,19 +188,21 @@ class _Sender:
         if progress.failures != self.failures:
             self.failures = progress.failures
             if self.failures >= _MOST_DIGEST_FAILURES:
-                raise Refused(Failure(Kind.DATA, Fault.DIGEST, progress.position))
+                raise RequestRefused(
+                    LoaderFailure(PacketKind.DATA, LoaderFault.DIGEST, progress.position)
+                )
             self._back_to(progress.position)
         elif progress.position <= position:
             self._back_to(progress.position)
         else:
             self.host.timed(self.host.now - since)
             self.wait = self.host.wait_s
-            self.chunk.arrived()
+            self.chunk.record_arrival()
             # One more packet ahead for each that arrived: twice as many after a round.
             self.window = min(self.window + cost, self.most)
             self._advance(progress.position)
 
-    def _acknowledge_late(self, sequence: int, progress: Progress) -> None:
+    def _acknowledge_late(self, sequence: int, progress: UploadProgress) -> None:
         """What was given up too soon has arrived after all: the line is slower than was thought."""
         since = self.given_up.pop(sequence, None)
         if since is not None:
@@ -218,48 +220,48 @@ class _Sender:
         self.watch(self.acknowledged)
 
 
-def capture(host: Host, wanted: Wanted) -> Task[Taken]:
+def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
     """Expose a frame and fetch it; one that is there already is not exposed again."""
-    captured = yield from _captured(host, wanted)
+    captured = yield from _captured(host, request)
     assert host.info is not None
     origin = host.info.boot, captured.started_us
-    if wanted.part is None or wanted.part.origin != origin:
-        wanted.part = Part(captured.length, origin)
-    yield from _Fetcher(host, wanted.number, wanted.part).run()
-    captured = yield from _captured(host, wanted)
-    data = bytes(wanted.part.data)
+    if request.received is None or request.received.origin != origin:
+        request.received = FrameBytes(captured.length, origin)
+    yield from _Fetcher(host, request.number, request.received).run()
+    captured = yield from _captured(host, request)
+    data = bytes(request.received.data)
     sums = captured.crc32, captured.adler32
-    if not captured.whole or sums != (crc32(data), adler32(data)):
-        raise Refused(Failure(Kind.READ, Fault.DIGEST, 0))
-    return Taken(captured, data)
+    if not captured.complete or sums != (crc32(data), adler32(data)):
+        raise RequestRefused(LoaderFailure(PacketKind.READ, LoaderFault.DIGEST, 0))
+    return FetchedFrame(captured, data)
 
 
-def _captured(host: Host, wanted: Wanted) -> Task[Captured]:
+def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
     """What the loader says of a frame that is exposed."""
-    body = messages.Capture(wanted.number, wanted.channels).pack()
+    body = messages.CaptureRequest(request.number, request.channels).pack()
     poll, extra, silent = _POLL_S, 0.0, False
     while True:
         try:
-            reply = yield from host.ask(Kind.CAPTURE, body, extra_s=extra)
-        except Refused as refused:
-            if refused.fault != Fault.BUSY:
+            reply = yield from host.ask(PacketKind.CAPTURE, body, extra_s=extra)
+        except RequestRefused as refused:
+            if refused.fault != LoaderFault.BUSY:
                 raise
             yield from pause(host, _BUSY_WAIT_S)
             continue
-        captured = checked(Captured.unpack, reply)
-        if captured.number != wanted.number or captured.channels != wanted.channels:
-            raise Refused(Failure(Kind.CAPTURE, Fault.MALFORMED, 0))
-        if captured.length != wanted.bytes(captured.readouts) or not captured.length:
+        captured = checked(CaptureReply.unpack, reply)
+        if captured.number != request.number or captured.channels != request.channels:
+            raise RequestRefused(LoaderFailure(PacketKind.CAPTURE, LoaderFault.MALFORMED, 0))
+        if captured.length != request.bytes(captured.readouts) or not captured.length:
             raise Implausible(captured)
         if captured.ready:
             host.moved()
             return captured
-        extra = min(2 * captured.estimate_ms / 1000, wanted.longest_s)
+        extra = min(2 * captured.estimate_ms / 1000, request.longest_s)
         host.check_patience(extra)
         if not silent:
             # While words run a loader has better to do than to answer.
             silent = True
-            yield from pause(host, min(wanted.exposure_s(captured), _LONGEST_SILENCE_S))
+            yield from pause(host, min(request.exposure_s(captured), _LONGEST_SILENCE_S))
         yield from pause(host, poll)
         poll = min(2 * poll, _LONGEST_POLL_S)
 
@@ -280,9 +282,9 @@ class _Fetcher:
     them in order: a packet of one says that nothing more comes of those before it. It keeps only
     so many bytes behind those that the host has."""
 
-    def __init__(self, host: Host, number: int, part: Part) -> None:
+    def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
         assert host.info is not None
-        self.host, self.number, self.part = host, number, part
+        self.host, self.number, self.frame_bytes = host, number, frame_bytes
         self.hold = max(host.info.hold, CHUNK)
         self.chunk = _Chunk(min(host.info.most_data, self.hold // 2))
         self.asked: dict[int, _Range] = {}
@@ -292,9 +294,11 @@ class _Fetcher:
 
     def run(self) -> Task[None]:
         host = self.host
-        while self.part.left:
+        while self.frame_bytes.missing_count:
             self._ask()
-            until = max(self.heard, min(each.since for each in self.asked.values())) + self.wait
+            until = (
+                max(self.heard, min(pending.since for pending in self.asked.values())) + self.wait
+            )
             packet = yield until
             if packet is None:
                 if host.now >= until:
@@ -303,10 +307,10 @@ class _Fetcher:
                     self._lose(list(self.asked))
                     self.wait = min(2 * self.wait, max(LONGEST_WAIT_S, host.wait_s))
                 continue
-            if packet.kind == Kind.ERROR and packet.sequence in self.asked:
-                if checked(Failure.unpack, packet).fault != Fault.BUSY:
+            if packet.kind == PacketKind.ERROR and packet.sequence in self.asked:
+                if checked(LoaderFailure.unpack, packet).fault != LoaderFault.BUSY:
                     raise_failure(packet)
-            elif packet.kind == Kind.READ | REPLY and len(packet.body) > FRAME.size:
+            elif packet.kind == PacketKind.READ | REPLY and len(packet.body) > FRAME.size:
                 number, offset = FRAME.unpack_from(packet.body)
                 if number == self.number:
                     self._take(packet.sequence, offset, packet.body[FRAME.size :])
@@ -315,13 +319,13 @@ class _Fetcher:
     def _ask(self) -> None:
         if len(self.asked) > _READ_AHEAD // 2:
             return
-        part, kept = self.part, self.part.kept
-        pending = bytearray(part.missing)
-        for each in self.asked.values():
-            first, last = each.start // CHUNK, -(-each.stop // CHUNK)
+        frame_bytes, confirmed = self.frame_bytes, self.frame_bytes.confirmed
+        pending = bytearray(frame_bytes.missing)
+        for pending_range in self.asked.values():
+            first, last = pending_range.start // CHUNK, -(-pending_range.stop // CHUNK)
             pending[first:last] = bytes(last - first)
         most = min(_READ_CHUNKS * self.chunk.size, max(self.hold // 4, CHUNK))
-        room = (kept + self.hold) // CHUNK
+        room = (confirmed + self.hold) // CHUNK
         end = 0
         while len(self.asked) < _READ_AHEAD:
             begin = pending.find(1, end)
@@ -330,26 +334,28 @@ class _Fetcher:
             end = pending.find(0, begin)
             end = len(pending) if end < 0 else end
             end = min(end, room, begin + most // CHUNK)
-            start, stop = begin * CHUNK, min(end * CHUNK, len(part.data))
-            read = messages.Read(self.number, start, stop - start, kept, self.chunk.size)
+            start, stop = begin * CHUNK, min(end * CHUNK, len(frame_bytes.data))
+            read = messages.ReadRequest(
+                self.number, start, stop - start, confirmed, self.chunk.size
+            )
             request = _Range(start, stop, self.host.now, alone=not self.asked)
-            self.asked[self.host.send(Kind.READ, read.pack())] = request
+            self.asked[self.host.send(PacketKind.READ, read.pack())] = request
 
     def _lose(self, sequences: list[int]) -> None:
         for sequence in sequences:
             self.given_up[sequence] = self.asked.pop(sequence)
             self.host.resent += 1
         if sequences:
-            self.chunk.lost()
+            self.chunk.record_loss()
 
     def _take(self, sequence: int, offset: int, data: bytes) -> None:
         end = offset + len(data)
-        length = len(self.part.data)
-        whole = end % CHUNK == 0 or end == length
-        if offset % CHUNK or end > length or not whole:
+        length = len(self.frame_bytes.data)
+        chunk_aligned = end % CHUNK == 0 or end == length
+        if offset % CHUNK or end > length or not chunk_aligned:
             return
-        if self.part.put(offset, data):
-            self.chunk.arrived()
+        if self.frame_bytes.store(offset, data):
+            self.chunk.record_arrival()
             self.host.moved()
         request = self.asked.get(sequence) or self.given_up.get(sequence)
         if request is None:

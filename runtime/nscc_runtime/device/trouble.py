@@ -9,10 +9,10 @@ from typing import Any
 from nscc.chips.target import Target
 from nscc.diagnostics import rejection
 from nscc.diagnostics.diagnostic import Rejected
-from nscc_runtime.device.host import Contested, Implausible, Refused, Silent, Stalled
-from nscc_runtime.device.messages import Capability, Fault, Info, frame_bytes
+from nscc_runtime.device.host import Contested, Implausible, RequestRefused, Silent, Stalled
+from nscc_runtime.device.messages import Capability, Info, LoaderFault, frame_bytes
 from nscc_runtime.device.objects import Upload, target_digest
-from nscc_runtime.device.packets import VERSION, Kind
+from nscc_runtime.device.packets import VERSION, PacketKind
 from nscc_runtime.device.port import PortTrouble
 
 FAILED = 3
@@ -27,9 +27,9 @@ _LIST = "`nscc doctor` lists the serial ports of this machine"
 _STAND_IN = "`nscc device serve --scene SCENE` gives a stand-in and prints its port"
 
 
-def rejected(code: str, message: str, *helps: str, **more: Any) -> Rejected:
-    """A failure of the device, exit status 3; `more` as `nscc.diagnostics.rejection` takes it."""
-    return rejection.rejected(code, message, helps=helps, status=FAILED, **more)
+def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
+    """A failure of the device, exit status 3; `options` as of `nscc.diagnostics.rejection`."""
+    return rejection.rejected(code, message, helps=helps, status=FAILED, **options)
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
@@ -71,10 +71,10 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
     except Silent as silent:
         if silent.ever:
             raise port_lost(port, patience_s) from None
-        what = "sends bytes that are no packets" if silent.noise else "says nothing"
+        behaviour = "sends bytes that are no packets" if silent.noise else "says nothing"
         raise rejected(
             "NS0762",
-            f"no loader of nscc answers at '{port[:200]}': what is there {what}",
+            f"no loader of nscc answers at '{port[:200]}': what is there {behaviour}",
             "put the loader on the device (runtime/firmware/README.md says how), or name another "
             "port",
             "if the loader is there, it may run at another speed: --baud",
@@ -102,37 +102,37 @@ def explained(port: str, patience_s: float) -> Iterator[None]:
             f"{captured.readouts} buckets, which is not the program's",
             "put the loader that came with this nscc on the device",
         ) from None
-    except Refused as refused:
+    except RequestRefused as refused:
         raise _refused(port, refused) from None
 
 
-def _refused(port: str, refused: Refused) -> Rejected:
+def _refused(port: str, refused: RequestRefused) -> Rejected:
     failure = refused.failure
     at = f"the device at '{port[:200]}'"
     match failure.fault:
-        case Fault.VERSION:
+        case LoaderFault.VERSION:
             return rejected(
                 "NS0762",
                 f"{at} speaks version {failure.detail} of the protocol, this nscc version "
                 f"{VERSION}",
                 "put the loader that came with this nscc on the device (runtime/firmware)",
             )
-        case Fault.HARDWARE:
+        case LoaderFault.HARDWARE:
             return rejected(
                 "NS0768",
                 f"{at} could not expose a frame",
                 "a stand-in says why where it runs (a scene that does not suit the program, say); "
                 "a chip wants to be switched off and on",
             )
-        case Fault.TARGET:
+        case LoaderFault.TARGET:
             return rejected(
                 "NS0764",
                 f"{at} is another chip than the program is for",
                 "build it for the device's: `nscc device info PORT` names it",
             )
-        case Fault.NO_PROGRAM:
+        case LoaderFault.NO_PROGRAM:
             return no_program(port)
-        case Fault.LATE:
+        case LoaderFault.LATE:
             return rejected(
                 "NS0721",
                 f"{at} began {failure.detail} launch{'' if failure.detail == 1 else 'es'} of the "
@@ -140,19 +140,21 @@ def _refused(port: str, refused: Refused) -> Rejected:
                 "measure the device's times and build the program with them: `nscc device "
                 "calibrate PORT`",
             )
-        case Fault.SCHEDULE if failure.detail in _UNTIMED:
+        case LoaderFault.SCHEDULE if failure.detail in _UNTIMED:
             return rejected(
                 "NS0722",
                 f"{at} cannot time the program's frames: {_UNTIMED[failure.detail]}",
                 "use fewer slots, or longer ones: one of more than 200 us in every two seconds is "
                 "enough",
             )
-    name = {fault.value: fault.name for fault in Fault}.get(failure.fault, str(failure.fault))
-    asked = {kind.value: kind.name for kind in Kind}.get(failure.request, str(failure.request))
+    name = {fault.value: fault.name for fault in LoaderFault}.get(failure.fault, str(failure.fault))
+    request = {kind.value: kind.name for kind in PacketKind}.get(
+        failure.request, str(failure.request)
+    )
     return rejected(
         "NS0767",
         f"{at} refuses the program or the request: {name.lower().replace('_', ' ')}, "
-        f"{failure.detail}, in answer to {asked}",
+        f"{failure.detail}, in answer to {request}",
         "build the program again, and put the loader that came with this nscc on the device",
         notes=("nscc checks programs before it sends them, so the two disagree",),
     )
@@ -204,7 +206,7 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols
     length = frame_bytes(channels, pixels, upload.readouts, upload.states)
-    for what, required, available in (
+    for resource, required, available in (
         ("words", upload.words, info.most_words),
         ("kernels", upload.kernels, info.most_kernels),
         ("rows of its schedule", upload.rows, info.most_rows),
@@ -216,11 +218,11 @@ def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: 
             raise rejected(
                 "NS0765",
                 f"the program does not fit the loader at '{port[:200]}': it needs {required} "
-                f"{what}, and the loader has room for {available}",
+                f"{resource}, and the loader has room for {available}",
                 "use fewer slots, or fewer buckets; the loader's room is set where it is built "
                 "(runtime/firmware)",
                 data={
-                    "resource": what, "required": required, "available": available,
+                    "resource": resource, "required": required, "available": available,
                     "proved": True,
                 },
             )  # fmt: skip

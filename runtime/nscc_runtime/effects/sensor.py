@@ -14,10 +14,13 @@ from nscc import html
 
 @dataclass(frozen=True, repr=False)
 class Sensor:
-    """The parameters of a sensor by name, all finite and within their ranges.
+    """The parameters of a sensor. Each is an attribute too: `sensor.read_noise_e`.
 
-    Each is an attribute too: `sensor.read_noise_e`. Units are in the names: electrons, seconds,
-    codes of the ADC (lsb); a fraction has none.
+    Parameters
+    ----------
+    values : mapping of str to float
+        Value by parameter name. Names end with their unit: electrons (`_e`), seconds (`_s`), codes
+        of the converter (`_lsb`); fractions have no unit.
     """
 
     values: Mapping[str, float]
@@ -45,7 +48,21 @@ class Sensor:
         return hash(frozenset(self.values.values()))
 
     def changed(self, **values: float) -> Sensor:
-        """This sensor with other values of some parameters; TypeError for names that are none."""
+        """Return a sensor with other values of some parameters.
+
+        Parameters
+        ----------
+        **values : float
+
+        Returns
+        -------
+        Sensor
+
+        Raises
+        ------
+        TypeError
+            For an unknown parameter.
+        """
         unknown = [name for name in values if name not in self.values]
         if unknown:
             raise TypeError(f"a sensor has no parameter {unknown[0]!a}")

@@ -14,7 +14,7 @@ from nscc_runtime.execution.charge_loop import stream_key
 from nscc_runtime.execution.layout import Entry, Sizes
 from nscc_runtime.loop import Floats, Ints, Ints32, Words, compiled
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.loops import uniform
+from nscc_runtime.noise.noise_loops import uniform
 
 READS, RESETS, WORDS = 0, 1, 2
 ERRORS = 3

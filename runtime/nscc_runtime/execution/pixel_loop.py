@@ -27,7 +27,7 @@ from nscc_runtime.execution.error_loop import READS, RESETS, WORDS, Entries, err
 from nscc_runtime.execution.layout import ACTS, SEEN, Entry, Keys, Numbers, Sizes
 from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled, loop
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.loops import uniform
+from nscc_runtime.noise.noise_loops import uniform
 
 _ADDED, _SUBTRACTED, _LEVEL, _OLD = 1, 2, 4, 8
 """Of what a register holds: it has a full PIX in it, or that of a reset's level; or it is the part

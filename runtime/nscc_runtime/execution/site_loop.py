@@ -21,7 +21,7 @@ from nscc_runtime.loop import (
     record,
 )
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.loops import uniform
+from nscc_runtime.noise.noise_loops import uniform
 
 _TOGETHER = 16
 """Sites that go through the slots together: a line of the cache of each frame, where they touch."""

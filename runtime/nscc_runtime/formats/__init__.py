@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from nscc_runtime.formats.content import Content
-from nscc_runtime.formats.table import FORMATS, Format, check_ending, endings, file_of
+from nscc_runtime.formats.format_table import FORMATS, Format, check_ending, endings, file_of
 
 __all__ = ["FORMATS", "Content", "Format", "check_ending", "endings", "file_of"]

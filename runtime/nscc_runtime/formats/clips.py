@@ -27,8 +27,8 @@ def gif(content: Content) -> bytes:
     first = next(frames)
     stream = io.BytesIO()
     first.save(
-        stream, "GIF", save_all=True, append_images=frames, loop=0, comment=content.told.encode(),
-        duration=round(1000 / FRAMES_A_SECOND), optimize=False,
+        stream, "GIF", save_all=True, append_images=frames, loop=0,
+        comment=content.tone_text.encode(), duration=round(1000 / FRAMES_A_SECOND), optimize=False,
     )  # fmt: skip
     return stream.getvalue()
 

@@ -1,4 +1,4 @@
-"""What is written: light that is a picture or a clip, and the arrays that tell all of it."""
+"""The content of a product: a picture or a clip of light, and the arrays of the result."""
 
 from __future__ import annotations
 
@@ -17,16 +17,30 @@ Arrays = Mapping[str, NDArray[Any]]
 
 @dataclass(frozen=True, eq=False)
 class Content:
-    """One product, as every format can take it.
+    """A product in the form that every file format accepts.
 
-    `light` is (rows, cols) of a picture, (T, rows, cols) of a clip (`moving`), with an axis of red,
-    green and blue at the end where it is in `colour`; None for what is neither. `arrays` go into
-    an .npz, their first into an .npy, unless `main` gives it; `whole` writes the .npz instead where
-    more belongs into it. `benchmark` gives the arrays of a .mat. `codes` (shape of `light`) are
-    shown as they are, unless a `tone` is asked for; light is shown by its `tone`, by default that
-    named in `usual`, with `white` (default: a percentile) as white, in the light's `unit`. Light
-    and codes of other shapes have a `picture` made of them, of each frame of a clip when a format
-    comes to it: films are larger than memory.
+    Attributes
+    ----------
+    arrays : mapping of str to array
+        The arrays of an .npz file; an .npy file holds `main()`, or else the first of them.
+    light : array, optional
+        A picture (rows, cols) or a clip (T, rows, cols), with a last axis of red, green, blue if
+        `colour`; in `unit`. None for a product that is neither.
+    moving, colour : bool
+        Whether `light` is a clip, and whether it has colours.
+    codes : array, optional
+        Codes of the converter, uint8, of the shape of `light`. They are shown unless `tone` is set.
+    write_npz : callable, optional
+        Writes the .npz file if it holds more than `arrays`.
+    benchmark : callable, optional
+        Returns the arrays of a .mat file.
+    tone, usual : str
+        The tone curve asked for, and the curve used without it.
+    white : float, optional
+        The light shown as white; by default a percentile.
+    picture : callable
+        Turns `light` or `codes` of other shapes into a picture, one frame of a clip at a time,
+        because a film may be larger than memory.
     """
 
     arrays: Arrays
@@ -34,7 +48,7 @@ class Content:
     moving: bool = False
     colour: bool = False
     codes: NDArray[np.uint8] | None = None
-    whole: Callable[[Any], object] | None = None
+    write_npz: Callable[[Any], object] | None = None
     main: Callable[[], NDArray[Any]] | None = None
     benchmark: Callable[[], Arrays] | None = None
     tone: str | None = None
@@ -45,7 +59,7 @@ class Content:
 
     @cached_property
     def shown_by(self) -> Tone | None:
-        """The tone curve of `shown`; None where codes are shown."""
+        """The tone curve that `shown` applies; None if codes are shown."""
         if self.light is None or (self.codes is not None and self.tone is None):
             return None
         light = np.stack([*self.pictures]) if self.moving else self.picture(self.light)
@@ -53,12 +67,12 @@ class Content:
 
     @property
     def pictures(self) -> Iterator[NDArray[Any]]:
-        """The light: frame by frame of a clip, or a single picture."""
+        """The light as pictures: the frames of a clip, or one picture."""
         return self._pictures(self.light)
 
     @property
     def shown(self) -> Iterator[NDArray[np.uint8]]:
-        """The same as a screen shows it."""
+        """The pictures as a screen shows them, after the tone curve."""
         tone = self.shown_by
         return self._pictures(self.codes) if tone is None else map(tone, self.pictures)
 
@@ -67,15 +81,15 @@ class Content:
         return map(self.picture, values if self.moving else [values])
 
     @property
-    def told(self) -> str:
-        """How light became greys, for those who look at them."""
+    def tone_text(self) -> str:
+        """The tone curve and its white level, as a text."""
         tone = self.shown_by
         if tone is None:
             return "codes as read out"
         return f"{tone.name}, white {tone.white:.4g}{f' {self.unit}' if self.unit else ''}"
 
     def lacks(self, kinds: str) -> str | None:
-        """Why a format of these `kinds` (picture, clip, arrays) cannot hold it; None if it can."""
+        """Return why a format of `kinds` cannot hold the content; None if it can."""
         if "arrays" in kinds:
             return None
         if self.light is None:

@@ -19,7 +19,7 @@ def png(content: Content) -> bytes:
     from PIL.PngImagePlugin import PngInfo
 
     about = PngInfo()
-    about.add_text("Description", content.told)
+    about.add_text("Description", content.tone_text)
     about.add_text("Software", "nscc")
     stream = io.BytesIO()
     (shown,) = content.shown
@@ -44,8 +44,8 @@ def tiff(content: Content) -> bytes:
     if not content.moving:
         return _encoded(".tiff", _light(content))
     pages = [np.ascontiguousarray(_to_opencv(picture), np.float32) for picture in content.pictures]
-    good, data = cv2.imencodemulti(".tiff", pages)
-    if not good:
+    success, data = cv2.imencodemulti(".tiff", pages)
+    if not success:
         raise OSError(0, "OpenCV cannot write .tiff")
     return bytes(data)
 
@@ -83,7 +83,7 @@ def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
 def _encoded(ending: str, light: NDArray[np.float32]) -> bytes:
     import cv2
 
-    good, data = cv2.imencode(ending, np.ascontiguousarray(_to_opencv(light)))
-    if not good:
+    success, data = cv2.imencode(ending, np.ascontiguousarray(_to_opencv(light)))
+    if not success:
         raise OSError(0, f"OpenCV cannot write {ending}")
     return bytes(data)

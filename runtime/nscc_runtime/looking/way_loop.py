@@ -19,7 +19,7 @@ from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
 from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled, inlined, loop
 from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.gaussian import normal
-from nscc_runtime.noise.loops import uniform
+from nscc_runtime.noise.noise_loops import uniform
 
 BLOCK = 512
 """Pixels that are taken along together."""

@@ -21,7 +21,7 @@ _COUNT_CAP = 2.0**53
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
     """Numbers strictly inside (0, 1): odd multiples of 2**-53."""
-    from nscc_runtime.noise.loops import Draws, fill_uniforms
+    from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
     fill_uniforms(draws=Draws(count=places.size, key=key), pixels=places, out=out.reshape(-1))
@@ -33,7 +33,7 @@ def normals(key: np.uint64, pixels: Pixels) -> Floats:
 
     The quantile of that uniform number, to a relative error of 1e-12; so they end at +-8.21.
     """
-    from nscc_runtime.noise.loops import Draws, fill_normals
+    from nscc_runtime.noise.noise_loops import Draws, fill_normals
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
     fill_normals(draws=Draws(count=places.size, key=key), pixels=places, out=out.reshape(-1))
@@ -55,7 +55,7 @@ def poisson(
     """
     if np.shape(rate) != np.shape(pixels):
         raise ValueError(f"rates {np.shape(rate)} for pixels {np.shape(pixels)}")
-    from nscc_runtime.noise.loops import BLOCK, Counts, fill_poisson
+    from nscc_runtime.noise.noise_loops import BLOCK, Counts, fill_poisson
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
     valid = np.empty(np.shape(pixels), np.bool_)
@@ -95,7 +95,7 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
         raise ValueError("a share is negative, or a sum of shares is not finite")
     if np.any((counts > 0) & (total == 0)):
         raise ValueError("a count has no slot to go to: all shares are 0")
-    from nscc_runtime.noise.loops import Spread, fill_thin
+    from nscc_runtime.noise.noise_loops import Spread, fill_thin
 
     out = np.empty((pixel_count, slots))
     stride = slots if shares.ndim == 2 else 0

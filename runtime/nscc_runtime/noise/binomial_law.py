@@ -39,10 +39,10 @@ def _mass(k: float, n: float, p: float, q: float) -> float:
         return math.exp(n * _log1p(-p))
     if k == n:
         return math.exp(n * math.log(p))
-    rest = n - k
-    log_mass = stirling_error(n) - stirling_error(k) - stirling_error(rest)
-    log_mass -= deviance(k, n * p) + deviance(rest, n * q)
-    return math.exp(log_mass) * math.sqrt(n / (2.0 * np.pi * k * rest))
+    failures = n - k
+    log_mass = stirling_error(n) - stirling_error(k) - stirling_error(failures)
+    log_mass -= deviance(k, n * p) + deviance(failures, n * q)
+    return math.exp(log_mass) * math.sqrt(n / (2.0 * np.pi * k * failures))
 
 
 @compiled
@@ -87,11 +87,11 @@ def _search(u: float, n: float, p: float) -> float:
 
 
 @compiled
-def _walk(u: float, n: float, p: float, near: float) -> float:
+def _walk(u: float, n: float, p: float, start: float) -> float:
     """The smallest count whose distribution function reaches u, sought from `near` on."""
     q = 1.0 - p
     odds = p / q
-    k = min(max(near, 0.0), n)
+    k = min(max(start, 0.0), n)
     mass = _mass(k, n, p, q)
     if u < 0.5:
         total = _up_to(k, n, odds, mass)

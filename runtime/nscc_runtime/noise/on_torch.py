@@ -44,8 +44,8 @@ def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 
 def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
     """Standard normal numbers (.., places)."""
-    found: torch.Tensor = torch.special.ndtri(uniforms(keys, places))
-    return found
+    quantiles: torch.Tensor = torch.special.ndtri(uniforms(keys, places))
+    return quantiles
 
 
 def poisson(
@@ -55,13 +55,13 @@ def poisson(
     no number as 0."""
     u = uniforms(keys, places)
     rate = torch.where(rate > 0.0, rate, 0.0).clamp(max=cap).expand(u.shape)
-    found = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)
+    counts = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)
     low = rate < SETTLED_ABOVE
     searched = _searched(u[low], rate[low].clamp(max=SEARCH_BELOW))
     # The formula's error at the crossover must not let a greater rate give a smaller count.
-    formula = torch.where(rate[low] >= SEARCH_BELOW, found[low], 0.0)
-    found[low] = torch.maximum(searched, formula)
-    return found
+    formula = torch.where(rate[low] >= SEARCH_BELOW, counts[low], 0.0)
+    counts[low] = torch.maximum(searched, formula)
+    return counts
 
 
 def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
@@ -75,12 +75,12 @@ def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
 def _searched(u: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
     """The smallest counts whose distribution functions reach u, for rates up to SEARCH_BELOW."""
     mass = torch.exp(-rate)
-    rest, found = u - mass, torch.zeros_like(u)
+    remainder, counts = u - mass, torch.zeros_like(u)
     for k in range(1, SEARCHED):
         mass = mass * (rate / k)
-        going = (rest > 0.0) & (mass > _NOTHING)
+        going = (remainder > 0.0) & (mass > _NOTHING)
         if not bool(going.any()):
             break
-        found += going
-        rest = rest - mass
-    return found
+        counts += going
+        remainder = remainder - mass
+    return counts

@@ -115,12 +115,12 @@ def search(u: float, rate: float) -> float:
 
 
 @compiled
-def _walk(u: float, rate: float, near: float) -> float:
+def _walk(u: float, rate: float, start: float) -> float:
     """The smallest count whose distribution function reaches u, sought from `near` on.
 
     Sums the smaller tail, so that the far ends are as accurate as the middle.
     """
-    k = max(near, 0.0)
+    k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:
         total = _up_to(k, rate, mass)

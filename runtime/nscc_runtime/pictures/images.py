@@ -52,8 +52,8 @@ def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None 
         below = _LINE * max(len(lines(image.note)) for image in row)
         top += max(height for _, height in sizes) + below + _GAP
     figure = sheet.blank(columns * (side + _GAP) - _GAP, top)
-    for image, left, down, width, height in boxes:
-        axes = sheet.place(figure, left, down, width, height)
+    for image, x_inches, y_inches, width, height in boxes:
+        axes = sheet.place(figure, x_inches, y_inches, width, height)
         sheet.show_pixels(axes, image.values)
         axes.set_axis_off()
         axes.set_title("\n".join(lines(image.title)), pad=4)

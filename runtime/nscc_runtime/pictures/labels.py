@@ -1,16 +1,13 @@
-"""Texts beside the marks and lines that they belong to: none on another, on a mark, or outside.
+"""Texts beside the marks and lines that they belong to.
 
-Every text tries places around its anchors, from near to far. Those where it or its halo would lie
-on a text or a mark, or on the panel's edge, are none, nor are small texts' on lines, and names' are
-where there is no other; of the rest it takes the cheapest: near, and nearer to its own mark than to
-others.
+Every text takes the first free place around its anchors, from near to far: inside the panel, and on
+no text, mark or line. The name of a line may stand on other lines where there is no free place.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from itertools import pairwise
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +17,7 @@ from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
-    from matplotlib.text import Annotation
+    from matplotlib.path import Path
 
 Points = NDArray[np.float64]
 """(n, 2): x and y in dots."""
@@ -28,27 +25,24 @@ Boxes = NDArray[np.float64]
 """(n, 4): left, bottom, right and top in dots."""
 
 _NAME, _SMALL = 7.8, 7.0
-"""Points of the type of names, and of the rest."""
+"""Points of the type of names, and of other texts."""
 _NEAR, _FAR = (3.0, 5.5, 8.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
-"""Points between a mark and its text, or one that may stand further off."""
+"""Points between a mark and its text, and a text that may stand further off."""
 _LEADER = 9.0
 """A text further off than so many points is joined to its anchor."""
 _HALO = 2.0
 """Points of the line around the letters, of which half is outside them."""
-_CLEAR = _HALO / 2 + 0.8
+_CLEAR = np.array([-1.0, -1.0, 1.0, 1.0]) * (_HALO / 2 + 0.8)
 """Points that stay free around a text: its halo cuts nothing, with half of a line's width."""
-_SPACE, _LEADING = 4.0, 1.0
-"""Points between one text and the next, in a line and from line to line: two names are not read as
-one."""
-_STEP = 3.0
-"""Dots between the points by which lines are known."""
-_ON_LINES, _ON_LINE, _CROSSED, _NEXT, _ASTRAY = 1000.0, 6.0, 2.0, 5.0, 2.0
-"""Cost, in points of distance: of being on lines at all, of a line's point below a text or a
-leader, of a later anchor, of a point nearer to another mark than to one's own."""
+_APART = np.array([-4.0, -1.0, 4.0, 1.0])
+"""Points between one text and the next, in a line and from line to line."""
+_ANCHOR, _TURN, _ASTRAY = 5.0, 2.0, 2.0
+"""Points of distance that a later anchor counts as, a less usual direction, and a point by which
+the text is nearer to another mark than to its own."""
 
 
 @dataclass(frozen=True)
-class Label:
+class ChartLabel:
     """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
 
     The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
@@ -67,49 +61,13 @@ class Label:
         return self.name or self.sought
 
 
-class _Tally:
-    """Points of a panel, to be counted in boxes however many there are: by sums over its area."""
-
-    def __init__(self, axes: Axes, points: Points) -> None:
-        room = axes.bbox
-        self._corner = np.array([room.x0, room.y0])
-        shape = (int(room.width) + 1, int(room.height) + 1)
-        at = np.floor(points - self._corner).astype(np.int64)
-        at = at[((at >= 0) & (at < shape)).all(1)]
-        counts = np.zeros((shape[0] + 1, shape[1] + 1), np.int64)
-        np.add.at(counts, tuple(at.T + 1), 1)
-        self._sums = counts.cumsum(0).cumsum(1)
-
-    def held(self, boxes: Boxes) -> NDArray[np.int64]:
-        """How many of the points each of the boxes holds, to a dot."""
-        most = np.array(self._sums.shape * 2) - 1
-        corners = np.rint(boxes - np.tile(self._corner, 2)).astype(np.int64)
-        left, bottom, right, top = np.clip(corners, 0, most).T
-        sums = self._sums
-        counted: NDArray[np.int64] = (
-            sums[right, top] - sums[left, top] - sums[right, bottom] + sums[left, bottom]
-        )
-        return counted
-
-
-@dataclass
-class _Drawn:
-    """What a panel holds: boxes of texts and of marks, points along its lines, and along leaders
-    to names."""
-
-    texts: Boxes
-    marks: Boxes
-    lines: _Tally
-    leaders: Points = field(default_factory=lambda: np.empty((0, 2)))
-
-
-def place_labels(axes: Axes, labels: Sequence[Label]) -> list[Label]:
-    """Write the labels, in this order; those that had no room anywhere.
+def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
+    """Write the labels, in this order; return those for which there is no free place.
 
     The figure is laid out (`sheet.lay_out`): nothing in it moves any more.
     """
-    drawn = _drawn(axes)
-    return [label for label in labels if label.text and not _written(axes, label, drawn)]
+    drawn = _Drawn(axes)
+    return [label for label in labels if label.text and not drawn.write(label)]
 
 
 def halo() -> list[Any]:
@@ -119,149 +77,117 @@ def halo() -> list[Any]:
     return [withStroke(linewidth=_HALO, foreground=look().paper)]
 
 
-def _written(axes: Axes, label: Label, drawn: _Drawn) -> bool:
-    dots = axes.figure.dpi / 72
-    text = axes.annotate(
-        label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left", va="bottom",
-        size=_NAME if label.name else _SMALL, weight="bold" if label.name else "normal",
-        color=look().type_in(label.colour), path_effects=halo(),
-    )  # fmt: skip
-    text.set_in_layout(False)
-    extent = text.get_window_extent()
-    places = _places(axes, label, (extent.width, extent.height), dots)
-    best = _cheapest(label, places, drawn, _costs(axes, label, places, drawn, dots))
-    if best is None:
-        text.remove()
-        return False
-    box, anchor, corner = places.boxes[best], places.anchors[best], places.nearest[best]
-    text.xy = label.anchors[places.number[best]]
-    text.set_position(tuple((box[:2] - anchor) / dots))
-    if label.far and places.gaps[best] > _LEADER:
-        drawn.leaders = np.vstack([drawn.leaders, _between(anchor, corner)])
-        _join(axes, text, (corner - anchor) / dots, label.colour)
-    drawn.texts = np.vstack([drawn.texts, box])
-    return True
+class _Drawn:
+    """What a panel holds: boxes of its texts and marks, its lines, and leaders to texts."""
+
+    def __init__(self, axes: Axes) -> None:
+        self.axes, self.dots = axes, axes.figure.dpi / 72
+        texts = [text.get_window_extent().extents for text in axes.texts if text.get_text()]
+        self.texts = np.array(texts).reshape(-1, 4)
+        self.lines: list[Path] = []
+        self.leaders: list[Path] = []
+        marks = [np.empty((0, 4))]
+        for line in axes.lines:
+            path = line.get_path().transformed(line.get_transform())
+            if line.get_linestyle() != "None":
+                self.lines.append(path)
+            if line.get_marker() not in (None, "None", "", " "):
+                reach = self.dots * (line.get_markersize() + line.get_markeredgewidth()) / 2
+                points = np.asarray(path.vertices, float)
+                points = points[np.isfinite(points).all(1)]
+                marks.append(np.hstack([points - reach, points + reach]))
+        self.marks = np.vstack(marks)
+
+    def write(self, label: ChartLabel) -> bool:
+        """Writes a label where there is a free place for it; returns whether there is one."""
+        text = self.axes.annotate(
+            label.text, label.anchors[0], (0, 0), textcoords="offset points", ha="left",
+            va="bottom", size=_NAME if label.name else _SMALL, color=look().type_in(label.colour),
+            weight="bold" if label.name else "normal", path_effects=halo(),
+        )  # fmt: skip
+        text.set_in_layout(False)
+        extent = text.get_window_extent()
+        place = self._place(label, np.array([extent.width, extent.height]))
+        if place is None:
+            text.remove()
+            return False
+        number, anchor, box = place
+        text.xy = label.anchors[number]
+        text.set_position(tuple((box[:2] - anchor) / self.dots))
+        nearest = np.clip(anchor, box[:2], box[2:])
+        if label.far and np.hypot(*(nearest - anchor)) > _LEADER * self.dots:
+            self.leaders.append(_segment(anchor, nearest))
+            self.axes.annotate(
+                "", text.xy, tuple((nearest - anchor) / self.dots), textcoords="offset points",
+                arrowprops={"arrowstyle": "-", "color": label.colour, "linewidth": 0.7,
+                            "shrinkA": 1, "shrinkB": 4, "zorder": 1.5},
+            ).set_in_layout(False)  # fmt: skip
+        self.texts = np.vstack([self.texts, box])
+        return True
+
+    def _place(self, label: ChartLabel, size: Points) -> tuple[int, Points, Points] | None:
+        """The best free place: the number of its anchor, the anchor and the text's box in dots."""
+        numbers, anchors, boxes, costs = self._places(label, size)
+        room = self.axes.bbox
+        clear = boxes + self.dots * _CLEAR
+        inside = (clear[:, :2] > room.min) & (clear[:, 2:] < room.max)
+        free: NDArray[np.bool_] = np.asarray(inside.all(1))
+        free &= ~_overlaps(clear, self.marks).any(1)
+        free &= ~_overlaps(boxes + self.dots * _APART, self.texts).any(1)
+        order = [k for k in np.argsort(costs, kind="stable").tolist() if free[k]]
+        for lines in [self.lines, []] if label.name else [self.lines]:
+            for k in order:
+                if _cross([*lines, *self.leaders], clear[k : k + 1]):
+                    continue
+                nearest = np.clip(anchors[k], boxes[k, :2], boxes[k, 2:])
+                if not label.far or not _cross([_segment(anchors[k], nearest)], self.texts):
+                    return int(numbers[k]), anchors[k], boxes[k]
+        return None
+
+    def _places(
+        self, label: ChartLabel, size: Points
+    ) -> tuple[NDArray[np.int64], Points, Boxes, Any]:
+        """All places around all anchors, with what each one costs in points."""
+        gaps = np.array(_FAR if label.far else _NEAR)
+        numbers, gap, angle = (
+            axis.ravel()
+            for axis in np.meshgrid(np.arange(len(label.anchors)), gaps, np.arange(16) * np.pi / 8)
+        )
+        anchors = self.axes.transData.transform(np.array(label.anchors, float))[numbers]
+        ahead = np.column_stack([np.cos(angle), np.sin(angle)])
+        # At a slant the box's corner is nearest, straight ahead the middle of its side.
+        leaning = np.clip(1.6 * ahead, -1, 1) * size / 2
+        middle = anchors + ahead * (gap[:, None] + 2.5) * self.dots + leaning
+        boxes = np.hstack([middle - size / 2, middle + size / 2])
+        # Names go on to the right, other texts stand above or below.
+        turn = 1 - np.cos(angle) if label.name else 1 - np.abs(np.sin(angle))
+        costs = gap + _ANCHOR * numbers + _TURN * turn
+        anchor_distances = _distances(boxes, anchors)
+        for mark in (self.marks[:, :2] + self.marks[:, 2:]) / 2:
+            costs += _ASTRAY / self.dots * np.maximum(anchor_distances - _distances(boxes, mark), 0)
+        return numbers, anchors, boxes, costs
 
 
-def _join(axes: Axes, text: Annotation, reach: Points, colour: str) -> None:
-    """A thin line from near a text's anchor to near the text, `reach` points away."""
-    length = np.hypot(*reach)
-    leader = axes.annotate(
-        "", text.xy, tuple(reach * (1 - 1 / length)), textcoords="offset points",
-        arrowprops={"arrowstyle": "-", "color": colour, "linewidth": 0.7, "shrinkA": 0,
-                    "shrinkB": 4, "zorder": 1.5},
-    )  # fmt: skip
-    leader.set_in_layout(False)
+def _distances(boxes: Boxes, points: Points) -> NDArray[np.float64]:
+    nearest = np.clip(points, boxes[:, :2], boxes[:, 2:])
+    return np.asarray(np.hypot(*(nearest - points).T))
 
 
-@dataclass
-class _Places:
-    """Where a text may go: its box, and the box's point that is nearest to the anchor."""
-
-    boxes: Boxes
-    anchors: Points
-    nearest: Points
-    gaps: NDArray[np.float64]
-    number: NDArray[np.int64]
-    turn: NDArray[np.float64]
-
-
-def _places(axes: Axes, label: Label, size: tuple[float, float], dots: float) -> _Places:
-    """All places around all anchors; sizes and boxes in dots, gaps in points."""
-    gaps = np.array(_FAR if label.far else _NEAR)
-    angles = np.arange(16) * np.pi / 8
-    number, gap, angle = (
-        part.ravel() for part in np.meshgrid(np.arange(len(label.anchors)), gaps, angles)
-    )
-    anchors = axes.transData.transform(np.array(label.anchors, float))[number]
-    ahead = np.column_stack([np.cos(angle), np.sin(angle)])
-    # At a slant the box's corner is nearest, straight ahead the middle of its side.
-    leaning = np.clip(1.6 * ahead, -1, 1) * np.array(size) / 2
-    middle = anchors + ahead * (gap[:, None] + 2.5) * dots + leaning
-    boxes = np.hstack([middle - np.array(size) / 2, middle + np.array(size) / 2])
-    nearest = np.clip(anchors, boxes[:, :2], boxes[:, 2:])
-    # Names go on to the right, the rest stands above or below.
-    turn = 1 - np.cos(angle) if label.name else 1 - np.abs(np.sin(angle))
-    return _Places(boxes, anchors, nearest, gap, number, turn)
-
-
-def _costs(
-    axes: Axes, label: Label, places: _Places, drawn: _Drawn, dots: float
-) -> NDArray[np.float64]:
-    """What each place costs, in points; infinite where it would cover something or stick out."""
-    boxes = places.boxes
-    room = axes.bbox
-    grown = boxes + _CLEAR * dots * np.array([-1, -1, 1, 1])
-    free = (grown[:, :2] > [room.x0, room.y0]).all(1) & (grown[:, 2:] < [room.x1, room.y1]).all(1)
-    free &= ~_overlaps(grown, drawn.marks).any(1)
-    apart = boxes + dots * np.array([-_SPACE, -_LEADING, _SPACE, _LEADING])
-    free &= ~_overlaps(apart, drawn.texts).any(1)
-    free &= _held(grown, drawn.leaders) == 0
-    costs = places.gaps + _NEXT * places.number + 2 * places.turn
-    covered = drawn.lines.held(grown)
-    if not label.name:
-        free &= covered == 0
-    costs += _ON_LINES * (covered > 0) + _ON_LINE * covered
-    middles = (drawn.marks[:, :2] + drawn.marks[:, 2:]) / 2
-    own = np.hypot(*(places.nearest - places.anchors).T)
-    for middle in middles:
-        off = np.hypot(*(np.clip(middle, boxes[:, :2], boxes[:, 2:]) - middle).T)
-        costs += _ASTRAY / dots * np.maximum(own - off, 0)
-    return np.where(free, costs, np.inf)
-
-
-def _cheapest(
-    label: Label, places: _Places, drawn: _Drawn, costs: NDArray[np.float64]
-) -> int | None:
-    """The place that costs least with what its leader crosses; None if there is none."""
-    best, least = None, np.inf
-    for place in map(int, np.argsort(costs, kind="stable")):
-        if costs[place] >= least:
-            break
-        cost = costs[place]
-        if label.far and places.gaps[place] > _LEADER:
-            leader = _between(places.anchors[place], places.nearest[place])
-            if _held(drawn.texts, leader).any():
-                continue
-            cost += _CROSSED * np.count_nonzero(drawn.lines.held(_around(leader, _STEP)))
-        if cost < least:
-            best, least = place, cost
-    return best
-
-
-def _drawn(axes: Axes) -> _Drawn:
-    dots = axes.figure.dpi / 72
-    marks, lines = [np.empty((0, 4))], [np.empty((0, 2))]
-    for line in axes.lines:
-        points = line.get_transform().transform(line.get_xydata())
-        points = points[np.isfinite(points).all(1)]
-        if line.get_marker() not in (None, "None", "", " "):
-            reach = (line.get_markersize() + line.get_markeredgewidth()) / 2
-            marks.append(_around(points, reach * dots))
-        if line.get_linestyle() != "None":
-            lines += [_between(*pair) for pair in pairwise(points)]
-    texts = [text.get_window_extent().extents for text in axes.texts if text.get_text()]
-    return _Drawn(np.array(texts).reshape(-1, 4), np.vstack(marks), _Tally(axes, np.vstack(lines)))
-
-
-def _between(start: Points, end: Points) -> Points:
-    """Points on the way from one to the other."""
-    steps = max(1, int(np.abs(end - start).max() / _STEP))
-    return start + np.linspace(0, 1, steps + 1)[:, None] * (end - start)
-
-
-def _around(points: Points, reach: float) -> Boxes:
-    return np.hstack([points - reach, points + reach])
-
-
-def _overlaps(some: Boxes, others: Boxes) -> NDArray[np.bool_]:
+def _overlaps(boxes_a: Boxes, boxes_b: Boxes) -> NDArray[np.bool_]:
     """Which of (n, 4) overlap which of (m, 4): (n, m)."""
-    a, b = some[:, None], others[None]
+    a, b = boxes_a[:, None], boxes_b[None]
     return np.asarray((a[..., :2] < b[..., 2:]).all(2) & (b[..., :2] < a[..., 2:]).all(2))
 
 
-def _held(boxes: Boxes, points: Points) -> NDArray[np.int64]:
-    """How many of the points each box holds."""
-    inside: Any = (boxes[:, None, :2] < points).all(2) & (points < boxes[:, None, 2:]).all(2)
-    counted: NDArray[np.int64] = inside.sum(1)
-    return counted
+def _segment(start: Points, end: Points) -> Path:
+    from matplotlib.path import Path
+
+    return Path(np.array([start, end]))
+
+
+def _cross(paths: Sequence[Path], boxes: Boxes) -> bool:
+    """Whether one of the paths crosses one of the boxes."""
+    from matplotlib.transforms import Bbox
+
+    bboxes = [Bbox(box.reshape(2, 2)) for box in boxes]
+    return any(path.intersects_bbox(box, filled=False) for path in paths for box in bboxes)

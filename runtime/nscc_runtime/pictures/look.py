@@ -41,7 +41,7 @@ class Look:
     def type_in(self, colour: str) -> str:
         """The colour, as near to the ink as small type in it must be to be read on the paper."""
         mixed = (_mix(colour, self.ink, step / 20) for step in range(21))
-        return next((each for each in mixed if contrast(each, self.paper) >= _LEGIBLE), self.ink)
+        return next((shade for shade in mixed if contrast(shade, self.paper) >= _LEGIBLE), self.ink)
 
     def on(self, colour: str) -> str:
         """The type that shows best on an area of this colour: ink, or paper left free."""
@@ -79,24 +79,24 @@ def looking(chosen: Look) -> Iterator[None]:
         _current.reset(before)
 
 
-def contrast(one: str, other: str) -> float:
+def contrast(colour: str, other_colour: str) -> float:
     """The ratio of two colours' luminances, 1 to 21, as the WCAG define it."""
-    dark, light = sorted((_luminance(one), _luminance(other)))
+    dark, light = sorted((_luminance(colour), _luminance(other_colour)))
     return (light + 0.05) / (dark + 0.05)
 
 
 def _luminance(colour: str) -> float:
     linear = [
         value / 12.92 if value <= 0.04045 else ((value + 0.055) / 1.055) ** 2.4
-        for value in (part / 255 for part in _parts(colour))
+        for value in (level / 255 for level in _rgb_levels(colour))
     ]
     return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 
 
-def _mix(one: str, other: str, share: float) -> str:
-    pairs = zip(_parts(one), _parts(other), strict=True)
+def _mix(colour: str, target_colour: str, share: float) -> str:
+    pairs = zip(_rgb_levels(colour), _rgb_levels(target_colour), strict=True)
     return "#" + "".join(f"{round(a + (b - a) * share):02x}" for a, b in pairs)
 
 
-def _parts(colour: str) -> list[int]:
+def _rgb_levels(colour: str) -> list[int]:
     return [int(colour[at : at + 2], 16) for at in (1, 3, 5)]

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
@@ -51,7 +51,7 @@ class Panel:
 
 
 @dataclass(frozen=True)
-class Reading:
+class PointReading:
     """How points are read: the label of the time axis and how many of its units a millisecond has,
     the line of a point (none: it only counts for who is dominated) and the text beside it.
 
@@ -66,19 +66,21 @@ class Reading:
 
     def lines(self, points: Sequence[Point]) -> dict[str, list[Point]]:
         """What is drawn of these points."""
-        found: dict[str, list[Point]] = {}
+        points_by_line: dict[str, list[Point]] = {}
         for point in points:
             if self.line(point) and math.isfinite(point.error):
-                found.setdefault(self.line(point), []).append(point)
-        return found
+                points_by_line.setdefault(self.line(point), []).append(point)
+        return points_by_line
 
     def times(self, point: Point) -> list[float]:
         """Median, least and most on the time axis."""
-        every = (point.time_ms, min(point.times_ms), max(point.times_ms))
-        return [time_ms * self.per_ms for time_ms in every]
+        times_ms = (point.time_ms, min(point.times_ms), max(point.times_ms))
+        return [time_ms * self.per_ms for time_ms in times_ms]
 
 
-def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading: Reading) -> Figure:
+def precision_diagram(
+    problems: Sequence[Panel], title: str, note: str, reading: PointReading
+) -> Figure:
     """All panels, with one scale of time, and one of errors for those whose error is the same.
     Raises ValueError where there is nothing to draw."""
     from matplotlib.lines import Line2D
@@ -90,7 +92,12 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
         raise ValueError("no points to draw")
     looks = {name: look().of(number) for number, name in enumerate(lines)}
     guides = {guide.name: guide for panel in problems for guide in panel.guides}
-    times = [time for part in lines.values() for point in part for time in reading.times(point)]
+    times = [
+        time
+        for line_points in lines.values()
+        for point in line_points
+        for time in reading.times(point)
+    ]
     times += [g.time_ms * reading.per_ms for p in problems for g in p.guides if g.time_ms]
     room = max(max(times) / min(times), 3.0) ** 0.06
     columns = min(_COLUMNS, len(problems))
@@ -118,8 +125,8 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
         for label in place_labels(axes, texts)
         if label.name
     }
-    handles = [Line2D([], [], label=n, **one) for n, one in looks.items() if n in homeless]
-    if any(point.bound for part in lines.values() for point in part):
+    handles = [Line2D([], [], label=n, **style) for n, style in looks.items() if n in homeless]
+    if any(point.bound for line_points in lines.values() for point in line_points):
         handles.append(Line2D([], [], label="proved bound", color=look().faint, linestyle="--"))
     handles += [
         Line2D([], [], label=g.name, color=look().ink, ls=g.dashes) for g in guides.values()
@@ -128,48 +135,50 @@ def precision_diagram(problems: Sequence[Panel], title: str, note: str, reading:
     return figure
 
 
-def _heights(panel: Panel, reading: Reading) -> list[float]:
+def _heights(panel: Panel, reading: PointReading) -> list[float]:
     """All that a panel's error axis has to hold."""
     lines = reading.lines(panel.points)
-    found = [point.error for part in lines.values() for point in part]
-    found += [part[0].bound for part in lines.values() if part[0].bound]
-    return found + [guide.error for guide in panel.guides if guide.error]
+    heights = [point.error for line_points in lines.values() for point in line_points]
+    heights += [line_points[0].bound for line_points in lines.values() if line_points[0].bound]
+    return heights + [guide.error for guide in panel.guides if guide.error]
 
 
 def _draw(
-    axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: Reading,
+    axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: PointReading,
     beaten: dict[int, bool],
-) -> list[Label]:  # fmt: skip
+) -> list[ChartLabel]:  # fmt: skip
     """Draws lines and guides; their names, then the texts that go with points, those that nothing
     beats first."""
     lines = reading.lines(panel.points)
-    bounds = {name: part[0].bound for name, part in lines.items() if part[0].bound}
+    bounds = {
+        name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound
+    }
     bottom = axes.get_ylim()[0]
     names, labels = [], []
-    for name, part in lines.items():
+    for name, line_points in lines.items():
         colour, marker = looks[name]["color"], looks[name]["marker"]
-        times = [reading.times(point) for point in part]
-        errors = [max(point.error, bottom) for point in part]
+        times = [reading.times(point) for point in line_points]
+        errors = [max(point.error, bottom) for point in line_points]
         medians, least, most = zip(*times, strict=True)
         axes.plot(medians, errors, color=colour)
         axes.hlines(errors, least, most, colour, linewidth=3.2, alpha=0.25)
-        for point, time, error in zip(part, medians, errors, strict=True):
+        for point, time, error in zip(line_points, medians, errors, strict=True):
             hollow = beaten[id(point)]
             axes.plot(
                 time, error, marker if point.error >= bottom else "v", color=colour,
                 markerfacecolor=look().paper if hollow else colour, clip_on=False, zorder=3,
             )  # fmt: skip
             # The one setting of a method is all that is told of it.
-            text, sought = reading.text(point), len(part) == 1
-            labels.append((hollow, Label(text, [(time, error)], colour, sought=sought)))
+            text, sought = reading.text(point), len(line_points) == 1
+            labels.append((hollow, ChartLabel(text, [(time, error)], colour, sought=sought)))
         ends = [*zip(medians, errors, strict=True)]
         between = ends[1 : -1 : 1 + len(ends) // _MOST_ANCHORS]
-        names.append(Label(name, [ends[-1], ends[0], *between], colour, name=True))
+        names.append(ChartLabel(name, [ends[-1], ends[0], *between], colour, name=True))
         if name in bounds:
             axes.axhline(bounds[name], color=colour, linewidth=1, linestyle="--")
-            left, right = axes.get_xlim()
-            edge = left * (right / left) ** 0.05
-            labels.append((False, Label(f"{bounds[name]:g}", [(edge, bounds[name])], colour)))
+            left_time, right_time = axes.get_xlim()
+            edge = left_time * (right_time / left_time) ** 0.05
+            labels.append((False, ChartLabel(f"{bounds[name]:g}", [(edge, bounds[name])], colour)))
     for guide in panel.guides:
         line: dict[str, Any] = {"color": look().ink, "lw": 1.1, "ls": guide.dashes, "zorder": 1}
         if guide.time_ms:

@@ -81,7 +81,7 @@ def blank(width: float, height: float) -> Figure:
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure((_whole(width), _whole(height)))
+    figure = Figure((_round_to_dots(width), _round_to_dots(height)))
     FigureCanvasAgg(figure)
     return figure
 
@@ -95,16 +95,16 @@ def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure,
     return figure, [figure.add_subplot(rows, columns, i + 1) for i in range(count)]
 
 
-def place(figure: Figure, left: float, top: float, width: float, height: float) -> Axes:
+def place(figure: Figure, x_inches: float, y_inches: float, width: float, height: float) -> Axes:
     """Axes at so many inches from the figure's top left corner."""
     across, down = figure.get_size_inches()
-    box = [_whole(value) for value in (left, top, width, height)]
+    box = [_round_to_dots(value) for value in (x_inches, y_inches, width, height)]
     return figure.add_axes(
         (box[0] / across, 1 - (box[1] + box[3]) / down, box[2] / across, box[3] / down)
     )
 
 
-def _whole(inches: float) -> float:
+def _round_to_dots(inches: float) -> float:
     return round(inches * DPI) / DPI
 
 
@@ -137,10 +137,10 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
     """
     lay_out(figure)
     width, height = figure.get_size_inches()
-    left, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height
+    left_edge, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height
     for columns in range(len(handles), 0, -1):
         legend = figure.legend(
-            handles=handles, loc="lower left", bbox_to_anchor=(left, bottom), ncols=columns
+            handles=handles, loc="lower left", bbox_to_anchor=(left_edge, bottom), ncols=columns
         )
         box = legend.get_window_extent()
         if box.width <= figure.bbox.width or columns == 1:
@@ -148,11 +148,11 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
             break
         legend.remove()
     # A letter's width, of its size.
-    parts = ((note, SIZE, "normal", 0.56, look().faint), (title, 14, "bold", 0.64, look().ink))
-    for text, size, weight, letter, colour in parts:
+    texts = ((note, SIZE, "normal", 0.56, look().faint), (title, 14, "bold", 0.64, look().ink))
+    for text, size, weight, letter, colour in texts:
         if text:
             lines = textwrap.fill(text, max(40, int(width * 72 / (letter * size))))
-            written = figure.text(left, bottom, lines, size=size, weight=weight, color=colour)
+            written = figure.text(left_edge, bottom, lines, size=size, weight=weight, color=colour)
             written.set_verticalalignment("bottom")
             bottom += (written.get_window_extent().height / DPI + 0.07) / height
 

@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, halo, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
 from nscc_runtime.pictures.look import look
-from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
+from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 from nscc_runtime.tradeoff import study as studied
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
 from nscc_runtime.tradeoff.study_text import SLACK
@@ -56,16 +56,16 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
             panels.append(Panel(study.scene, error, points, guides))
     times = "one run" if repeats == 1 else f"median and range of {repeats} runs"
     plain = all(
-        each.plan.allowed is None or each.plan.allowed.in_electrons
+        measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
         for study in studies
-        for each in study.asked
+        for measured_plan in study.measured_plans
     )
     unit = " in e" if plain else ""
     return precision_diagram(
         panels, "What the emulator's time buys",
         "against the reference with all effects, same draws (hollow: dominated; beside the marks: "
         f"tolerance{unit}); {times} on {device}",
-        Reading(
+        PointReading(
             "time of one frame, ms", line=lambda point: _NAMES.get(point.method, ""),
             text=lambda p: (
                 p.setting.removesuffix("e" if unit else "") if p.method == PLANNED else ""
@@ -80,15 +80,20 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
     from matplotlib.lines import Line2D
 
     plans = [
-        (study.scene, each.tolerance_e, each.predicted_e, each.measured_e)
+        (
+            study.scene,
+            measured_plan.tolerance_e,
+            measured_plan.predicted_e,
+            measured_plan.measured_e,
+        )
         for study in studies
-        for each in study.asked
+        for measured_plan in study.measured_plans
     ]
     if not plans:
         raise ValueError("no promises to draw")
-    asked = np.array([tolerance_e for _, tolerance_e, _, _ in plans])
-    errors = np.array([found for _, _, *found in plans])
-    least, most = asked.min() / 1.5, asked.max() * 1.5
+    tolerances_e = np.array([tolerance_e for _, tolerance_e, _, _ in plans])
+    errors = np.array([rms_errors for _, _, *rms_errors in plans])
+    least, most = tolerances_e.min() / 1.5, tolerances_e.max() * 1.5
     low = errors[errors > least / _LOWEST].min(initial=least) / 1.5
     high = 1.2 * errors[errors < math.inf].max(initial=most)
     figure, [axes] = sheet.panels(1, (_SIDE, _SIDE), 1)
@@ -100,16 +105,18 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
     axes.plot(line, above, color=look().ink, linestyle="--")
     scenes = list(dict.fromkeys(scene for scene, *_ in plans))
     labels = []
-    for (scene, *_, measured), x, ends in zip(plans, asked, errors.clip(low, high), strict=True):
+    for (scene, *_, measured), x, ends in zip(
+        plans, tolerances_e, errors.clip(low, high), strict=True
+    ):
         number = scenes.index(scene)
         # Scenes side by side, so that none hides another.
         x *= 1.05 ** (number - (len(scenes) - 1) / 2)
-        own = look().of(number)
-        axes.plot([x, x], ends, color=own["color"], linewidth=1)
-        axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **own)
-        axes.plot(x, ends[1], markersize=4, clip_on=False, **own)
+        style = look().of(number)
+        axes.plot([x, x], ends, color=style["color"], linewidth=1)
+        axes.plot(x, ends[0], markersize=9, fillstyle="none", clip_on=False, **style)
+        axes.plot(x, ends[1], markersize=4, clip_on=False, **style)
         if measured < low:
-            labels.append(Label(f"{measured:.1g}", [(x, ends[1])], own["color"]))
+            labels.append(ChartLabel(f"{measured:.1g}", [(x, ends[1])], style["color"]))
     sheet.round_ticks(axes.xaxis)
     sheet.round_ticks(axes.yaxis)
     dot: dict[str, Any] = {"color": look().faint, "linestyle": "", "marker": "o"}
@@ -135,9 +142,9 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
 
     if not studies:
         raise ValueError("no budgets to draw")
-    kept, dropped, *_ = look().series
+    kept_colour, dropped_colour, *_ = look().series
     budgets = [study.budget for study in studies]
-    values = [each.predicted_rms_e for plan in budgets for each in plan.decisions]
+    values = [decision.predicted_rms_e for plan in budgets for decision in plan.decisions]
     known = [e for e in (*values, *(plan.tolerance_e for plan in budgets)) if e]
     span = (max(min(known), max(known) * 1e-6) / 2, max(known) * 2)
     bars = max(len(_decisions(plan)) for plan in budgets)
@@ -149,8 +156,8 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
         figure, "Error budgets: what each effect does, and what is left out",
         "RMS electrons of each effect; at the right, ms a frame that leaving it out saves (model)",
         [
-            Patch(facecolor=kept, edgecolor=kept, label="simulated"),
-            Patch(facecolor=look().paper, edgecolor=dropped, label="left out"),
+            Patch(facecolor=kept_colour, edgecolor=kept_colour, label="simulated"),
+            Patch(facecolor=look().paper, edgecolor=dropped_colour, label="left out"),
             Line2D([], [], color=look().ink, label="tolerance asked"),
             Line2D([], [], color=look().ink, linestyle="--", label="predicted error"),
         ],
@@ -159,13 +166,13 @@ def budget_diagram(studies: Sequence[Study]) -> Figure:
 
 
 def _decisions(plan: Plan) -> list[Decision]:
-    return [each for each in plan.decisions if each.kind != "after"]
+    return [decision for decision in plan.decisions if decision.kind != "after"]
 
 
 def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     decisions = _decisions(plan)
-    kept, dropped, *_ = look().series
-    colours = {"kept": kept, "dropped": dropped, "absent": look().faint}
+    kept_colour, dropped_colour, *_ = look().series
+    colours = {"kept": kept_colour, "dropped": dropped_colour, "absent": look().faint}
     axes.set(xscale="log", xlim=span, ylim=(len(decisions) - 0.4, -0.6))
     tolerance_e, predicted_e = plan.tolerance_e or 0.0, plan.predicted_e or 0.0
     axes.set_xlabel(f"RMS, e; {tolerance_e:g} asked, {predicted_e:.3g} predicted")
@@ -173,28 +180,28 @@ def _draw_budget(axes: Axes, plan: Plan, span: tuple[float, float]) -> None:
     sheet.round_ticks(axes.xaxis, most=4)
     costs = axes.secondary_yaxis("right")
     costs.spines[:].set_visible(False)
-    for i, each in enumerate(decisions):
-        rms_e, colour = each.predicted_rms_e, colours[each.decision]
-        if each.decision == "absent":
+    for i, decision in enumerate(decisions):
+        rms_e, colour = decision.predicted_rms_e, colours[decision.decision]
+        if decision.decision == "absent":
             axes.text(
                 span[0], i, " absent", size=7.5, color=colour, va="center", style="italic",
                 path_effects=halo(),
             )  # fmt: skip
         elif rms_e is not None and rms_e > span[0]:
-            face = colour if each.decision == "kept" else look().paper
+            face = colour if decision.decision == "kept" else look().paper
             axes.barh(i, rms_e - span[0], 0.62, span[0], facecolor=face, edgecolor=colour)
     axes.axvline(tolerance_e, color=look().ink)
     axes.axvline(predicted_e, color=look().ink, linestyle="--")
-    axes.set_yticks(range(len(decisions)), [each.name for each in decisions])
-    costs.set_yticks(range(len(decisions)), [_saves(each) for each in decisions])
+    axes.set_yticks(range(len(decisions)), [decision.name for decision in decisions])
+    costs.set_yticks(range(len(decisions)), [_saves(decision) for decision in decisions])
     for side in (axes, costs):
         side.tick_params(axis="y", length=0)
-        for label, each in zip(side.get_yticklabels(), decisions, strict=True):
-            drawn = side is axes and each.decision != "absent"
-            label.set_color(look().ink if drawn else colours[each.decision])
+        for label, decision in zip(side.get_yticklabels(), decisions, strict=True):
+            drawn = side is axes and decision.decision != "absent"
+            label.set_color(look().ink if drawn else colours[decision.decision])
 
 
-def _saves(each: Decision) -> str:
-    if each.decision == "absent":
+def _saves(decision: Decision) -> str:
+    if decision.decision == "absent":
         return ""
-    return f"{float(f'{each.cost_ms_model:.2g}'):g} ms" if each.cost_ms_model else "free"
+    return f"{float(f'{decision.cost_ms_model:.2g}'):g} ms" if decision.cost_ms_model else "free"

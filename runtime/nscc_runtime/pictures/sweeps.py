@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.labels import Label, place_labels
+from nscc_runtime.pictures.labels import ChartLabel, place_labels
 from nscc_runtime.pictures.look import look
 
 if TYPE_CHECKING:
@@ -67,12 +67,12 @@ class _Scale:
         """Where a value is."""
         return float(self.names.index(str(value)) if self.names else value)
 
-    def lay(self, axes: Axes, which: str) -> None:
+    def lay(self, axes: Axes, axis_name: str) -> None:
         """Gives one of a panel's axes, "x" or "y", this scale."""
         if self.logarithmic:
-            axes.set(**{f"{which}scale": "log"})
-        axes.set(**{f"{which}lim": (self.low, self.high)})
-        axis = axes.xaxis if which == "x" else axes.yaxis
+            axes.set(**{f"{axis_name}scale": "log"})
+        axes.set(**{f"{axis_name}lim": (self.low, self.high)})
+        axis = axes.xaxis if axis_name == "x" else axes.yaxis
         if self.names:
             axis.set_ticks(range(len(self.names)), self.names)
         else:
@@ -84,14 +84,18 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
     draw."""
     from matplotlib.lines import Line2D
 
-    held = [panel for panel in panels if any(panel.lines.values())]
-    if not held:
+    filled_panels = [panel for panel in panels if any(panel.lines.values())]
+    if not filled_panels:
         raise ValueError("no points to draw")
-    names = list(dict.fromkeys(name for panel in held for name in panel.lines))
-    scales = _scales(held)
-    columns = min(_COLUMNS, len(held))
-    figure, grid = sheet.panels(len(held), (sheet.WIDTH / max(columns, 1.4), _HEIGHT), columns)
-    labels = [_draw(axes, panel, names, scales) for axes, panel in zip(grid, held, strict=True)]
+    names = list(dict.fromkeys(name for panel in filled_panels for name in panel.lines))
+    scales = _scales(filled_panels)
+    columns = min(_COLUMNS, len(filled_panels))
+    figure, grid = sheet.panels(
+        len(filled_panels), (sheet.WIDTH / max(columns, 1.4), _HEIGHT), columns
+    )
+    labels = [
+        _draw(axes, panel, names, scales) for axes, panel in zip(grid, filled_panels, strict=True)
+    ]
     figure.align_ylabels(grid)
     sheet.lay_out(figure)
     homeless = {*names} - {""}
@@ -118,12 +122,12 @@ def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
             for across, upwards in points:
                 values.setdefault(("x", panel.across), []).append(across)
                 values.setdefault(("y", panel.upwards), []).append(upwards)
-    return {key: _Scale.of(held) for key, held in values.items()}
+    return {key: _Scale.of(axis_values) for key, axis_values in values.items()}
 
 
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
-) -> list[Label]:
+) -> list[ChartLabel]:
     """Draws a panel's lines; their names, for their ends."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
@@ -135,7 +139,7 @@ def _draw(
         chosen = look().of(names.index(name))
         axes.plot([x for x, _ in places], [y for _, y in places], clip_on=False, **chosen)
         if places and name:
-            labels.append(Label(name, places[::-1], chosen["color"], name=True))
+            labels.append(ChartLabel(name, places[::-1], chosen["color"], name=True))
     across.lay(axes, "x")
     upwards.lay(axes, "y")
     return labels

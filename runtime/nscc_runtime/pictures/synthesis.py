@@ -7,7 +7,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.precision import Panel, Reading, precision_diagram
+from nscc_runtime.pictures.precision import Panel, PointReading, precision_diagram
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,5 +27,5 @@ def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device:
         panels, "What compile time buys",
         f"{words} at {levels} (numbers; hollow: dominated) against {times}, from text to proof, "
         f"on {device}",
-        Reading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
+        PointReading("time, s", 1e-3, text=lambda point: point.setting.removeprefix("-O")),
     )  # fmt: skip

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from nscc_runtime.scenes.crop import parse_crop
-from nscc_runtime.scenes.exposure import Exposure, parse_exposure
-from nscc_runtime.scenes.fit import FITS, Fit, Layout
-from nscc_runtime.scenes.load import Laid, laid_scene, light_of_array, load_scene
+from nscc_runtime.scenes.exposure import ExposureLevel, parse_exposure
+from nscc_runtime.scenes.load import PlacedLight, laid_scene, light_of_array, load_scene
+from nscc_runtime.scenes.placement import FITS, Fit, Placement
 from nscc_runtime.scenes.scene import Scene
 
 __all__ = [
     "FITS",
-    "Exposure",
+    "ExposureLevel",
     "Fit",
-    "Laid",
-    "Layout",
+    "PlacedLight",
+    "Placement",
     "Scene",
     "laid_scene",
     "light_of_array",

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
 from nscc.files import reads
-from nscc_runtime.scenes.colour import srgb_to_linear
-from nscc_runtime.scenes.picture_files import files_of, read_folder
+from nscc_runtime.scenes.colour import Transfer, linear
+from nscc_runtime.scenes.picture_files import files_of, read_folder, transfer_of
 
 _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 
@@ -23,7 +23,7 @@ _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 def parse_times(text: str) -> tuple[float, ...]:
     """Exposure times in seconds, `1/250,1/60,0.066`; NS0777 for anything else."""
     try:
-        times = tuple(float(Fraction(part.strip())) for part in text.split(","))
+        times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
         times = ()
     if not times or not all(0 < time < np.inf for time in times):
@@ -44,48 +44,69 @@ def bracket_files(spec: str) -> list[Path]:
 
 
 def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDArray[np.float32]:
-    """Merge photos to linear light (R, C, 3), by the method of Debevec and Malik in OpenCV with the
-    sRGB curve as the camera's response.
+    """Merge photos to linear light, by the method of Debevec and Malik (SIGGRAPH 1997) with a known
+    camera response: the curve that the file names, or that of its format.
+
+    Light is the exponential of a weighted mean of log light; samples near black and near white have
+    the smallest weights. One photo is held in memory at a time.
 
     Parameters
     ----------
     files : sequence of Path
-        Photos of 8 bits a sample, of one size.
+        Photos of one size with integer samples, 8 or 16 bits each.
     times : sequence of float, optional
         Exposure times in seconds; without them those of the photos' EXIF, each times its ISO speed
         over the square of its f-number.
 
+    Returns
+    -------
+    array
+        (R, C) grey or (R, C, 3) red, green, blue.
+
     Raises
     ------
     Rejected
-        NS0777 for photos without exposure times, of more bits, or all of one time; as
-        `read_folder`.
+        NS0777 for photos without exposure times, with samples of another type, or all of one time;
+        as `read_folder`.
     """
-    import cv2
-
     reads(*files)
     exposures = [*times] if times is not None else [_exif_exposure(path) for path in files]
+    log_exposures = [float(np.float32(np.log(exposure))) for exposure in exposures]
     if len(exposures) != len(files):
         text = f"{len(files)} photos and {len(exposures)} exposure times do not go together"
         raise _refused(text, "give one time a photo, in the order of their names")
     if len(set(exposures)) == 1:
         raise _refused("all photos have the same exposure", "a bracket has several; see --times")
-    photos = [*read_folder([*files])]
-    deep = [path.name for path, photo in zip(files, photos, strict=True) if photo.dtype != np.uint8]
-    if deep:
-        text = f"'{deep[0]}' has {photos[0].dtype} samples, and brackets of 8 bits are merged"
-        raise _refused(text, "develop the photos to .jpg or .png of 8 bits, by one setting")
-    response = srgb_to_linear(np.arange(256) / 255.0)
-    response[0] = response[1] / 2  # its logarithm is taken
-    curve = np.repeat(response.astype(np.float32)[:, None, None], 3, axis=2)
-    merge = cv2.createMergeDebevec()
-    pictures = [np.ascontiguousarray(_in_three(photo)) for photo in photos]
-    seconds = np.array(exposures, np.float32)
-    return np.asarray(merge.process(pictures, seconds, curve), np.float32)
+    weights = weighted = shortest = longest = np.zeros((), np.float32)
+    for path, photo, log_exposure in zip(files, read_folder([*files]), log_exposures, strict=True):
+        if photo.dtype not in (np.uint8, np.uint16):
+            text = f"'{path.name}' has {photo.dtype} samples: brackets of integers are merged"
+            raise _refused(text, "develop the photos to .tiff, .png or .jpg of 8 or 16 bits")
+        colours = photo if photo.ndim == 3 else photo[..., None]
+        weight, logarithm = _weights(colours), _log_light(colours, transfer_of(path)) - log_exposure
+        weights, weighted = weights + weight, weighted + weight * logarithm
+        shortest = logarithm if log_exposure == min(log_exposures) else shortest
+        longest = logarithm if log_exposure == max(log_exposures) else longest
+    # All samples are black or white: the light is at least that of white in the shortest exposure,
+    # or at most that of black in the longest.
+    bound = np.where(shortest >= -min(log_exposures), shortest, longest)
+    merged = np.exp(np.where(weights > 0, weighted / np.maximum(weights, 1e-9), bound))
+    return merged if merged.shape[-1] == 3 else merged[..., 0]
 
 
-def _in_three(photo: NDArray[Any]) -> NDArray[Any]:
-    return photo if photo.ndim == 3 else np.repeat(photo[..., None], 3, axis=-1)
+def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
+    """The weight (R, C, 1) of each pixel: 0 at black and white, largest half-way between."""
+    samples = np.arange(np.iinfo(photo.dtype).max + 1)
+    triangle = (np.minimum(samples, samples[::-1]) / len(samples)).astype(np.float32)
+    return np.asarray(triangle[photo].mean(axis=-1, keepdims=True))
+
+
+def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
+    """The logarithm of linear light, 0 for white; black counts as half the smallest sample."""
+    samples = np.arange(np.iinfo(photo.dtype).max + 1)
+    light = linear(samples.astype(photo.dtype), transfer)
+    light[0] = light[1] / 2
+    return np.asarray(np.log(light).astype(np.float32)[photo])
 
 
 def _exif_exposure(path: Path) -> float:

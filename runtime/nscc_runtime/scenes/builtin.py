@@ -12,7 +12,7 @@ from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import exposure as exposures
-from nscc_runtime.scenes.exposure import BUILTIN, Exposure
+from nscc_runtime.scenes.exposure import BUILTIN, ExposureLevel
 
 NAMES = ("hdr", "motion", "flat", "dark")
 
@@ -23,7 +23,7 @@ def load_builtin(
     slot_us: Sequence[float],
     rows: int,
     cols: int,
-    exposure: Exposure | None = None,
+    exposure: ExposureLevel | None = None,
 ) -> Light:
     """The light of `builtin:NAME`; NS0731 for a name or an argument that is not one.
 
@@ -39,34 +39,34 @@ def load_builtin(
         case "motion":
             from nscc_runtime.scenes.builtin_motion import motion
 
-            part = _part(spec, arguments[0]) if arguments else 1.0
-            return motion(slot_us, rows, cols, exposure or BUILTIN, spec, part)
+            share = _clip_share(spec, arguments[0]) if arguments else 1.0
+            return motion(slot_us, rows, cols, exposure or BUILTIN, spec, share)
         case "hdr":
             from nscc_runtime.scenes.builtin_hdr import landscape
 
             frame = landscape(rows, cols)
-            wanted: Exposure | None = exposure or BUILTIN
+            exposure_level: ExposureLevel | None = exposure or BUILTIN
         case "flat":
             electrons = _electrons(spec, arguments[0])
             frame = np.full((rows, cols), 1.0 if electrons else 0.0, np.float32)
-            wanted = exposure or (Exposure(electrons) if electrons else None)
+            exposure_level = exposure or (ExposureLevel(electrons) if electrons else None)
         case _:
             frame = np.zeros((rows, cols), np.float32)
-            wanted = exposure
+            exposure_level = exposure
     factor = 1.0
-    if wanted is not None:
+    if exposure_level is not None:
         open_sum = frame.astype(np.float64) * float(seconds.sum())
-        factor = exposures.scale(open_sum, wanted, spec)
+        factor = exposures.scale(open_sum, exposure_level, spec)
     return Light.of_still(frame, seconds * factor, factor)
 
 
-def _part(spec: str, text: str) -> float:
+def _clip_share(spec: str, text: str) -> float:
     try:
-        part = float(text)
+        share = float(text)
     except ValueError:
-        part = math.nan
-    if 0.0 <= part <= 1.0:
-        return part
+        share = math.nan
+    if 0.0 <= share <= 1.0:
+        return share
     raise rejected(
         "NS0731",
         f"'{text[:60]}' in '{spec[:80]}' is no part of the clip",
@@ -91,9 +91,9 @@ def _electrons(spec: str, text: str) -> float:
 
 
 def _unknown(spec: str, name: str) -> Exception:
-    near = name if name in NAMES else closest(name, NAMES)
-    written = f"builtin:{near}" + (":10000" if near == "flat" else "")
-    help_text = did_you_mean(written) if near else "choose one of these, or name a file"
+    suggestion = name if name in NAMES else closest(name, NAMES)
+    written = f"builtin:{suggestion}" + (":10000" if suggestion == "flat" else "")
+    help_text = did_you_mean(written) if suggestion else "choose one of these, or name a file"
     return rejected(
         "NS0731",
         f"there is no scene '{spec[:80]}'",

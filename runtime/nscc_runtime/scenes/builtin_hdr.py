@@ -105,8 +105,8 @@ def _hut(x: Field, y: Field, pixel: float) -> Field:
 
 
 def _box(x: Field, y: Field, sides: tuple[float, float, float, float], pixel: float) -> Field:
-    left, right, top, bottom = sides
-    across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - left, right - x))
-    down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - top, bottom - y))
+    x0, x1, y0, y1 = sides
+    across = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(x - x0, x1 - x))
+    down = smooth(-0.5 * pixel, 0.5 * pixel, np.minimum(y - y0, y1 - y))
     result: Field = across[None, :] * down[:, None]
     return result

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from nscc_runtime.light import Light
 from nscc_runtime.scenes import timing
-from nscc_runtime.scenes.exposure import Exposure, scale
+from nscc_runtime.scenes.exposure import ExposureLevel, scale
 from nscc_runtime.scenes.shapes import Field, fractal, hashed, turn
 
 Picture = NDArray[np.float32]
@@ -22,7 +22,12 @@ _FEWEST, _MOST = 64, 256
 
 
 def motion(
-    slot_us: Sequence[float], rows: int, cols: int, exposure: Exposure, name: str, part: float = 1.0
+    slot_us: Sequence[float],
+    rows: int,
+    cols: int,
+    exposure: ExposureLevel,
+    name: str,
+    share: float = 1.0,
 ) -> Light:
     """The clip under the slots of a frame; it lasts exactly as long as the frame.
 
@@ -34,13 +39,13 @@ def motion(
     slots = len(slot_us)
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
     length_us = timing.slot_edges_us(slot_us)[-1]
-    parts = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
+    overlap = timing.overlaps(slot_us, Fraction(count * 1_000_000) / length_us)
     return timing.spread(
-        frames(count, rows, cols, part), parts, lambda open_sum: scale(open_sum, exposure, name)
+        frames(count, rows, cols, share), overlap, lambda open_sum: scale(open_sum, exposure, name)
     )
 
 
-def frames(count: int, rows: int, cols: int, part: float = 1.0) -> NDArray[np.float32]:
+def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.float32]:
     """`count` pictures (count, rows, cols) of the middle `part` of the clip, relative luminance up
     to 8."""
     unit = float(min(rows, cols))
@@ -51,7 +56,7 @@ def frames(count: int, rows: int, cols: int, part: float = 1.0) -> NDArray[np.fl
     half = (cols / 2 / unit, rows / 2 / unit)
     wheel = _Wheel(x, y, 1.0 / unit)
     for k, picture in enumerate(clip):
-        phase = (1.0 - part) / 2 + part * ((k + 0.5) / count)
+        phase = (1.0 - share) / 2 + share * ((k + 0.5) / count)
         _train(picture, x, y, phase, half, 1.0 / unit)
         wheel.draw(picture, phase)
         _ball(picture, x, y, phase, half, 1.0 / unit)
@@ -120,8 +125,8 @@ class _Wheel:
         cover = np.clip(shape / self.pixel + 0.5, 0.0, 1.0)
         c, s = turn(phase * 1.5)
         glint = 0.55 + (self.dx * c + self.dy * s) * (0.35 / self.radius)
-        part = picture[self.rows, self.cols]
-        part += (glint - part) * cover
+        region = picture[self.rows, self.cols]
+        region += (glint - region) * cover
 
 
 def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:

@@ -35,24 +35,24 @@ class Window:
             )
         if self.corner is None:
             return (have[0] - need[0]) // 2, (have[1] - need[1]) // 2
-        top, left = self.corner
-        if not (0 <= top <= have[0] - need[0] and 0 <= left <= have[1] - need[1]):
+        first_row, first_col = self.corner
+        if not (0 <= first_row <= have[0] - need[0] and 0 <= first_col <= have[1] - need[1]):
             raise rejected(
                 "NS0734",
-                f"--crop {top},{left} puts the array of {size(need)} outside the scene "
+                f"--crop {first_row},{first_col} puts the array of {size(need)} outside the scene "
                 f"'{name}' of {size(have)}",
                 notes=("--crop R,C is the row and column of the top left corner",),
                 helps=(f"R may be 0 to {have[0] - need[0]} here, C 0 to {have[1] - need[1]}",),
-                data={"scene": list(have), "array": list(need), "crop": [top, left]},
+                data={"scene": list(have), "array": list(need), "crop": [first_row, first_col]},
             )
-        return top, left
+        return first_row, first_col
 
 
 def parse_crop(text: str) -> tuple[int, int]:
     """`R,C` as two whole numbers; NS0739 for anything else."""
-    parts = text.split(",")
-    if len(parts) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in parts):
-        return int(parts[0]), int(parts[1])
+    numbers = text.split(",")
+    if len(numbers) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in numbers):
+        return int(numbers[0]), int(numbers[1])
     raise rejected(
         "NS0739",
         f"'{text[:60]}' is no corner for --crop",

@@ -74,24 +74,24 @@ class Census:
                 return
             if block.dtype.kind == "f" and block.dtype.itemsize < 8:
                 block = block.astype(np.float64)  # `top` is infinite in float16
-        for kind, bad in (
+        for kind, mask in (
             ("NaN", np.isnan(block)),
             ("infinite", np.abs(block) > top),
             ("negative", (block < 0) & (block >= -top)),
         ):
-            self.counts[kind] += int(np.count_nonzero(bad))
+            self.counts[kind] += int(np.count_nonzero(mask))
             if self.counts[kind] and kind not in self.first:
-                row, *place = (int(i) for i in np.argwhere(bad)[0])
+                row, *place = (int(i) for i in np.argwhere(mask)[0])
                 self.first[kind] = (row + start, *place), float(block[(row, *place)])
 
     def reject(self, name: Path_or_name, corner: tuple[int, int] = (0, 0)) -> None:
         """Raise NS0736 if any value was bad; `corner` is where the values begin in the file."""
-        found = [kind for kind, count in self.counts.items() if count]
-        if not found:
+        kinds = [kind for kind, count in self.counts.items() if count]
+        if not kinds:
             return
-        place, value = self.first[found[0]]
+        place, value = self.first[kinds[0]]
         place = (*place[:-2], *(at + start for at, start in zip(place[-2:], corner, strict=True)))
-        counted = ", ".join(f"{self.counts[kind]} {_NOT_LIGHT[kind]}" for kind in found)
+        counted = ", ".join(f"{self.counts[kind]} {_NOT_LIGHT[kind]}" for kind in kinds)
         total = sum(self.counts.values())
         axes = "[slot, row, column]" if len(place) == 3 else "[row, column]"
         raise rejected(

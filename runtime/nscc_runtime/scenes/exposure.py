@@ -15,25 +15,26 @@ DEFAULT_PERCENTILE = 99.0
 
 
 @dataclass(frozen=True)
-class Exposure:
+class ExposureLevel:
     """`electrons` over the whole frame at percentile `percentile` of the all-open sum."""
 
     electrons: float
     percentile: float = DEFAULT_PERCENTILE
 
 
-BUILTIN = Exposure(30000.0)
+BUILTIN = ExposureLevel(30000.0)
 """What the builtin scenes get unless asked otherwise: the full well of PIX, at percentile 99."""
 
 
-def parse_exposure(text: str) -> Exposure:
+def parse_exposure(exposure: str | float) -> ExposureLevel:
     """`E` or `E@P`, electrons above 0 and a percentile in 0..100; NS0738 for anything else."""
+    text = str(exposure)
     electrons, at, percentile = text.partition("@")
     try:
-        found = Exposure(float(electrons), float(percentile) if at else DEFAULT_PERCENTILE)
+        parsed = ExposureLevel(float(electrons), float(percentile) if at else DEFAULT_PERCENTILE)
     except ValueError:
-        found = Exposure(math.nan)
-    if not (0 < found.electrons < math.inf and 0 <= found.percentile <= 100):
+        parsed = ExposureLevel(math.nan)
+    if not (0 < parsed.electrons < math.inf and 0 <= parsed.percentile <= 100):
         raise rejected(
             "NS0738",
             f"'{text[:60]}' is no exposure",
@@ -43,7 +44,7 @@ def parse_exposure(text: str) -> Exposure:
             ),
             helps=("for instance --exposure 30000@99",),
         )
-    return found
+    return parsed
 
 
 def checked_white(white: float | None) -> float | None:
@@ -58,7 +59,7 @@ def checked_white(white: float | None) -> float | None:
     )
 
 
-def needed(name: Path_or_name) -> Exposure:
+def needed(name: Path_or_name) -> ExposureLevel:
     """Never returns: the scene has no unit of its own and no exposure was given (NS0737)."""
     raise rejected(
         "NS0737",
@@ -71,7 +72,7 @@ def needed(name: Path_or_name) -> Exposure:
     )
 
 
-def scale(open_sum: NDArray[np.float64], exposure: Exposure, name: Path_or_name) -> float:
+def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_name) -> float:
     """The factor that takes `open_sum` (rows, cols), in the scene's own unit, to electrons.
 
     Percentiles between two pixels are interpolated linearly. NS0738 where the scene is dark there,

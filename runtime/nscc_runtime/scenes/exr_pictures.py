@@ -33,15 +33,15 @@ def exr_pages(path: Path) -> Pages:
     notes: list[Note] = []
     channel_names: set[str] = set()
     with OpenEXR.File(str(path), separate_channels=True) as file:
-        for part in file.parts:
-            channel_names.update(part.channels)
-            layer = _picture_layer(part.channels)
+        for file_part in file.parts:
+            channel_names.update(file_part.channels)
+            layer = _picture_layer(file_part.channels)
             if layer is None:
                 continue
-            picture = _layer_pixels(part.channels, layer, part.header["dataWindow"])
-            pictures.append(_in_display_window(picture, part.header))
-            names.append(str(part.header.get("name", "")) or f"part {len(names)}")
-            notes += _primaries_note(part.header)
+            picture = _layer_pixels(file_part.channels, layer, file_part.header["dataWindow"])
+            pictures.append(_in_display_window(picture, file_part.header))
+            names.append(str(file_part.header.get("name", "")) or f"part {len(names)}")
+            notes += _primaries_note(file_part.header)
     if not pictures:
         raise UnsupportedPicture(
             f"it has no channels R, G, B or Y, but {_listed(sorted(channel_names))}",
@@ -121,16 +121,16 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
 
 def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDArray[Any]:
     """The picture in its display window: black beyond the data window, cut where that is larger."""
-    (left, top), _ = header["dataWindow"]
+    (data_left, data_top), _ = header["dataWindow"]
     (shown_left, shown_top), (shown_right, shown_bottom) = header["displayWindow"]
     rows, cols = int(shown_bottom) - int(shown_top) + 1, int(shown_right) - int(shown_left) + 1
-    row, col = int(top) - int(shown_top), int(left) - int(shown_left)
+    row, col = int(data_top) - int(shown_top), int(data_left) - int(shown_left)
     if (row, col) == (0, 0) and picture.shape[:2] == (rows, cols):
         return picture
     shown = np.zeros((rows, cols, *picture.shape[2:]), picture.dtype)
-    part = picture[max(-row, 0) : max(rows - row, 0), max(-col, 0) : max(cols - col, 0)]
+    visible = picture[max(-row, 0) : max(rows - row, 0), max(-col, 0) : max(cols - col, 0)]
     row, col = max(row, 0), max(col, 0)
-    shown[row : row + part.shape[0], col : col + part.shape[1]] = part
+    shown[row : row + visible.shape[0], col : col + visible.shape[1]] = visible
     return shown
 
 

@@ -18,25 +18,25 @@ from nscc.diagnostics.suggest import closest, did_you_mean
 from nscc.files import reads
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
-from nscc_runtime.scenes import arrays, exposure, timing
+from nscc_runtime.scenes import exposure, light_arrays, timing
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import Window
 from nscc_runtime.scenes.errors import refuse_no_light
-from nscc_runtime.scenes.exposure import Exposure, checked_white
-from nscc_runtime.scenes.fit import (
+from nscc_runtime.scenes.exposure import ExposureLevel, checked_white
+from nscc_runtime.scenes.pages import Pages
+from nscc_runtime.scenes.picture_light import picture_light
+from nscc_runtime.scenes.placement import (
     Fit,
-    Layout,
+    Placement,
     changes,
     few_bits,
     in_colour,
-    layout,
     picture_note,
     placed,
+    placement_of,
     taken_for_srgb,
     white_used,
 )
-from nscc_runtime.scenes.pages import Pages
-from nscc_runtime.scenes.picture_light import picture_light
 
 FramesAre = Literal["integrals", "samples"]
 
@@ -52,7 +52,7 @@ class _Request:
     name: str
     slot_us: tuple[float, ...]
     window: Window
-    exposure: Exposure | None = None
+    exposure: ExposureLevel | None = None
     transfer: Transfer | None = None
     fps: float | None = None
     crop: tuple[int, int] | None = None
@@ -71,25 +71,25 @@ class _Request:
 
     def check_light(self, shape: tuple[int, ...]) -> None:
         """NS0733 to NS0735 for `light` arrays of a shape that is not this program's."""
-        arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
+        light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
         """NS0737 where nothing says how many electrons the scene amounts to."""
         if self.factor is None and self.exposure is None:
             exposure.needed(self.name)
 
-    def scale(self, open_sum: NDArray[np.float64], where: Layout) -> float:
+    def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
         """From the scene's own unit to electrons: the factor given, or that of the exposure."""
         if self.factor is not None:
             return self.factor
         assert self.exposure is not None  # checked, or given
-        return exposure.scale(where.cut(open_sum), self.exposure, self.name)
+        return exposure.scale(placement.cut(open_sum), self.exposure, self.name)
 
     @property
-    def on_array(self) -> Layout:
+    def on_array(self) -> Placement:
         """Of a scene that is made for the array."""
         size = (self.window.rows, self.window.cols)
-        return Layout("crop", size, size, size)
+        return Placement("crop", size, size, size)
 
     @property
     def slots(self) -> int:
@@ -106,12 +106,14 @@ def load_scene(spec: str, **settings: Any) -> Light:
 
 
 @dataclass(frozen=True, eq=False)
-class Laid:
-    """Light on as many arrays as `where` says; `colour`: it is of a picture or clip in colour."""
+class PlacedLight:
+    """Light on as many arrays as `placement` says; `colour`: it is of a picture or clip in colour.
+    `notes` say how the file was read where the user may expect something else."""
 
     light: Light
-    where: Layout
+    placement: Placement
     colour: bool = False
+    notes: tuple[str, ...] = ()
 
 
 def laid_scene(
@@ -120,7 +122,7 @@ def laid_scene(
     slot_us: Sequence[float],
     rows: int,
     cols: int,
-    exposure: Exposure | None = None,
+    exposure: ExposureLevel | None = None,
     transfer: Transfer | None = None,
     fps: float | None = None,
     crop: tuple[int, int] | None = None,
@@ -136,7 +138,7 @@ def laid_scene(
     times: tuple[float, ...] | None = None,
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
-) -> Laid:
+) -> PlacedLight:
     """The light of scene `spec` in slots of `slot_us`, and how it lies on arrays of rows x cols.
 
     `spec` is a file, a folder of pictures or `builtin:NAME`. Raises Rejected with status 2
@@ -165,10 +167,10 @@ def laid_scene(
 
         why = "a builtin scene is made for the array and the program's slots"
         _refuse(request, why, "transfer", "fps", "crop", "first", "white", "bracket")
-        made = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
-        if made.kind != "still":
+        light = load_builtin(spec, slot_us=request.slot_us, rows=rows, cols=cols, exposure=exposure)
+        if light.kind != "still":
             _refuse(request, why, "single")
-        return Laid(made, request.on_array)
+        return PlacedLight(light, request.on_array)
     if not bracket:
         _refuse(request, "the exposure times are those of a bracket", "times")
     else:
@@ -190,7 +192,7 @@ def light_of_array(
     """
     request = _Request(name, tuple(slot_us), Window(rows, cols))
     values = np.asarray(values)
-    arrays.check_type(Path(name), "light", values.dtype)
+    light_arrays.check_type(Path(name), "light", values.dtype)
     request.check_light(values.shape)
     refuse_no_light(values, name)
     return _electrons(request, np.ascontiguousarray(values, np.float32))
@@ -204,19 +206,19 @@ def _existing(spec: str) -> Path:
         reason = "it is not a file" if path.exists() else "there is no such file"
     except (OSError, ValueError) as error:
         reason = str(error)
-    near = spec if spec in _BUILTINS else closest(spec, _BUILTINS)
+    suggestion = spec if spec in _BUILTINS else closest(spec, _BUILTINS)
     raise rejected(
         "NS0730",
         f"the scene '{spec[:200]}' cannot be opened: {reason}",
         helps=(
-            *((did_you_mean(f"builtin:{near}"),) if near and not path.suffix else ()),
+            *((did_you_mean(f"builtin:{suggestion}"),) if suggestion and not path.suffix else ()),
             "name a file, a folder of pictures or a builtin scene: builtin:hdr, builtin:motion, "
             "builtin:flat:E, builtin:dark",
         ),
     )
 
 
-def _load_path(request: _Request, path: Path) -> Laid:
+def _load_path(request: _Request, path: Path) -> PlacedLight:
     from nscc_runtime.scenes import clips, picture_files
 
     reads(path)
@@ -230,12 +232,11 @@ def _load_path(request: _Request, path: Path) -> Laid:
     if suffix in ARRAYS:
         return _array(request, path)
     if suffix in picture_files.PICTURES:
-        usual = picture_files.default_transfer(path)
-        return _picture(request, picture_files.open_pages(path), usual)
+        pages = picture_files.open_pages(path, large=True)
+        return _noted(request, pages, picture_files.default_transfer(path), pages.count == 1)
     if suffix in clips.CLIPS:
         pages = clips.open_clip(path)
-        _say_notes(request, pages)
-        return _clip(request, pages.read(), request.transfer or pages.transfer or "srgb")
+        return _noted(request, pages, "srgb")
     known = ", ".join(sorted(ARRAYS + picture_files.PICTURES + clips.CLIPS))
     raise rejected(
         "NS0731",
@@ -245,19 +246,17 @@ def _load_path(request: _Request, path: Path) -> Laid:
     )
 
 
-def _picture(request: _Request, pages: Pages, usual: Transfer) -> Laid:
-    """A still, or the clip of a file of several pictures; `usual` is the format's curve."""
-    transfer = request.transfer or pages.transfer or usual
-    _say_notes(request, pages)
-    if pages.count > 1:
-        return _clip(request, pages.read(), transfer)
-    _refuse(request, "a still is one frame", "first")
-    return _still(request, lambda: next(pages.read()), transfer)
-
-
-def _say_notes(request: _Request, pages: Pages) -> None:
+def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False) -> PlacedLight:
+    """The still or clip of a file, with the file's notes; `usual` is the curve of its format."""
     for text, help_text in pages.notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
+    transfer = request.transfer or pages.transfer or usual
+    if still:
+        _refuse(request, "a still is one frame", "first")
+        laid = _still(request, lambda: next(pages.read()), transfer)
+    else:
+        laid = _clip(request, pages.read(), transfer)
+    return replace(laid, notes=tuple(f"the scene {text}" for text, _ in pages.notes))
 
 
 def _refuse(request: _Request, why: str, *names: str) -> None:
@@ -273,39 +272,39 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
             )
 
 
-def _array(request: _Request, path: Path) -> Laid:
+def _array(request: _Request, path: Path) -> PlacedLight:
     """Light in electrons, or a .mat clip."""
     if path.suffix.lower() == ".mat":
-        key, found = arrays.read_mat(path, request.check_light)
-        if key == arrays.MAT_CLIP_KEY:
-            frames = (found[:, :, k] for k in range(found.shape[2]))
-            white = request.white or arrays.clip_white(found)
+        key, values = light_arrays.read_mat(path, request.check_light)
+        if key == light_arrays.MAT_CLIP_KEY:
+            frames = (values[:, :, k] for k in range(values.shape[2]))
+            white = request.white or light_arrays.clip_white(values)
             return _clip(replace(request, white=white), frames, request.transfer or "linear")
     else:
-        found = arrays.read_light(path, request.check_light, request.progress)
+        values = light_arrays.read_light(path, request.check_light, request.progress)
     why = "`light` arrays hold electrons, slot by slot, for every pixel"
     _refuse(request, why, "fps", "crop", "first", "white")
-    if found.ndim == 3:
+    if values.ndim == 3:
         _refuse(request, why, "single")
     if request.transfer == "srgb":
         _refuse(request, "`light` arrays hold electrons, which are linear", "transfer")
-    return Laid(_electrons(request, found), request.on_array)
+    return PlacedLight(_electrons(request, values), request.on_array)
 
 
-def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
-    wanted = request.exposure
-    if found.ndim == 3:
-        clip = Light.of_clip(found)
-        if wanted is not None:
-            factor = exposure.scale(clip.total_e(), wanted, request.name)
-            clip = Light.of_clip(found, factor)
+def _electrons(request: _Request, values: NDArray[np.float32]) -> Light:
+    exposure_level = request.exposure
+    if values.ndim == 3:
+        clip = Light.of_clip(values)
+        if exposure_level is not None:
+            factor = exposure.scale(clip.total_e(), exposure_level, request.name)
+            clip = Light.of_clip(values, factor)
         return timing.with_motion(clip) if request.frames_are == "samples" else clip
     seconds = request.slot_s
-    if wanted is not None:
-        open_sum = found.astype(np.float64) * float(seconds.sum())
+    if exposure_level is not None:
+        open_sum = values.astype(np.float64) * float(seconds.sum())
         factor = request.scale(open_sum, request.on_array)
-        return Light.of_still(found, seconds * factor, factor)
-    peak = float(found.max()) * float(seconds.max())
+        return Light.of_still(values, seconds * factor, factor)
+    peak = float(values.max()) * float(seconds.max())
     if peak > float(np.finfo(np.float32).max):
         raise rejected(
             "NS0736",
@@ -313,21 +312,21 @@ def _electrons(request: _Request, found: NDArray[np.float32]) -> Light:
             notes=("a slot's light must stay below 3.4e38 electrons",),
             helps=("a still in a `light` array is in electrons a second: divide it",),
         )
-    return Light.of_still(found, seconds)
+    return Light.of_still(values, seconds)
 
 
-def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transfer) -> Laid:
+def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transfer) -> PlacedLight:
     _refuse(request, "a still has no frame rate", "fps")
     request.check_exposure()
     stored = read()
-    frame, where = _light(request, stored, transfer, request.name)
-    colour = _say_changes(request, stored, transfer, where)
+    frame, placement = _light(request, stored, transfer, request.name)
+    colour = _say_changes(request, stored, transfer, placement)
     seconds = request.slot_s
-    factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), where)
-    return Laid(Light.of_still(frame, seconds * factor, factor), where, colour)
+    factor = request.scale(frame.astype(np.float64) * float(seconds.sum()), placement)
+    return PlacedLight(Light.of_still(frame, seconds * factor, factor), placement, colour)
 
 
-def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> Laid:
+def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
     """Frames of a clip: one a slot, or as `--fps` lays them under the slots; or one, as a still."""
     if request.single:
         return _still(
@@ -336,13 +335,13 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     request.check_exposure()
     fps = None if request.fps is None else timing.check_fps(request.fps)
     need = request.slots if fps is None else timing.frames_needed(request.slot_us, fps)
-    frames, where = np.empty((0, 0, 0), np.float32), request.on_array
+    frames, placement = np.empty((0, 0, 0), np.float32), request.on_array
     have, colour = 0, False
     for picture in request.progress(islice(stored, request.first, None), "reading frames", need):
         name = f"{request.name}, frame {request.first + have}"
-        frame, where = _light(request, picture, transfer, name)
+        frame, placement = _light(request, picture, transfer, name)
         if have == 0:
-            colour = _say_changes(request, picture, transfer, where)
+            colour = _say_changes(request, picture, transfer, placement)
         if have == len(frames):
             # realloc grows a large block without a copy; the final size is exactly `need`
             frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
@@ -353,25 +352,25 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
     if have < need:
         raise timing.too_short(request.name, have, need, request.slots, request.fps, request.first)
     if fps is None:
-        factor = request.scale(frames.sum(axis=0, dtype=np.float64), where)
+        factor = request.scale(frames.sum(axis=0, dtype=np.float64), placement)
         clip, seconds, rate = Light.of_clip(frames, factor), None, 1.0
     else:
-        parts = timing.overlaps(request.slot_us, fps)
-        clip = timing.spread(frames, parts, lambda open_sum: request.scale(open_sum, where))
-        seconds, rate = parts.seconds, float(fps)
+        overlap = timing.overlaps(request.slot_us, fps)
+        clip = timing.spread(frames, overlap, lambda open_sum: request.scale(open_sum, placement))
+        seconds, rate = overlap.seconds, float(fps)
     if request.frames_are == "samples":
         clip = timing.with_motion(clip, seconds, rate)
-    return Laid(clip, where, colour)
+    return PlacedLight(clip, placement, colour)
 
 
 def _say_changes(
-    request: _Request, stored: NDArray[Any], transfer: Transfer, where: Layout
+    request: _Request, stored: NDArray[Any], transfer: Transfer, placement: Placement
 ) -> bool:
     """Whether the picture is in colour; what becomes of size, colours and light is said once."""
     colour = in_colour(stored)
     if request.channel is None:
-        for found in changes(where, colour, request.name):
-            request.warn(found)
+        for note in changes(placement, colour, request.name):
+            request.warn(note)
         floats = stored.dtype.kind == "f"
         if request.transfer is None and transfer == "srgb" and floats:
             request.warn(taken_for_srgb(request.name))
@@ -382,15 +381,18 @@ def _say_changes(
 
 def _light(
     request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
-) -> tuple[NDArray[np.float32], Layout]:
+) -> tuple[NDArray[np.float32], Placement]:
     """A stored picture as light on the arrays, and how it lies; NS0736 for what is not light."""
-    where = layout(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
+    placement = placement_of(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
     window = None
-    if where.fit == "crop":
-        top, left = request.window.place(where.picture, request.name)
-        window = slice(top, top + request.window.rows), slice(left, left + request.window.cols)
+    if placement.fit == "crop":
+        first_row, first_col = request.window.place(placement.picture, request.name)
+        window = (
+            slice(first_row, first_row + request.window.rows),
+            slice(first_col, first_col + request.window.cols),
+        )
     values = picture_light(
         stored, transfer, name, channel=request.channel, white=request.white, window=window,
-        warn=request.warn,
+        size=placement.size if placement.fit == "scale" else None, warn=request.warn,
     )  # fmt: skip
-    return placed(values, where), where
+    return placed(values, placement), placement

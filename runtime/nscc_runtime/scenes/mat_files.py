@@ -44,8 +44,8 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
         with h5py.File(path, "r") as file:
             stored = {name: file[name] for name in file if not name.startswith("#")}
             return {
-                name: tuple(each.shape or ())[::-1] if isinstance(each, h5py.Dataset) else ()
-                for name, each in stored.items()
+                name: tuple(dataset.shape or ())[::-1] if isinstance(dataset, h5py.Dataset) else ()
+                for name, dataset in stored.items()
             }
     from scipy.io import whosmat
 
@@ -63,10 +63,10 @@ def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[An
 
     InvalidArrays where it takes more than `most_bytes`.
     """
-    found = mat_arrays(path, [name], most_bytes)
-    if name not in found:
+    arrays = mat_arrays(path, [name], most_bytes)
+    if name not in arrays:
         raise ValueError(f"'{name}' is not an array")
-    return found[name]
+    return arrays[name]
 
 
 def mat_arrays(
@@ -90,10 +90,10 @@ def mat_arrays(
             unpacked_bytes += size
             check_size(unpacked_bytes, most_bytes)
         file.seek(0)
-        found = loadmat(file, variable_names=names)
+        variables = loadmat(file, variable_names=names)
     return {
         name: values
-        for name, values in found.items()
+        for name, values in variables.items()
         if name[:2] != "__" and isinstance(values, np.ndarray)
     }
 
@@ -125,14 +125,16 @@ def _of_hdf5(
     import h5py
 
     with h5py.File(path, "r") as file:
-        wanted = [name for name in file if name[:1] != "#"] if names is None else names
-        stored = {name: file[name] for name in wanted if name in file}
-        arrays = {name: each for name, each in stored.items() if isinstance(each, h5py.Dataset)}
+        chosen_names = [name for name in file if name[:1] != "#"] if names is None else names
+        stored = {name: file[name] for name in chosen_names if name in file}
+        arrays = {
+            name: dataset for name, dataset in stored.items() if isinstance(dataset, h5py.Dataset)
+        }
         check_size(sum(map(_stated_bytes, arrays.values())), most_bytes)
-        for each in arrays.values():
-            _check_chunks(each)
+        for dataset in arrays.values():
+            _check_chunks(dataset)
         # MATLAB stores columns first: HDF5 has its axes the other way round.
-        return {name: np.asarray(each).T for name, each in arrays.items()}
+        return {name: np.asarray(dataset).T for name, dataset in arrays.items()}
 
 
 def _stated_bytes(stored: Any) -> int:

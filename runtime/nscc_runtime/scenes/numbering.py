@@ -22,25 +22,25 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
     its number is in the numbering of the frames and no picture has this number.
     """
     stems = {Path(name).stem for name in pictures}
-    parts = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
-    place = _counting_part(parts)
+    split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
+    place = _counting_part(split_names)
     unread = [
         name
         for name in sorted(set(names).difference(pictures))
         if not name.startswith(".")
         and Path(name).stem not in stems
-        and (_is_picture(name) or (place is not None and _counts(name, parts[0], place)))
+        and (_is_picture(name) or (place is not None and _counts(name, split_names[0], place)))
     ]
-    said = [f"{_listed(unread)}: not a picture that is read"] if unread else []
+    sentences = [f"{_listed(unread)}: not a picture that is read"] if unread else []
     if place is not None:
-        read = {int(part[place]) for part in parts}
+        read = {int(split_name[place]) for split_name in split_names}
         # A number whose file is there has been named already.
-        there = {int(re.split(r"(\d+)", Path(name).stem)[place]) for name in unread
-                 if _counts(name, parts[0], place)}  # fmt: skip
-        gaps = _gaps(sorted(read | there))
+        unread_numbers = {int(re.split(r"(\d+)", Path(name).stem)[place]) for name in unread
+                 if _counts(name, split_names[0], place)}  # fmt: skip
+        gaps = _gaps(sorted(read | unread_numbers))
         if gaps:
-            said.append(f"no frame has the number {gaps}")
-    return tuple(said)
+            sentences.append(f"no frame has the number {gaps}")
+    return tuple(sentences)
 
 
 def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) -> Diagnostic:
@@ -55,22 +55,28 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
     )
 
 
-def _counting_part(parts: Sequence[list[str]]) -> int | None:
+def _counting_part(split_names: Sequence[list[str]]) -> int | None:
     """Which part of the names counts the frames, if they differ in a number alone."""
-    if len(parts) < 2 or len({len(part) for part in parts}) != 1:
+    if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
-    varying = [k for k in range(len(parts[0])) if len({part[k] for part in parts}) > 1]
+    varying = [
+        k
+        for k in range(len(split_names[0]))
+        if len({split_name[k] for split_name in split_names}) > 1
+    ]
     numbers = len(varying) == 1 and varying[0] % 2 == 1
     return (
-        varying[0] if numbers and max(len(p[varying[0]]) for p in parts) <= _MOST_DIGITS else None
+        varying[0]
+        if numbers and max(len(p[varying[0]]) for p in split_names) <= _MOST_DIGITS
+        else None
     )
 
 
 def _counts(name: str, like: list[str], place: int) -> bool:
     """Whether a file is named as the frames are, but for its number."""
-    part = re.split(r"(\d+)", Path(name).stem)
-    return len(part) == len(like) and all(
-        part[k] == like[k] for k in range(len(like)) if k != place
+    split_name = re.split(r"(\d+)", Path(name).stem)
+    return len(split_name) == len(like) and all(
+        split_name[k] == like[k] for k in range(len(like)) if k != place
     )
 
 
@@ -85,9 +91,9 @@ def _gaps(numbers: Sequence[int]) -> str:
     steps = [b - a for a, b in pairwise(numbers)]
     step = min(steps, default=0)
     usual = step > 0 and 2 * steps.count(step) >= len(steps)
-    if not usual or any(each % step for each in steps):
+    if not usual or any(difference % step for difference in steps):
         return ""
-    count = sum(each // step - 1 for each in steps)
+    count = sum(difference // step - 1 for difference in steps)
     gaps = (n for a, b in pairwise(numbers) for n in range(a + step, b, step))
     shown = ", ".join(str(number) for number in islice(gaps, _SHOWN))
     return shown + (f" and {count - _SHOWN} more" if count > _SHOWN else "")

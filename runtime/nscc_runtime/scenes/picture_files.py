@@ -22,6 +22,7 @@ from nscc.files import reads
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.errors import Path_or_name, damaged, unsupported
 from nscc_runtime.scenes.exr_pictures import exr_pages
+from nscc_runtime.scenes.large_pictures import large_pages, without_pillow_limit
 from nscc_runtime.scenes.numbering import frames_missing, missing_frames
 from nscc_runtime.scenes.pages import Pages, UnsupportedPicture
 from nscc_runtime.scenes.picture_heads import png_head, read_radiance
@@ -45,10 +46,11 @@ def transfer_of(path: Path) -> Transfer:
     return named or default_transfer(path)
 
 
-def open_pages(path: Path) -> Pages:
+def open_pages(path: Path, large: bool = False) -> Pages:
     """The pictures in a file: one, or those of a file of several, which are a clip.
 
-    Alpha is dropped; the rotation noted in a photograph is applied.
+    Alpha is dropped; the rotation noted in a photograph is applied. `large` admits single pictures
+    of 8 bits a sample with up to `MOST_LARGE_PIXELS`.
 
     Raises
     ------
@@ -57,8 +59,10 @@ def open_pages(path: Path) -> Pages:
     """
     reads(path)
     with _readable(path):
-        refuse_huge(path)
-        pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
+        pages = large_pages(path) if large else None
+        if pages is None:
+            refuse_huge(path)
+            pages = _READERS.get(path.suffix.lower(), _opencv_pages)(path)
 
     def read() -> Iterator[tuple[str, NDArray[Any]]]:
         pictures = pages.read()
@@ -104,7 +108,7 @@ def _readable(path: Path) -> Iterator[None]:
         raise damaged(path, error) from error
 
 
-def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
+def _single_picture_pages(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
     """A file of one picture. imread knows files by their content; decoding from memory also takes
     any path."""
 
@@ -115,7 +119,7 @@ def _one(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pag
 
 
 def _opencv_pages(path: Path) -> Pages:
-    return _one(path, decoded)
+    return _single_picture_pages(path, decoded)
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
@@ -126,12 +130,12 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
         raise ValueError("the file is empty")
     # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
-        found = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
-        if found is not None:
+        image = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
+        if image is not None:
             break
     else:
         raise ValueError("")
-    picture = np.asarray(found)
+    picture = np.asarray(image)
     return picture if picture.ndim == 2 else picture[..., 2::-1]
 
 
@@ -139,12 +143,12 @@ def _pillow_pages(path: Path) -> Pages:
     """The frames of a file, an animation's laid over those before."""
     from PIL import Image, ImageOps
 
-    with _large_pictures(), Image.open(path) as image:
+    with without_pillow_limit(), Image.open(path) as image:
         count = int(getattr(image, "n_frames", 1))
         refuse_size(path, image.height, image.width)
 
     def read() -> Iterator[NDArray[Any]]:
-        with _large_pictures(), Image.open(path) as image:
+        with without_pillow_limit(), Image.open(path) as image:
             for number in range(count):
                 image.seek(number)
                 upright = ImageOps.exif_transpose(image) if count == 1 else image
@@ -152,18 +156,6 @@ def _pillow_pages(path: Path) -> Pages:
                 yield np.asarray(upright.convert("L" if grey else "RGB"))
 
     return Pages(count, read)
-
-
-@contextmanager
-def _large_pictures() -> Iterator[None]:
-    """Pillow takes panoramas for attacks by their size; `refuse_size` says what is one here."""
-    from PIL import Image
-
-    most, Image.MAX_IMAGE_PIXELS = Image.MAX_IMAGE_PIXELS, None
-    try:
-        yield
-    finally:
-        Image.MAX_IMAGE_PIXELS = most
 
 
 def _heif_pages(path: Path) -> Pages:
@@ -181,7 +173,7 @@ def _png_pages(path: Path) -> Pages:
 
 
 def _radiance_pages(path: Path) -> Pages:
-    return _one(path, lambda data: read_radiance(path, data, decoded))
+    return _single_picture_pages(path, lambda data: read_radiance(path, data, decoded))
 
 
 _READERS: dict[str, Callable[[Path], Pages]] = {
@@ -243,10 +235,10 @@ def files_of(
 
 def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
     """Sort key in which runs of digits count as numbers; the name itself decides ties."""
-    parts = re.findall(r"\d+|\D+", name)
+    runs = re.findall(r"\d+|\D+", name)
     return [
         (0, int(p), "") if p.isdecimal() and p.isascii() and len(p) < 4000 else (1, 0, p.casefold())
-        for p in parts
+        for p in runs
     ], name
 
 
@@ -305,7 +297,7 @@ def quiet() -> Iterator[None]:
     with redirect_stdout(io.StringIO()):
         sys.stderr.flush()
         try:
-            kept = os.dup(2)
+            saved_stderr = os.dup(2)
         except OSError:  # standard error is closed: nothing to keep quiet
             yield
             return
@@ -314,5 +306,5 @@ def quiet() -> Iterator[None]:
         try:
             yield
         finally:
-            os.dup2(kept, 2)
-            os.close(kept)
+            os.dup2(saved_stderr, 2)
+            os.close(saved_stderr)

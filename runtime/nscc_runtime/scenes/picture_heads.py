@@ -86,15 +86,15 @@ def read_radiance(
             "its colours are CIE XYZ (FORMAT=32-bit_rle_xyze)",
             "convert it to FORMAT=32-bit_rle_rgbe: `ra_xyze -r IN.hdr OUT.hdr`",
         )
-    found = _RESOLUTION.fullmatch(line)
-    if found is None or found[2] == found[5]:
+    resolution = _RESOLUTION.fullmatch(line)
+    if resolution is None or resolution[2] == resolution[5]:
         return decode(data)
-    lines, count = int(found[3]), int(found[6])
+    lines, count = int(resolution[3]), int(resolution[6])
     refuse_size(path, lines, count)
     usual = b"-Y %d +X %d" % (lines, count)
     picture = decode(np.frombuffer(head + blank + usual + newline + samples, np.uint8))
-    signs = {found[2]: found[1], found[5]: found[4]}
-    if found[2] == b"X":
+    signs = {resolution[2]: resolution[1], resolution[5]: resolution[4]}
+    if resolution[2] == b"X":
         picture = picture.swapaxes(0, 1)
     if signs[b"Y"] == b"+":
         picture = picture[::-1]

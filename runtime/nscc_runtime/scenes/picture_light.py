@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from math import prod
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Diagnostic
-from nscc_runtime.scenes.arrays import check_type
+from nscc_runtime.scenes import picture_size
 from nscc_runtime.scenes.colour import Transfer, grey
 from nscc_runtime.scenes.errors import clamped, refuse_no_light
+from nscc_runtime.scenes.large_pictures import reduced
+from nscc_runtime.scenes.light_arrays import check_type
 
 _STRIP = 256
 """Rows of a picture that become light at a time: a large one never exists in double precision and
@@ -28,6 +31,7 @@ def picture_light(
     channel: int | None = None,
     white: float | None = None,
     window: tuple[slice, slice] | None = None,
+    size: tuple[int, int] | None = None,
     warn: Callable[[Diagnostic], object] = lambda _: None,
 ) -> NDArray[np.float64]:
     """Convert a stored picture to linear light (rows, cols).
@@ -46,6 +50,9 @@ def picture_light(
         The sample that is white (default: `white_of` the type).
     window : tuple of slice, optional
         Rows and columns that are wanted. Others may hold anything.
+    size : tuple of int, optional
+        Rows and columns that the caller reduces the light to. A picture of more than `MOST_PIXELS`
+        is returned in this size, because its light takes 8 bytes a pixel.
     warn : callable, optional
         Is told of samples slightly below 0, which count as 0 (NS0740).
 
@@ -59,9 +66,13 @@ def picture_light(
     with np.errstate(invalid="ignore", over="ignore"):  # the census says what is no light
         floats = stored.dtype.kind == "f"
         peak = float(stored.max(initial=0.0, where=np.isfinite(stored))) if floats else 0.0
-        part = stored[rows, cols]
-        strips = (part[top : top + _STRIP] for top in range(0, len(part), _STRIP))
-        values = np.concatenate([grey(strip, transfer, channel, white) for strip in strips])
+        region = stored[rows, cols]
+        strips = (region[top : top + _STRIP] for top in range(0, len(region), _STRIP))
+        bands = (grey(strip, transfer, channel, white) for strip in strips)
+        if size and prod(region.shape[:2]) > picture_size.MOST_PIXELS:
+            values = reduced(bands, len(region), size)
+        else:
+            values = np.concatenate([*bands])
         low = float(values.min())
     if low < 0 and low >= -_TINY_NEGATIVE * peak:
         count = int(np.count_nonzero(values < 0))

@@ -12,6 +12,9 @@ from nscc.diagnostics.rejection import rejected
 MOST_PIXELS = 1 << 26
 """Of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
 
+MOST_LARGE_PIXELS = 3 * MOST_PIXELS
+"""Of a scene that is one picture of 8 bits a sample: 201 million."""
+
 _MOST_SAMPLES = 4
 """Samples that an OpenEXR file holds, in all its parts and channels, for each of MOST_PIXELS."""
 
@@ -35,7 +38,10 @@ def refuse_size(path: Path, rows: int, cols: int) -> None:
         raise rejected(
             "NS0734",
             f"'{path}' is {rows:,} x {cols:,} pixels: at most {MOST_PIXELS:,} are read",
-            helps=("make the picture smaller, or cut out a part of it",),
+            helps=(
+                "make the picture smaller, or cut out a part of it; a scene that is one picture of "
+                f"8 bits a sample may have {MOST_LARGE_PIXELS:,} pixels",
+            ),
         )
 
 
@@ -71,8 +77,8 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
 
     try:
         with OpenEXR.File(str(path), header_only=True) as file:
-            headers = [part.header for part in file.parts]
-            sizes = [_window(each[name]) for each in headers for name in _WINDOWS]
+            headers = [file_part.header for file_part in file.parts]
+            sizes = [_window(header[name]) for header in headers for name in _WINDOWS]
             samples = sum(prod(_window(h["dataWindow"])) * len(h["channels"]) for h in headers)
     except Exception:  # OpenEXR's exceptions differ from version to version
         return None
@@ -87,5 +93,5 @@ def _exr_size(path: Path) -> tuple[int, int] | None:
 
 
 def _window(corners: Any) -> tuple[int, int]:
-    (left, top), (right, bottom) = corners
-    return int(bottom) - int(top) + 1, int(right) - int(left) + 1
+    (x0, y0), (x1, y1) = corners
+    return int(y1) - int(y0) + 1, int(x1) - int(x0) + 1

@@ -14,22 +14,48 @@ from nscc_runtime.scenes.bracket import parse_times
 from nscc_runtime.scenes.colour import Transfer
 from nscc_runtime.scenes.crop import parse_crop
 from nscc_runtime.scenes.exposure import parse_exposure
-from nscc_runtime.scenes.fit import Fit, no_colours
-from nscc_runtime.scenes.load import FramesAre, Laid, laid_scene
+from nscc_runtime.scenes.load import FramesAre, PlacedLight, laid_scene
+from nscc_runtime.scenes.placement import Fit, no_colours
 
 
 @dataclass(frozen=True)
 class Scene:
-    """A scene as the command line names it, with what it says of it; None: not said.
+    """A scene, with the options that `nscc run` has for it; None stands for an option not given.
 
-    `name` is a file, a folder or `builtin:NAME`, `exposure` is text as E[@P], `crop` as R,C.
-    `color` exposes a picture in colour three times. `first` is the frame that a clip begins with;
-    `single` takes it as a still. `white` is the sample that is white; `skip` leaves out frames that
-    are missing from a folder. `bracket` merges photos, of exposure `times` in seconds, as text.
+    Parameters
+    ----------
+    name : str
+        A file, a folder or `builtin:NAME`.
+    exposure : str or float, optional
+        Electrons over the frame for percentile 99 of the scene, or text `E@P` with a percentile.
+    transfer : {"linear", "srgb", "pq", "hlg"}, optional
+        The transfer curve of the samples, instead of that of the file.
+    fps : float, optional
+        Frames a second of a clip; without it a frame a slot.
+    crop : str, optional
+        Row and column of the part that is exposed, `R,C`.
+    frames_are : {"integrals", "samples"}
+        Whether a frame of a clip is the light of its whole time, or of one moment.
+    fit : {"crop", "scale", "tiles"}
+        How a picture of another size comes onto the array.
+    color : bool
+        Expose red, green and blue one after the other.
+    first : int
+        The frame that a clip begins with.
+    single : bool
+        Expose one frame of a clip as a still.
+    white : float, optional
+        The sample that is white.
+    skip : bool
+        Leave out frames that are missing from a folder.
+    bracket : bool
+        Merge the photos of a folder or pattern, which differ in exposure.
+    times : str, optional
+        Exposure times of the photos in seconds, `1/250,1/60`, instead of those of the EXIF.
     """
 
     name: str
-    exposure: str | None = None
+    exposure: str | float | None = None
     transfer: Transfer | None = None
     fps: float | None = None
     crop: str | None = None
@@ -59,11 +85,11 @@ class Scene:
         target: Target,
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
-    ) -> tuple[Laid, ...]:
+    ) -> tuple[PlacedLight, ...]:
         """The light in slots of these lengths on the array of `target`: its luminance, or red,
         green and blue at the exposure of the luminance. Raises as `laid_scene`."""
 
-        def load(told: Callable[[Diagnostic], None], **which: Any) -> Laid:
+        def load(tell: Callable[[Diagnostic], None], **options: Any) -> PlacedLight:
             return laid_scene(
                 self.name,
                 slot_us=slot_us,
@@ -81,19 +107,19 @@ class Scene:
                 skip=self.skip,
                 bracket=self.bracket,
                 times=None if self.times is None else parse_times(self.times),
-                warn=told,
+                warn=tell,
                 progress=progress,
-                **which,
+                **options,
             )
 
-        said: list[Diagnostic] = []
-        grey = load(said.append)
+        diagnostics: list[Diagnostic] = []
+        grey = load(diagnostics.append)
         in_colours = self.color and grey.colour
         if self.color and not grey.colour:
-            said.append(no_colours(self.name))
-        for each in said:
-            if not (in_colours and each.data.get("grey")):
-                warn(each)
+            diagnostics.append(no_colours(self.name))
+        for diagnostic in diagnostics:
+            if not (in_colours and diagnostic.data.get("grey")):
+                warn(diagnostic)
         if not in_colours:
             return (grey,)
         factor = grey.light.exposure_scale_e

@@ -34,16 +34,16 @@ def noise(x: Field, y: Field, seed: int) -> Field:
     x and y are the coordinates of columns (cols,) and of rows (rows,): the field is (rows, cols).
     """
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
-    left, top = int(column.min()), int(row.min())
-    across = np.arange(left, int(column.max()) + 2, dtype=np.int64)
-    down = np.arange(top, int(row.max()) + 2, dtype=np.int64)
+    first_col, first_row = int(column.min()), int(row.min())
+    across = np.arange(first_col, int(column.max()) + 2, dtype=np.int64)
+    down = np.arange(first_row, int(row.max()) + 2, dtype=np.int64)
     lattice = hashed(across[None, :], down[:, None], seed)
     u, v = smooth(0.0, 1.0, x - column), smooth(0.0, 1.0, y - row)[:, None]
-    rows_above = lattice[row - top]
-    rows_below = lattice[row - top + 1]
+    rows_above = lattice[row - first_row]
+    rows_below = lattice[row - first_row + 1]
     between = rows_above + (rows_below - rows_above) * v
-    at_left = between[:, column - left]
-    result: Field = at_left + (between[:, column - left + 1] - at_left) * u
+    at_left = between[:, column - first_col]
+    result: Field = at_left + (between[:, column - first_col + 1] - at_left) * u
     return result
 
 
@@ -62,8 +62,10 @@ def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
 
 def turn(phase: float) -> tuple[float, float]:
     """A point (x, y) of the unit circle; phase 0..1 goes round once, at nearly constant speed."""
-    quarter, rest = divmod((phase % 1.0) * 4.0, 1.0)
-    t = rest * (0.8284 + 0.1716 * rest * rest)  # near tan(rest * 45 degrees), exact at 0 and 1
+    quarter, fraction = divmod((phase % 1.0) * 4.0, 1.0)
+    t = fraction * (
+        0.8284 + 0.1716 * fraction * fraction
+    )  # near tan(rest * 45 degrees), exact at 0 and 1
     x, y = (1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)
     corners = ((x, y), (-y, x), (-x, -y), (y, -x))
     return corners[int(quarter) % 4]

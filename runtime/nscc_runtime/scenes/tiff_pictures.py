@@ -64,9 +64,9 @@ def _directories(path: Path) -> list[Tags]:
         if head[2:4] in (b"+\0", b"\0+"):  # 43, the number of BigTIFF
             head += file.read(8)
         directory = ImageFileDirectory_v2(head)
-        seen = set()
-        while directory.next and directory.next not in seen:
-            seen.add(directory.next)
+        visited = set()
+        while directory.next and directory.next not in visited:
+            visited.add(directory.next)
             file.seek(directory.next)
             directory = ImageFileDirectory_v2(head)
             directory.load(file)
@@ -101,9 +101,9 @@ def _read_page(path: Path, index: int, tags: Tags) -> NDArray[Any]:
         picture = picture[..., 0] if grey and picture.ndim == 3 else picture
         if bits > 8 and kind == _UNSIGNED and tags.get(_PHOTOMETRIC) == _WHITE_IS_ZERO:
             picture = np.iinfo(picture.dtype).max - picture
-    wanted = (int(tags[_ROWS]), int(tags[_COLS]))
-    if sorted(picture.shape[:2]) != sorted(wanted):  # a photograph may have been turned
-        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {wanted}")
+    stated_size = (int(tags[_ROWS]), int(tags[_COLS]))
+    if sorted(picture.shape[:2]) != sorted(stated_size):  # a photograph may have been turned
+        raise ValueError(f"page {index} is {picture.shape[:2]}, its tags say {stated_size}")
     return picture
 
 
@@ -127,8 +127,10 @@ def _by_opencv(path: Path, index: int) -> NDArray[Any]:
     data = np.fromfile(path, np.uint8)
     # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
-        good, found = cv2.imdecodemulti(data, cv2.IMREAD_ANYDEPTH | flags, range=(index, index + 1))
-        if good and len(found) == 1:
-            picture = np.asarray(found[0])
+        success, pages = cv2.imdecodemulti(
+            data, cv2.IMREAD_ANYDEPTH | flags, range=(index, index + 1)
+        )
+        if success and len(pages) == 1:
+            picture = np.asarray(pages[0])
             return picture if picture.ndim == 2 else picture[..., 2::-1]
     raise ValueError(f"OpenCV decodes no page {index} of it")

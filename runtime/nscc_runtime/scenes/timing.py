@@ -72,19 +72,21 @@ def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
 
 
 def spread(
-    frames: NDArray[np.float32], parts: Overlaps, factor_of: Callable[[NDArray[np.float64]], float]
+    frames: NDArray[np.float32],
+    overlap: Overlaps,
+    factor_of: Callable[[NDArray[np.float64]], float],
 ) -> Light:
     """A clip of electrons a second, up to a factor, that slots integrate piecewise constant.
 
     `factor_of` finds the factor from the all-open sum (rows, cols).
     """
-    share = np.bincount(parts.frame_index, parts.seconds, len(frames))
+    share = np.bincount(overlap.frame_index, overlap.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):
         open_sum += frame * time_s
     factor = factor_of(open_sum)
-    weight = parts.seconds * factor
-    return Light(frames, parts.row_start, parts.frame_index, weight, "clip", factor)
+    weight = overlap.seconds * factor
+    return Light(frames, overlap.row_start, overlap.frame_index, weight, "clip", factor)
 
 
 def with_motion(

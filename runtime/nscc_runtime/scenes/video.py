@@ -79,9 +79,9 @@ def _opened(path: Path) -> Iterator[Any]:
 
     # As a file and not by its name, in which FFmpeg would look for a protocol; what a playlist
     # inside names is not opened.
-    own = {"protocol_whitelist": "none"}
+    protocol_options = {"protocol_whitelist": "none"}
     with open(path, "rb") as file, av.open(
-        file, container_options=own, options=_bound()
+        file, container_options=protocol_options, options=_bound()
     ) as container:  # fmt: skip
         yield container
 
@@ -136,15 +136,15 @@ def _frames(path: Path, timing: _Timing) -> Iterator[NDArray[Any]]:
     if not timing.is_variable:
         yield from (picture for _, picture in _decoded(path))
         return
-    at, kept = float(timing.times[0]), None
+    at, pending_picture = float(timing.times[0]), None
     for time, picture in _decoded(path):
         # A frame is shown from the moment of the grid that is next to its own time.
-        while kept is not None and at + timing.step / 2 <= time:
-            yield kept
+        while pending_picture is not None and at + timing.step / 2 <= time:
+            yield pending_picture
             at += timing.step
-        kept = picture
-    if kept is not None:
-        yield kept
+        pending_picture = picture
+    if pending_picture is not None:
+        yield pending_picture
 
 
 def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
@@ -190,15 +190,15 @@ def picture_of(frame: Any) -> NDArray[Any]:
 def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
     """Luma and, unless it is grey, both chromas as they are stored, each of its own size."""
     grey = frame.format.name.startswith("gray")
-    wanted = 1 if grey else 3
-    if len(frame.planes) < wanted or frame.format.name.endswith("be"):
+    plane_count = 1 if grey else 3
+    if len(frame.planes) < plane_count or frame.format.name.endswith("be"):
         full = frame.format.name.startswith("yuvj")
         planar = ("yuvj444p" if full else "yuv444p") if bits <= 8 else f"yuv444p{bits}le"
         frame = frame.reformat(format=planar)
     kind = np.dtype(np.uint8 if bits <= 8 else "<u2")
     return [
         np.frombuffer(plane, kind).reshape(plane.height, -1)[:, : plane.width]
-        for plane in frame.planes[:wanted]
+        for plane in frame.planes[:plane_count]
     ]
 
 
@@ -214,7 +214,7 @@ def _as_fractions(
     middle, scale = np.float32(128 * step), np.float32(chroma_span)
     return [
         (luma - np.float32(luma_black)) / np.float32(luma_span),
-        *((part - middle) / scale for part in chroma),
+        *((chroma_plane - middle) / scale for chroma_plane in chroma),
     ]
 
 
@@ -225,9 +225,9 @@ def _red_green_blue(
 
     size = luma.shape[1], luma.shape[0]
     blue_chroma, red_chroma = (
-        part if part.shape == luma.shape
-        else np.asarray(cv2.resize(part, size, interpolation=cv2.INTER_LINEAR), np.float32)
-        for part in chroma
+        chroma_plane if chroma_plane.shape == luma.shape
+        else np.asarray(cv2.resize(chroma_plane, size, interpolation=cv2.INTER_LINEAR), np.float32)
+        for chroma_plane in chroma
     )  # fmt: skip
     if matrix == _UNSPECIFIED:
         matrix = 1 if len(luma) >= _HIGH_DEFINITION else 0

@@ -34,8 +34,8 @@ class Naive:
         total = self._dark(np.float32)
         with np.errstate(over="ignore"):
             for light, opened in self._slots():
-                for bucket, here in zip(total, opened, strict=True):
-                    np.add(bucket, light, out=bucket, where=here)
+                for bucket, open_pixels in zip(total, opened, strict=True):
+                    np.add(bucket, light, out=bucket, where=open_pixels)
         return self._read(total)
 
     def drawn(self, seed: int) -> Frame:
@@ -47,8 +47,8 @@ class Naive:
         total = self._dark(np.float64)
         for light, opened in self._slots():
             charge = random.poisson(light)
-            for bucket, here in zip(total, opened, strict=True):
-                np.add(bucket, charge, out=bucket, where=here)
+            for bucket, open_pixels in zip(total, opened, strict=True):
+                np.add(bucket, charge, out=bucket, where=open_pixels)
         return self._read(total)
 
     def _dark(self, kind: type[np.floating]) -> NDArray[np.floating]:

@@ -45,7 +45,7 @@ SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
 
 
 @dataclass(frozen=True)
-class Scene:
+class NamedLight:
     """Light under a name."""
 
     name: str
@@ -53,7 +53,7 @@ class Scene:
 
 
 @dataclass(frozen=True)
-class Settings:
+class StudySettings:
     """`tolerances` to plan for; `budget`, the one whose plan is shown effect by effect. Parts of
     the mean signal are of each scene's own.
 
@@ -70,7 +70,7 @@ class Settings:
 
 
 @dataclass(frozen=True)
-class Asked:
+class MeasuredPlan:
     """A plan, what was asked of it and what came of it: root mean square errors, worst bucket."""
 
     setting: str
@@ -99,7 +99,7 @@ class Study:
 
     scene: str
     points: tuple[Point, ...]
-    asked: tuple[Asked, ...]
+    measured_plans: tuple[MeasuredPlan, ...]
     resolution_e: float
     resolution_lsb: float
     floor_ms: float
@@ -113,8 +113,8 @@ Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
 
 def measure(
     program: Program,
-    scenes: Sequence[Scene],
-    settings: Settings,
+    scenes: Sequence[NamedLight],
+    settings: StudySettings,
     gb_per_s: float,
     progress: Progress = iter,
     rows: Rows | None = None,
@@ -149,8 +149,8 @@ class _Bench:
     """One scene while it is measured; everything by (method, setting)."""
 
     program: Program
-    scene: Scene
-    settings: Settings
+    scene: NamedLight
+    settings: StudySettings
     rows: Rows
     watch: Stopwatch
     plans: dict[str, Plan] = field(default_factory=dict)
@@ -163,15 +163,17 @@ class _Bench:
         self.naive = Naive(self.program, self.scene.light)
         ((counting, _),) = everything().having(CountedLight)
         self.counted = counting.name
-        self.budget, *found = map(self._allowed, (self.settings.budget, *self.settings.tolerances))
-        by_name = {each.name: each for each in found}
-        self.tolerances = sorted(by_name.values(), key=lambda each: each.electrons)
+        self.budget, *allowed = map(
+            self._allowed, (self.settings.budget, *self.settings.tolerances)
+        )
+        by_name = {tolerance.name: tolerance for tolerance in allowed}
+        self.tolerances = sorted(by_name.values(), key=lambda tolerance: tolerance.electrons)
         rows, cols = self.scene.light.shape
         pooled = math.ceil(_POOLED / max(1, rows * cols))
         self.frames = max(self.settings.frames, min(pooled, _MOST_POOLED))
 
-    def _allowed(self, given: str | float) -> Tolerance:
-        return allowed_on(self._on(self.scene.light), given, None)[0]
+    def _allowed(self, tolerance: str | float) -> Tolerance:
+        return allowed_on(self._on(self.scene.light), tolerance, None)[0]
 
     def _on(self, light: Light) -> FixedShutters:
         """The program on a scene."""
@@ -180,17 +182,17 @@ class _Bench:
 
     def compare(self) -> None:
         """The errors of all methods, and the times of the reference's frames."""
-        self.plans = {each.name: self._plan(each) for each in self.tolerances}
+        self.plans = {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
         self.watch.ran(WITH_PLANNING, *((self.scene.name, setting) for setting in self.plans))
-        found = self.rows.once(f"{self.scene.name}, errors", self._compared)
-        self.errors = {(method, setting): (e, lsb) for method, setting, e, lsb in found["errors"]}
-        self.missing = [(method, why) for method, why in found["missing"]]
+        row = self.rows.once(f"{self.scene.name}, errors", self._compared)
+        self.errors = {(method, setting): (e, lsb) for method, setting, e, lsb in row["errors"]}
+        self.missing = [(method, why) for method, why in row["missing"]]
         for method in (REFERENCE, OTHER_DRAWS):
-            self.times_ms[method, "all"] = found["ms"]
+            self.times_ms[method, "all"] = row["ms"]
 
     def _compared(self) -> dict[str, Any]:
         settings, light, count = self.settings, self.scene.light, self.frames
-        made = iter(
+        frames = iter(
             reference_frames(
                 self.program.container, light, self.program.sensor, selected("all"),
                 seed=settings.seed, device_seed=settings.device_seed, count=count,
@@ -200,7 +202,7 @@ class _Bench:
         scene = scene_of(self.program.container, light)
         self.program.reference.expose_rows(scene, range(1))
         self.watch.ran(REFERENCE, self.scene.name)
-        drawing = partial(self.watch.ms, REFERENCE, self.scene.name, partial(next, made))
+        drawing = partial(self.watch.ms, REFERENCE, self.scene.name, partial(next, frames))
         truth, times_ms = zip(*(drawing() for _ in range(count)), strict=True)
         errors = {
             (REFERENCE, "all"): (0.0, 0.0),
@@ -214,8 +216,8 @@ class _Bench:
         except ValueError as wrong:
             missing.append((DRAWN, f"numpy cannot draw this light: {wrong}"))
         for setting, plan in self.plans.items():
-            found = error(list(self._planned(plan, count)), truth)
-            errors[PLANNED, setting] = errors[WITH_PLANNING, setting] = found
+            plan_errors = error(list(self._planned(plan, count)), truth)
+            errors[PLANNED, setting] = errors[WITH_PLANNING, setting] = plan_errors
         for method, setting in errors:
             self.watch.ran(method, (self.scene.name, setting))
         rows = [(*key, *values) for key, values in errors.items()]
@@ -228,17 +230,17 @@ class _Bench:
             self.times_ms.setdefault((method, setting), []).append(ms)
 
     def _times(self) -> list[tuple[str, str, float]]:
-        found = [self._timed(SUMMED, "none", self.naive.summed)]
+        times = [self._timed(SUMMED, "none", self.naive.summed)]
         if (DRAWN, self.counted) in self.errors:
             drawn = partial(self.naive.drawn, self.settings.seed)
-            found.append(self._timed(DRAWN, self.counted, drawn))
+            times.append(self._timed(DRAWN, self.counted, drawn))
         for tolerance in self.tolerances:
             name = tolerance.name
             *_, planning_ms = self._timed(WITH_PLANNING, name, partial(self._plan, tolerance))
             *_, frame_ms = self._timed(PLANNED, name, partial(self._first, self.plans[name]))
-            found.append((PLANNED, name, frame_ms))
-            found.append((WITH_PLANNING, name, planning_ms + frame_ms))
-        return found
+            times.append((PLANNED, name, frame_ms))
+            times.append((WITH_PLANNING, name, planning_ms + frame_ms))
+        return times
 
     def _timed(
         self, method: str, setting: str, run: Callable[[], object]
@@ -253,14 +255,14 @@ class _Bench:
             for i, unit in enumerate((ELECTRONS, LSB))
             for key in errors
         ]
-        asked = (
-            Asked(setting, plan, errors[PLANNED, setting][0])
+        measured_plans = (
+            MeasuredPlan(setting, plan, errors[PLANNED, setting][0])
             for setting, plan in self.plans.items()
         )
         return Study(
             self.scene.name,
             tuple(sorted(points, key=lambda p: (p.error_unit != ELECTRONS, rank(p.method)))),
-            tuple(asked),
+            tuple(measured_plans),
             *errors[OTHER_DRAWS, "all"],
             floor_ms(light, gb_per_s),
             self._plan(self.budget),
@@ -286,17 +288,17 @@ def unknown(light: Light) -> Light:
     return replace(light, motion=None if motion is None else unknown(motion))
 
 
-def error(found: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
+def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
     """Root mean square difference over the pixels valid in both and all frames, of the exposures
     in electrons and of the ADC's codes; each of the bucket where it is largest."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
-    for mine, theirs in zip(found, truth, strict=True):
+    for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid
         with np.errstate(invalid="ignore", over="ignore"):
             away = np.where(valid, mine.exposure_e - theirs.exposure_e, 0.0)
             codes = np.where(valid, mine.frame.astype(float) - theirs.frame, 0.0)
-            for total, part in zip(totals, (away**2, codes**2, valid), strict=True):
-                total += part.sum(axis=(1, 2))
+            for total, increments in zip(totals, (away**2, codes**2, valid), strict=True):
+                total += increments.sum(axis=(1, 2))
     if not totals[2].all():
         return math.inf, math.inf
     electrons, lsb = (math.sqrt(float(np.max(total / totals[2]))) for total in totals[:2])

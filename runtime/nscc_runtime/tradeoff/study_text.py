@@ -8,7 +8,14 @@ from nscc.columns import columns
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.planning.plan import Plan, approximation_lines
 from nscc_runtime.planning.plan_parts import Decision
-from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, REFERENCE, WITH_PLANNING, Asked, Study
+from nscc_runtime.tradeoff.study import (
+    ELECTRONS,
+    PLANNED,
+    REFERENCE,
+    WITH_PLANNING,
+    MeasuredPlan,
+    Study,
+)
 
 SLACK = 1.1
 """A promise is kept while the measured error is at most this times the tolerance."""
@@ -17,28 +24,30 @@ _HEAD = ("method", "setting", "predicted e", "error e", "error LSB", "ms", "spre
 _BUDGET_HEAD = ("effect", "", "RMS e", "bias e", "left out e", "saves ms", "why")
 
 
-def kept(asked: Asked) -> bool:
+def keeps_promise(measured_plan: MeasuredPlan) -> bool:
     """Whether the plan kept its promise."""
-    return asked.measured_e <= SLACK * asked.tolerance_e
+    return measured_plan.measured_e <= SLACK * measured_plan.tolerance_e
 
 
 def studies_text(studies: Sequence[Study], gb_per_s: float) -> str:
     """All tables: for each scene the methods, then the plan of its budget."""
-    parts = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
+    tables = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
     for study in studies:
-        parts += [_methods_text(study), _budget_text(study.budget)]
-    return "\n\n".join(parts)
+        tables += [_methods_text(study), _budget_text(study.budget)]
+    return "\n\n".join(tables)
 
 
 def _methods_text(study: Study) -> str:
-    asked = {each.setting: each for each in study.asked}
+    plans_by_setting = {
+        measured_plan.setting: measured_plan for measured_plan in study.measured_plans
+    }
     electrons = [p for p in study.points if p.error_unit == ELECTRONS]
     lsb = {(p.method, p.setting): p.error for p in study.points if p.error_unit != ELECTRONS}
     beaten = dict(zip(map(id, study.points), dominated(study.points), strict=True))
     rows = [_HEAD]
     before = ""
     for point in electrons:
-        mine = asked.get(point.setting) if point.method == PLANNED else None
+        mine = plans_by_setting.get(point.setting) if point.method == PLANNED else None
         rows.append(
             (
                 point.method if point.method != before else "",
@@ -61,22 +70,26 @@ def _methods_text(study: Study) -> str:
     return "\n".join([head, columns(rows, (0, 1, 7), "  "), *missing])
 
 
-def _setting(asked: Asked) -> str:
+def _setting(measured_plan: MeasuredPlan) -> str:
     """What was asked, with its electrons where it was asked for in another unit."""
-    plain = asked.plan.allowed is None or asked.plan.allowed.in_electrons
-    return asked.setting if plain else f"{asked.setting}, {asked.tolerance_e:.3g}e"
+    plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
+    return (
+        measured_plan.setting
+        if plain
+        else f"{measured_plan.setting}, {measured_plan.tolerance_e:.3g}e"
+    )
 
 
-def _remark(point: Point, asked: Asked | None, beaten: bool) -> str:
-    if asked is not None and not kept(asked):
-        return f"PROMISE BROKEN: {SLACK:g} x {asked.tolerance_e:g} e"
+def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> str:
+    if measured_plan is not None and not keeps_promise(measured_plan):
+        return f"PROMISE BROKEN: {SLACK:g} x {measured_plan.tolerance_e:g} e"
     # That a plan costs time to make is no news.
     return "dominated" if beaten and point.method not in (REFERENCE, WITH_PLANNING) else ""
 
 
 def _budget_text(plan: Plan) -> str:
-    rows = [_BUDGET_HEAD, *(_decision(each) for each in plan.decisions)]
-    rows += [(name, "", "", "", "", _ms(cost_ms), what) for name, what, cost_ms in plan.costs]
+    rows = [_BUDGET_HEAD, *(_decision(decision) for decision in plan.decisions)]
+    rows += [(name, "", "", "", "", _ms(cost_ms), work) for name, work, cost_ms in plan.costs]
     head = f"error budget of {plan.tolerance_e:g} e: {plan.predicted_e:.3g} e predicted"
     cuts = approximation_lines(plan)
     words = [f"words one by one: {reason}" for reason in plan.slot_loop_reasons]
@@ -84,19 +97,19 @@ def _budget_text(plan: Plan) -> str:
     return "\n".join([head, columns(rows, (0, 1, 6), "  "), *cuts, *words, *saved])
 
 
-def _decision(each: Decision) -> tuple[str, ...]:
+def _decision(decision: Decision) -> tuple[str, ...]:
     def number(value: float | None) -> str:
-        return "" if value is None or each.decision == "absent" else f"{value:.3g}"
+        return "" if value is None or decision.decision == "absent" else f"{value:.3g}"
 
-    saves = "" if each.decision == "absent" else _ms(each.cost_ms_model)
+    saves = "" if decision.decision == "absent" else _ms(decision.cost_ms_model)
     return (
-        each.name,
-        each.decision,
-        number(each.predicted_rms_e),
-        number(each.predicted_bias_e),
-        number(each.predicted_if_dropped_e),
+        decision.name,
+        decision.decision,
+        number(decision.predicted_rms_e),
+        number(decision.predicted_bias_e),
+        number(decision.predicted_if_dropped_e),
         saves,
-        each.reason,
+        decision.reason,
     )
 
 

@@ -12,7 +12,7 @@ from nscc_training.any_code.network import ClipDenoiser
 from nscc_training.any_code.stages import led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
 from nscc_training.baselines.tensor_tv import gap_tv_of
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, shared_out
 
@@ -22,7 +22,7 @@ _NOISE = (1e-5, 3e-5)
 about that of a well of 30,000 electrons read with 8 bits. Runs learn their own."""
 
 
-def any_code(channels: Sequence[int], task: Task, size: str) -> AnyCode:
+def any_code(channels: Sequence[int], task: DecoderTask, size: str) -> AnyCode:
     """The declared decoder `any`."""
     return AnyCode(channels, task.kind == "still", _STAGES[size])
 

@@ -21,10 +21,10 @@ from nscc.words.file import to_bytes
 from nscc_runtime.decode_table import decode_arrays
 from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.sensor import Sensor, default_sensor
-from nscc_training.dark import read_dark, undarkened
+from nscc_training.dark_frames import read_dark, undarkened
 from nscc_training.frame_reading import are_lengths, number_of
 from nscc_training.measured import Measured
-from nscc_training.problems import said, why_no_arrays
+from nscc_training.problems import one_line, why_no_arrays
 
 _TOP = 255
 """The last code, where a frame does not say what is saturated."""
@@ -127,7 +127,7 @@ def read_coded_frames(
             for k in range(len(arrays["frame"]))
         )
     except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise nocoded_frame(path, f"its arrays do not fit together: {said(error)}") from error
+        raise nocoded_frame(path, f"its arrays do not fit together: {one_line(error)}") from error
 
 
 def _dark_of(
@@ -213,7 +213,7 @@ def _table_of(path: Path, program: Path, meta: dict[str, Any]) -> dict[str, NDAr
     try:
         found = decode_arrays(container, Sensor(values), meta.get("plan"))
     except (KeyError, TypeError, AttributeError) as error:
-        raise nocoded_frame(path, f"its meta is damaged: {said(error)}") from error
+        raise nocoded_frame(path, f"its meta is damaged: {one_line(error)}") from error
     if not found:
         raise rejected(
             "NS0819",

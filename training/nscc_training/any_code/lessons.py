@@ -21,7 +21,7 @@ from nscc_training.data.exposures import quantiles
 from nscc_training.data.moving import Generator, Picture, moving
 from nscc_training.draws import uniform
 from nscc_training.measured import Measured
-from nscc_training.settings import Settings
+from nscc_training.settings import RunSettings
 
 Mask = NDArray[np.float32]
 Light = NDArray[np.float32]
@@ -53,7 +53,9 @@ class Lesson(NamedTuple):
 class LessonSet(Dataset[Lesson]):
     """The lessons of a run by step: as many clips as come to the batch of eight frames."""
 
-    def __init__(self, pictures: Sequence[Picture] | Sequence[Light], settings: Settings) -> None:
+    def __init__(
+        self, pictures: Sequence[Picture] | Sequence[Light], settings: RunSettings
+    ) -> None:
         self.pictures, self.settings = pictures, settings
 
     def __getitem__(self, step: int) -> Lesson:

@@ -1,7 +1,7 @@
 """Clips from one coded frame with a learned dictionary (after Hitomi et al., ICCV 2011).
 
-Every block of the clip is a sum of few atoms; which ones, orthogonal matching pursuit finds from
-the coded block alone. The dictionary is learned by the method of optimal directions.
+Every block of the clip is a sum of few atoms, which orthogonal matching pursuit selects from the
+coded block. The dictionary is learned by the method of optimal directions.
 """
 
 from __future__ import annotations
@@ -26,16 +26,17 @@ _CLIPS = 24
 _BLOCKS = 4000
 _ROUNDS = 6
 _ENOUGH = 0.02
-"""The pursuit ends where the root mean square of what is left is below this (of white)."""
+"""The pursuit ends when the root mean square residual is below this, in units of white."""
 
 
 def dictionary_clip(
     measurement: NDArray[np.float32], mask: Clip, atoms: Matrix, sparsity: int = SPARSITY
 ) -> Clip:
-    """The clip (T, rows, cols) of a measurement (rows, cols), blocks averaged where they overlap.
+    """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), averaging overlapping
+    blocks.
 
-    `atoms` (T * SIDE * SIDE, K) as `learned` gives them. ValueError for a picture smaller than a
-    block or a dictionary of another length.
+    `atoms` (T * SIDE * SIDE, K) come from `learned`. ValueError for a picture smaller than a block,
+    or atoms of another length.
     """
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
@@ -44,67 +45,70 @@ def dictionary_clip(
     total, count = np.zeros(mask.shape), np.zeros((rows, cols))
     for row in _places(rows):
         for col in _places(cols):
-            here = (slice(row, row + SIDE), slice(col, col + SIDE))
-            opened = mask[:, here[0], here[1]].reshape(frames, -1, 1).astype(np.float64)
+            block = (slice(row, row + SIDE), slice(col, col + SIDE))
+            opened = mask[:, block[0], block[1]].reshape(frames, -1, 1).astype(np.float64)
             coded = (opened * volume).sum(axis=0)
-            weights = pursued(coded, measurement[here].astype(np.float64).ravel(), sparsity)
-            total[:, here[0], here[1]] += (atoms @ weights).reshape(frames, SIDE, SIDE)
-            count[here] += 1
+            weights = pursued(coded, measurement[block].astype(np.float64).ravel(), sparsity)
+            total[:, block[0], block[1]] += (atoms @ weights).reshape(frames, SIDE, SIDE)
+            count[block] += 1
     return np.asarray(total / count, np.float32)
 
 
 def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArray[np.float64]:
-    """Orthogonal matching pursuit: at most `sparsity` weights (K,) so that matrix @ weights is
-    near `right`; fewer where it is near enough, and never a column that depends on the others."""
+    """Solve matrix @ weights = right with at most `sparsity` weights (K,), by orthogonal matching
+    pursuit.
+
+    It ends early when the residual is small, and never selects a column that depends on the others.
+    """
     weights = np.zeros(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
     chosen: list[int] = []
-    rest = right
-    found = np.zeros(0)
+    residual = right
+    solution = np.zeros(0)
     enough = _ENOUGH * len(right) ** 0.5
-    while len(chosen) < sparsity and np.linalg.norm(rest) > enough and usable.any():
-        gain = np.where(usable, np.abs(matrix.T @ rest) / np.where(usable, norms, 1.0), -1.0)
+    while len(chosen) < sparsity and np.linalg.norm(residual) > enough and usable.any():
+        gain = np.where(usable, np.abs(matrix.T @ residual) / np.where(usable, norms, 1.0), -1.0)
         best = int(gain.argmax())
         usable[best] = False
         system = solve(matrix[:, [*chosen, best]], right)
         if system.rank <= len(chosen):
             continue
         chosen.append(best)
-        found = system.solution
-        rest = right - matrix[:, chosen] @ found
-    weights[chosen] = found
+        solution = system.solution
+        residual = right - matrix[:, chosen] @ solution
+    weights[chosen] = solution
     return weights
 
 
 def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -> Matrix:
-    """A dictionary (d, K) with columns of length 1 for blocks (n, d).
+    """Learn a dictionary (d, K) with columns of length 1 for blocks (n, d).
 
-    The first atom is constant. An atom that no block uses is replaced by the block that is
-    explained worst. ValueError for fewer blocks than atoms.
+    The first atom is constant. An unused atom is replaced by the block with the largest error.
+    ValueError for fewer blocks than atoms.
     """
     if len(blocks) < atoms:
         raise ValueError(f"{len(blocks)} blocks for {atoms} atoms")
     generator = np.random.default_rng(seed)
     chosen = blocks[generator.permutation(len(blocks))[: atoms - 1]]
-    found = _unit(np.concatenate([np.ones((1, blocks.shape[1])), chosen]).T)
+    dictionary = _unit(np.concatenate([np.ones((1, blocks.shape[1])), chosen]).T)
     for _ in range(rounds):
-        weights = _encoded(found, blocks, sparsity)
+        weights = _encoded(dictionary, blocks, sparsity)
         used = np.flatnonzero(np.any(weights != 0, axis=0))
         # blocks = weights @ atoms.T: one least-squares problem for all the atoms in use.
         improved = solve(weights[:, used], blocks).solution.T
-        error = np.square(blocks - weights @ found.T).sum(axis=1)
+        error = np.square(blocks - weights @ dictionary.T).sum(axis=1)
         spare = np.setdiff1d(np.arange(atoms), used)
-        found[:, used] = improved
-        found[:, spare] = blocks[np.argsort(-error)[: len(spare)]].T
-        found[:, 0] = 1.0
-        found = _unit(found)
-    return found
+        dictionary[:, used] = improved
+        dictionary[:, spare] = blocks[np.argsort(-error)[: len(spare)]].T
+        dictionary[:, 0] = 1.0
+        dictionary = _unit(dictionary)
+    return dictionary
 
 
 @lru_cache(maxsize=4)
 def made_dictionary(frames: int) -> Matrix:
-    """A dictionary for clips of so many frames, learned from made scenes: no data is needed."""
+    """Learn a dictionary for clips of `frames` frames from procedural scenes; no data is needed."""
     generator = np.random.default_rng([0, frames])
     blocks = []
     for _ in range(_CLIPS):
@@ -116,10 +120,9 @@ def made_dictionary(frames: int) -> Matrix:
 
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
-    """Weights (n, K) of whole blocks: matching pursuit for all of them at once.
+    """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together.
 
-    Each round adds the atom that fits best and solves for all weights so far, through the atoms'
-    inner products.
+    Each round adds the best atom and solves for all weights, using the inner products of the atoms.
     """
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
@@ -130,12 +133,12 @@ def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
         fit[np.arange(count)[:, None], chosen] = 0.0
         chosen = np.concatenate([chosen, np.abs(fit).argmax(axis=1)[:, None]], axis=1)
         gram = products[chosen[:, :, None], chosen[:, None, :]] + 1e-9 * np.eye(size)
-        wanted = np.take_along_axis(right, chosen, axis=1)
-        weights = np.asarray(np.linalg.solve(gram, wanted[..., None])[..., 0], np.float64)
+        projections = np.take_along_axis(right, chosen, axis=1)
+        weights = np.asarray(np.linalg.solve(gram, projections[..., None])[..., 0], np.float64)
         fit = right - np.einsum("ns,nsk->nk", weights, products[chosen])
-    found = np.zeros((count, atoms.shape[1]))
-    np.put_along_axis(found, chosen, weights, axis=1)
-    return found
+    all_weights = np.zeros((count, atoms.shape[1]))
+    np.put_along_axis(all_weights, chosen, weights, axis=1)
+    return all_weights
 
 
 def _unit(atoms: Matrix) -> Matrix:
@@ -144,5 +147,5 @@ def _unit(atoms: Matrix) -> Matrix:
 
 
 def _places(size: int) -> list[int]:
-    """Where blocks begin: every `STRIDE`, and one that ends with the picture."""
+    """Return the first pixels of blocks: every `STRIDE`, and the last that fits the picture."""
     return sorted({*range(0, size - SIDE + 1, STRIDE), size - SIDE})

@@ -1,4 +1,4 @@
-"""High dynamic range from one coded frame without learning: each pixel asks its neighbours."""
+"""High dynamic range from one coded frame without learning: weighted means of neighbours."""
 
 from __future__ import annotations
 
@@ -8,19 +8,20 @@ from numpy.typing import NDArray
 Picture = NDArray[np.float64]
 
 _OWN = 8.0
-"""A pixel's own measurement counts so much more than a direct neighbour's."""
+"""Weight of a pixel's own measurement relative to that of a direct neighbour."""
 
 
 def merged(
     frame: NDArray[np.floating], open_share: Picture, electrons_per_lsb: float,
     saturated: NDArray[np.bool_], read_noise_e: float,
 ) -> Picture:  # fmt: skip
-    """Light over the whole frame in electrons (rows, cols), from a frame's codes above the offset.
+    """Estimate the light over the whole frame in electrons (rows, cols), from codes above the
+    offset.
 
-    `open_share` is the part of the frame for which each pixel was open. Every pixel's light is the
-    mean of the measurements around it, weighted by their precision; saturated ones have none. The
-    neighbourhood grows until a measurement is found. A saturated pixel has at least the light that
-    saturates it.
+    `open_share` is the open fraction of the frame of each pixel. The light of a pixel is the mean
+    of the measurements around it, weighted by precision; saturated measurements have weight 0. The
+    neighbourhood grows until it contains a measurement. A saturated pixel has at least the light
+    that saturates it.
     """
     exposure = frame.astype(np.float64) * electrons_per_lsb
     share = np.where(open_share > 0, open_share, 1.0)
@@ -29,27 +30,27 @@ def merged(
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share
     weighted = precision * light
-    found = np.full(frame.shape, np.nan)
+    result = np.full(frame.shape, np.nan)
     reach = 2
-    while np.isnan(found).any() and reach <= 2 * max(frame.shape):
+    while np.isnan(result).any() and reach <= 2 * max(frame.shape):
         total = _tent(precision, reach) + (_OWN - 1) * precision
         value = _tent(weighted, reach) + (_OWN - 1) * weighted
-        here = np.isnan(found) & (total > 0)
-        found[here] = value[here] / total[here]
+        fillable = np.isnan(result) & (total > 0)
+        result[fillable] = value[fillable] / total[fillable]
         reach *= 2
-    found = np.where(np.isnan(found), light, found)
-    return np.where(saturated & (open_share > 0), np.maximum(found, light), found)
+    result = np.where(np.isnan(result), light, result)
+    return np.where(saturated & (open_share > 0), np.maximum(result, light), result)
 
 
 def _tent(values: Picture, reach: int) -> Picture:
-    """Sums over windows with weights that fall linearly to 0 at `reach` pixels."""
+    """Sum over windows with weights that fall linearly to 0 at `reach` pixels."""
     weights = 1 - np.abs(np.arange(1 - reach, reach)) / reach
-    found = values
+    sums = values
     for axis in (0, 1):
         length = values.shape[axis]
-        padded = np.pad(found, [(reach, reach) if a == axis else (0, 0) for a in (0, 1)])
-        found = np.zeros_like(values)
+        padded = np.pad(sums, [(reach, reach) if a == axis else (0, 0) for a in (0, 1)])
+        sums = np.zeros_like(values)
         for k, weight in enumerate(weights):
-            part = np.take(padded, np.arange(k + 1, k + 1 + length), axis=axis)
-            found = found + weight * part
-    return found
+            shifted = np.take(padded, np.arange(k + 1, k + 1 + length), axis=axis)
+            sums = sums + weight * shifted
+    return sums

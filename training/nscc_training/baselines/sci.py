@@ -1,7 +1,7 @@
 """Video snapshot compressive imaging without learning: T frames from one coded exposure.
 
-Everywhere `mask` is (T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and
-the result a clip (T, rows, cols) in the measurement's unit of a frame, here 0..1.
+`mask` is (T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and the result a
+clip (T, rows, cols), on 0..1 in the unit of the measurement.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ WEIGHT = 0.1
 ITERATIONS = 40
 _INNER = 5
 _TIME = 0.3
-"""Differences from frame to frame weigh less than those between pixels: things move."""
+"""Weight of differences between frames relative to those between pixels, because objects move."""
 _RIDGE = 0.01
 
 
@@ -29,9 +29,9 @@ def gap_tv(
     clip = mask * (measurement / energy)
     target = np.zeros_like(measurement)
     for _ in range(iterations):
-        seen = np.einsum("trc,trc->rc", mask, clip)
-        target += measurement - seen
-        clip = tv_denoise(clip + mask * ((target - seen) / energy), weight, _INNER, _TIME)
+        captured = np.einsum("trc,trc->rc", mask, clip)
+        target += measurement - captured
+        clip = tv_denoise(clip + mask * ((target - captured) / energy), weight, _INNER, _TIME)
     return clip
 
 
@@ -45,30 +45,34 @@ def admm_tv(
     dual = np.zeros_like(clip)
     for _ in range(iterations):
         split = clip + dual
-        seen = np.einsum("trc,trc->rc", mask, split)
-        split += mask * ((measurement - seen) / energy)
+        captured = np.einsum("trc,trc->rc", mask, split)
+        split += mask * ((measurement - captured) / energy)
         clip = tv_denoise(split - dual, weight, _INNER, _TIME)
         dual -= split - clip
     return clip
 
 
 def from_dictionary(measurement: NDArray[np.float32], mask: Clip) -> Clip:
-    """Sparse coding with a dictionary of made scenes; see `nscc_training.baselines.dictionary`."""
+    """Sparse coding with a dictionary of procedural scenes; see
+    `nscc_training.baselines.dictionary`."""
     return dictionary_clip(measurement, mask, made_dictionary(len(mask)))
 
 
 def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
-    """S^T E over the number of frames seen: what decoders start from."""
+    """Return S^T E over the number of open frames: the start of decoders."""
     return np.asarray(mask * (measurement / _energy(mask)), np.float32)
 
 
 def bilinear(clip: Clip, mask: Clip) -> Clip:
-    """The coded volume, before it was integrated, inpainted frame by frame with tent weights.
+    """Interpolate the coded volume, before integration, frame by frame with tent weights.
 
-    It decodes no capture: a yardstick only. A tent reaches as far as it must to find a sample.
+    A yardstick that sees the truth. A tent grows until it contains a sample.
     """
     return np.stack(
-        [_inpainted(frame * seen, seen) for frame, seen in zip(clip, mask, strict=True)]
+        [
+            _inpainted(frame * open_mask, open_mask)
+            for frame, open_mask in zip(clip, mask, strict=True)
+        ]
     )
 
 
@@ -76,48 +80,51 @@ _STEP = 4
 
 
 def thin_out(clip: Clip) -> Clip:
-    """Every fourth pixel in x and y at full rate, interpolated linearly; a yardstick as well."""
+    """Keep every fourth pixel in x and y at full rate, and interpolate linearly; a yardstick as
+    well."""
     rows, cols = clip.shape[1:]
     down, right = _between(rows, _STEP), _between(cols, _STEP)
     return np.asarray(down @ clip[:, ::_STEP, ::_STEP] @ right.T, np.float32)
 
 
 def _energy(mask: Clip) -> NDArray[np.float32]:
-    """sum of squares of the mask at each pixel; 1 where it never opens, so that nothing divides
-    by 0 and nothing comes of it."""
+    """Return the sum of squares of the mask at each pixel; 1 for pixels that never open, to avoid
+    division by 0."""
     energy = np.einsum("trc,trc->rc", mask, mask)
     return np.asarray(np.where(energy > 0, energy, 1), np.float32)
 
 
-def _inpainted(values: NDArray[np.float32], seen: NDArray[np.float32]) -> NDArray[np.float32]:
-    found = np.zeros_like(values)
+def _inpainted(
+    values: NDArray[np.float32], sample_mask: NDArray[np.float32]
+) -> NDArray[np.float32]:
+    picture = np.zeros_like(values)
     missing = np.ones(values.shape, bool)
     reach = 2
     while missing.any():
         tent = 1 - np.abs(np.arange(1 - reach, reach)) / reach
-        weight = _spread(seen, tent)
-        here = missing & (weight > 0)
-        found[here] = (_spread(values, tent)[here] / weight[here]).astype(np.float32)
-        missing &= ~here
+        weight = _spread(sample_mask, tent)
+        fillable = missing & (weight > 0)
+        picture[fillable] = (_spread(values, tent)[fillable] / weight[fillable]).astype(np.float32)
+        missing &= ~fillable
         if reach > 2 * max(values.shape):
             break
         reach *= 2
-    keep = seen > 0
-    found[keep] = values[keep] / seen[keep]
-    return found
+    keep = sample_mask > 0
+    picture[keep] = values[keep] / sample_mask[keep]
+    return picture
 
 
 def _spread(values: NDArray[np.float32], weights: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Weighted sums over windows centred on each pixel; nothing lies outside of the picture."""
-    found = values.astype(np.float64)
+    """Return weighted sums over windows centred on each pixel; outside the picture values are 0."""
+    sums = values.astype(np.float64)
     for axis in (0, 1):
-        found = np.apply_along_axis(np.convolve, axis, found, weights, mode="full")
+        sums = np.apply_along_axis(np.convolve, axis, sums, weights, mode="full")
         margin = len(weights) // 2
-        found = np.take(found, np.arange(margin, margin + values.shape[axis]), axis=axis)
-    return found
+        sums = np.take(sums, np.arange(margin, margin + values.shape[axis]), axis=axis)
+    return sums
 
 
 def _between(length: int, step: int) -> NDArray[np.float64]:
-    """The matrix (length, samples) of linear interpolation from every step-th place."""
+    """Return the matrix (length, samples) of linear interpolation from every step-th place."""
     places = np.arange(0, length, step)
     return np.stack([np.interp(np.arange(length), places, unit) for unit in np.eye(len(places))], 1)

@@ -1,9 +1,8 @@
 """Stills by convolutional sparse coding (after Serrano et al., Computer Graphics Forum 2016).
 
-What a coarse picture, merged from neighbours, lacks is a sum of few small filters, wherever they
-are needed; FISTA finds how much of each from the pixels that are not saturated. It works on the
-square root of light, where errors of bright and dark pixels weigh alike. Filters are learned from
-made scenes.
+A coarse picture, merged from neighbours, is corrected by a sum of few small filters at any place.
+FISTA finds their weights from the unsaturated pixels. The method works on the square root of light,
+where errors of bright and dark pixels are comparable. Filters are learned from procedural scenes.
 """
 
 from __future__ import annotations
@@ -27,31 +26,32 @@ ITERATIONS = 60
 Picture = NDArray[np.float64]
 
 _COARSE = 3.0
-"""Standard deviation in pixels of the blur that leaves the coarse picture."""
+"""Standard deviation in pixels of the blur that gives the coarse picture."""
 
 
 def sparse_coded(
-    coarse: Picture, seen: Picture, confidence: Picture, filters: Tensor,
+    coarse: Picture, measured: Picture, confidence: Picture, filters: Tensor,
     iterations: int = ITERATIONS, weight: float = WEIGHT,
 ) -> Picture:  # fmt: skip
-    """A picture that is near `seen` where `confidence` (0..1) is high, else near `coarse` blurred.
+    """Return a picture near `measured` where `confidence` (0..1) is high, and near `coarse`,
+    blurred, elsewhere.
 
-    All in square roots of light relative to a full well, (rows, cols). `filters` (K, 1, side,
-    side) as `made_filters` gives them.
+    All are square roots of light relative to a full well, (rows, cols). `filters` (K, 1, side,
+    side) come from `made_filters`.
     """
     base = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
-    wanted = mask * (torch.from_numpy(seen).float()[None, None] - base)
+    target = mask * (torch.from_numpy(measured).float()[None, None] - base)
     step = 1.0 / largest_gain(filters, mask)
-    maps = torch.zeros((1, len(filters), *wanted.shape[2:]))
+    maps = torch.zeros((1, len(filters), *target.shape[2:]))
     ahead, momentum = maps, 1.0
     for _ in range(iterations):
-        error = mask * summed(ahead, filters) - wanted
+        error = mask * summed(ahead, filters) - target
         moved = ahead - step * spread(mask * error, filters)
-        found = torch.sign(moved) * torch.clamp(moved.abs() - step * weight, min=0)
+        shrunk = torch.sign(moved) * torch.clamp(moved.abs() - step * weight, min=0)
         following = (1 + (1 + 4 * momentum**2) ** 0.5) / 2
-        ahead = found + (momentum - 1) / following * (found - maps)
-        maps, momentum = found, following
+        ahead = shrunk + (momentum - 1) / following * (shrunk - maps)
+        maps, momentum = shrunk, following
     return np.asarray((base + summed(maps, filters))[0, 0].double().numpy())
 
 
@@ -59,25 +59,26 @@ def coded_still(
     frame: NDArray[np.floating], open_share: Picture, coarse_e: Picture, electrons_per_lsb: float,
     saturated: NDArray[np.bool_], full_well_e: float, iterations: int = ITERATIONS,
 ) -> Picture:  # fmt: skip
-    """Light over the frame in electrons (rows, cols), from a frame's codes and a coarse result.
+    """Reconstruct the light over the frame in electrons (rows, cols), from codes and a coarse
+    result.
 
-    Photon noise of the square root of light does not depend on the light but on how long a pixel
-    was open: that is its confidence. A saturated pixel has none, but at least its own light.
+    Photon noise of the square root of light depends on the open time alone, which is the confidence
+    of a pixel. A saturated pixel has confidence 0, and at least the light that saturates it.
     """
     share = np.where(open_share > 0, open_share, 1.0)
-    seen = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
+    relative = frame.astype(np.float64) * (electrons_per_lsb / full_well_e) / share
     usable = ~saturated & (open_share > 0)
     root = sparse_coded(
-        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(seen),
+        np.sqrt(np.maximum(coarse_e, 0) / full_well_e), np.sqrt(relative),
         np.where(usable, share**0.25, 0.0), made_filters(), iterations,
     )  # fmt: skip
-    found = np.square(np.maximum(root, 0.0))
-    return np.where(saturated & (open_share > 0), np.maximum(found, seen), found) * full_well_e
+    light = np.square(np.maximum(root, 0.0))
+    return np.where(saturated & (open_share > 0), np.maximum(light, relative), light) * full_well_e
 
 
 @lru_cache(maxsize=2)
 def made_filters(seed: int = 0) -> Tensor:
-    """Filters (K, 1, side, side) of length 1, learned from the details of made stills."""
+    """Learn filters (K, 1, side, side) of length 1 from the details of procedural stills."""
     generator = np.random.default_rng([seed, SIDE])
     blocks = []
     for _ in range(16):
@@ -94,17 +95,18 @@ def made_filters(seed: int = 0) -> Tensor:
 
 
 def summed(maps: Tensor, filters: Tensor) -> Tensor:
-    """The picture (1, 1, rows, cols) of maps (1, K, rows, cols): each spread by its filter."""
+    """Return the picture (1, 1, rows, cols) of maps (1, K, rows, cols), each convolved with its
+    filter."""
     return functional.conv_transpose2d(maps, filters, padding=SIDE // 2)
 
 
 def spread(picture: Tensor, filters: Tensor) -> Tensor:
-    """The transpose of `summed`."""
+    """Return the adjoint of `summed`."""
     return functional.conv2d(picture, filters, padding=SIDE // 2)
 
 
 def blurred(picture: Tensor) -> Tensor:
-    """A Gaussian blur of (1, 1, rows, cols); beyond the edge the picture is repeated."""
+    """Blur (1, 1, rows, cols) by a Gaussian; beyond the edge the picture is repeated."""
     reach = round(3 * _COARSE)
     line = torch.exp(-0.5 * (torch.arange(-reach, reach + 1) / _COARSE) ** 2)
     line = line / line.sum()
@@ -114,12 +116,13 @@ def blurred(picture: Tensor) -> Tensor:
 
 
 def largest_gain(filters: Tensor, mask: Tensor) -> float:
-    """A bound on the largest eigenvalue of the masked sum times its transpose, by iteration."""
+    """Return an upper bound of the largest eigenvalue of the masked sum times its adjoint, by
+    iteration."""
     picture = mask.clone()
     gain = 1.0
     for _ in range(12):
         following = mask * summed(spread(picture, filters), filters)
         gain = float(following.norm() / picture.norm().clamp(min=1e-20))
         picture = following / max(gain, 1e-20)
-    # The iteration comes from below.
+    # The iteration converges from below.
     return 1.1 * max(gain, 1e-6)

@@ -6,23 +6,24 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.loops import Volume, denoise
+from nscc_training.baselines.tv_loop import Volume, denoise
 from nscc_training.measured import Measured
 
 START = 20
-"""Iterations of GAP-TV that decoders begin with."""
+"""Iterations of GAP-TV at the start of decoders."""
 _WEIGHT, _INNER, _TIME = 0.1, 5, 0.3
 _FAR = 1.0
-"""What a clip is taken to be wrong by while GAP-TV runs: frames are believed as they are."""
+"""Standard deviation of the clip's error that GAP-TV assumes, so large that frames are fitted
+exactly."""
 
 
 def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tensor]:
-    """GAP-TV of so many iterations: the clip (batch, N, rows, cols), and its target as
-    `gap_step` takes it. Frames in several buckets, saturated and noisy ones too.
+    """Return the clip (batch, N, rows, cols) after `iterations` of GAP-TV, and its target for
+    `gap_step`.
 
-    It begins with a clip in which nothing moves, each pixel's light spread over the frame. From a
-    dark one light would come only to slots that are open, and by smoothing to those near them: of
-    64 slots, of which some are open nowhere, these would stay a fifth too dark.
+    Frames may have several buckets, and be saturated and noisy. The start is a static clip, with
+    each pixel's light spread over the frame: from a dark start, slots that no pixel recorded would
+    stay about a fifth too dark (64 slots).
     """
     far = measured.value.new_full((len(measured.value),), _FAR)
     target = measured.value
@@ -36,10 +37,10 @@ def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tens
 def gap_step(
     measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
 ) -> tuple[Tensor, Tensor]:
-    """A clip led towards the frames, and the frames as they are asked for from now on."""
-    seen = measured.of(clip)
-    target = target + measured.missing(seen, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(seen, target), sigma), target
+    """Return the clip after a step towards the frames, and the updated target."""
+    predicted = measured.of(clip)
+    target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
+    return clip + measured.correction(measured.missing(predicted, target), sigma), target
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
@@ -73,7 +74,7 @@ def _shape(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor
 
 
 def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
-    """Return the same by torch's operators, on whatever device the clips are."""
+    """Return the result of `tv_denoised` by torch's operators, on any device."""
     image = clips.detach().float()
     scales = (time, 1.0, 1.0)
     step = 1.0 / (4.0 + 2.0 * time * time)
@@ -81,9 +82,9 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
     out = image
     for turn in range(iterations + 1):
         out = image.clone()
-        for axis, (part, scale) in enumerate(zip(field, scales, strict=True), start=1):
-            out.sub_(part, alpha=scale)
-            _after(out, axis).add_(_before(part, axis), alpha=scale)
+        for axis, (component, scale) in enumerate(zip(field, scales, strict=True), start=1):
+            out.sub_(component, alpha=scale)
+            _after(out, axis).add_(_before(component, axis), alpha=scale)
         if turn == iterations:
             break
         slopes = [
@@ -93,8 +94,8 @@ def tv_by_operators(clips: Tensor, weight: float, iterations: int, time: float) 
         for axis, slope in enumerate(slopes, start=1):
             _before(squared, axis).addcmul_(slope, slope)
         shrink = squared.sqrt_().mul_(step / weight).add_(1.0).reciprocal_()
-        for axis, (part, slope) in enumerate(zip(field, slopes, strict=True), start=1):
-            _before(part, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
+        for axis, (component, slope) in enumerate(zip(field, slopes, strict=True), start=1):
+            _before(component, axis).sub_(slope, alpha=step).mul_(_before(shrink, axis))
     return out
 
 

@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_training.baselines.loops import Volume, denoise
+from nscc_training.baselines.tv_loop import Volume, denoise
 
 Clip = NDArray[np.float32]
 
 
 def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) -> Clip:
-    """Chambolle's denoising of a clip (T, rows, cols), isotropic in space and time.
+    """Denoise a clip (T, rows, cols) by Chambolle's method, isotropic in space and time.
 
-    `time` weighs differences from frame to frame against those from pixel to pixel; 0 takes every
-    frame by itself. As many `iterations` as asked for, from a dual field of 0. ValueError for
-    anything but a clip and a weight above 0.
+    `time` weights differences between frames relative to those between pixels; 0 denoises every
+    frame alone. The dual field starts at 0. ValueError for anything but a clip, and for a weight of
+    0 or less.
     """
     if clip.ndim != 3 or 0 in clip.shape:
         raise ValueError(f"a clip of the shape {clip.shape}")

@@ -1,4 +1,4 @@
-"""Exposures of scenes: which ones depends on seed and step alone, cut on the run's device."""
+"""Exposures of scenes, drawn from seed and step alone, cut on the run's device."""
 
 from __future__ import annotations
 
@@ -12,28 +12,36 @@ from numpy.typing import NDArray
 from torch import Tensor
 from torch.utils.data import Dataset
 
-from nscc_training.data.sources import Scene, Scenes
+from nscc_training.data.sources import Scenes, SourceScene
 from nscc_training.protocols import load_protocol
 from nscc_training.settings import DataSettings
 
 _TRIES = 20
-"""Surroundings that are dark where they should saturate are drawn again so often."""
+"""Most draws of a region, if the regions are too dark to saturate."""
 EXPOSED = 256
-"""Rows and columns of what is exposed together: a patch may be its dark or its bright part."""
+"""Rows and columns exposed together; a patch may be its dark or its bright part."""
 _POLES = 8
-"""Such a part of a panorama's rows, at the top and at the bottom, is stretched as no lens does."""
+"""A panorama loses 1/8 of its rows at the top and at the bottom, which are stretched unlike any
+lens."""
 _WHITE = 0.999
 """The quantile of a still's light that metrics and losses count as 1."""
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Patches of light, and what is to be found.
+    """Patches of light, and the truth to reconstruct.
 
-    `light` (batch, rows, cols), electrons over the frame, of stills; (batch, N, rows, cols),
-    electrons a slot, of clips. `truth` is the same over a full well (over a full well / N), as
-    decoders give it. `peak` (batch,) is the truth that metrics and losses count as 1. `names` are
-    the scenes' and places.
+    Attributes
+    ----------
+    light : Tensor
+        Stills (batch, rows, cols) in electrons over the frame; clips (batch, N, rows, cols) in
+        electrons per slot.
+    truth : Tensor
+        `light` over a full well, or over a full well / N, as decoders return it.
+    peak : Tensor
+        (batch,): the truth that metrics and losses count as 1.
+    names : tuple of str
+        The scenes and places of the patches.
     """
 
     light: Tensor
@@ -41,21 +49,21 @@ class Batch:
     peak: Tensor
     names: tuple[str, ...]
 
-    def part(self, first: int, last: int) -> Batch:
-        """Return some of its patches."""
+    def patches(self, first: int, last: int) -> Batch:
+        """Return the patches from `first` up to `last`."""
         cut = slice(first, last)
         return replace(self, light=self.light[cut], truth=self.truth[cut], peak=self.peak[cut],
                        names=self.names[cut])  # fmt: skip
 
     @cached_property
     def goal(self) -> Tensor:
-        """The truth over the peak, at most 1."""
+        """The truth over the peak, clipped to 1."""
         return self._relative.clamp(max=1)
 
     @cached_property
     def most(self) -> Tensor:
-        """What predictions over the peak count as at most: 1 wherever the truth reaches the peak,
-        infinity elsewhere."""
+        """Upper limit of predictions over the peak: 1 where the truth reaches the peak, else
+        infinity."""
         return torch.where(self._relative >= 1, 1.0, torch.inf)
 
     @cached_property
@@ -64,12 +72,12 @@ class Batch:
 
 
 class Exposures(NamedTuple):
-    """What is drawn for a batch, E exposures of square surroundings, before anything is cut.
+    """E exposures of square regions, drawn for a batch before anything is cut.
 
-    `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is turned by
-    `turns` right angles, and mirrored, and its time goes `backwards`; light is raised to the power
-    of `contrast`, of a still the part `share` of the pixels saturates. Patch k is cut from exposure
-    `source[k]` at `corner[k]` (row, column).
+    `light` (E, rows, cols) of stills, (E, N, rows, cols) of clips. Each exposure is rotated by
+    `turns` right angles, `mirrored`, and reversed in time if `backwards`. Light is raised to the
+    power `contrast`. The fraction `share` of a still's pixels saturates. Patch k is cut from
+    exposure `source[k]` at `corner[k]` (row, column).
     """
 
     light: Tensor
@@ -92,8 +100,8 @@ class ExposureSet(Dataset[Exposures]):
         self.lights = [_without_poles(scene, settings) for scene in scenes.train]
         self.names = [scene.name for scene in scenes.train]
         self.settings, self.slots, self.batch, self.seed = settings, slots, batch, seed
-        wanted = max(settings.patch, EXPOSED)
-        self.side = min(wanted, *(side for light in self.lights for side in light.shape[-2:]))
+        wanted_side = max(settings.patch, EXPOSED)
+        self.side = min(wanted_side, *(side for light in self.lights for side in light.shape[-2:]))
         grey = load_protocol(settings.protocol).mid_grey_e is not None
         self._lit = 0.5 if grey else 0.01
 
@@ -105,7 +113,7 @@ class ExposureSet(Dataset[Exposures]):
         for place in range(0, self.batch, self.settings.together):
             generator = np.random.default_rng([self.seed, 4, step, place])
             scene = int(generator.integers(len(self.lights)))
-            light, lit, where = self._surroundings(scene, generator)
+            light, lit, place_text = self._surroundings(scene, generator)
             turned, flipped, reversed_, power = 0, False, False, 1.0
             if self.settings.augment:
                 turned, flipped = int(generator.integers(4)), bool(generator.random() < 0.5)
@@ -117,12 +125,14 @@ class ExposureSet(Dataset[Exposures]):
             rooms = self.side - self.settings.patch + 1
             drawn = generator.integers(rooms, size=(count, 2))
             source += [len(lights)] * count
-            names += [f"{self.names[scene]} {where}+{row},{col}" for row, col in drawn.tolist()]
+            names += [
+                f"{self.names[scene]} {place_text}+{row},{col}" for row, col in drawn.tolist()
+            ]
             corners.append(drawn)
             lights.append(torch.from_numpy(np.ascontiguousarray(light)))
             draws.append((lit, power, turned, flipped, reversed_))
         share, contrast, turns, mirrored, backwards = (
-            torch.tensor(each) for each in zip(*draws, strict=True)
+            torch.tensor(values) for values in zip(*draws, strict=True)
         )
         return Exposures(
             torch.stack(lights), share, contrast, turns, mirrored, backwards,
@@ -132,43 +142,46 @@ class ExposureSet(Dataset[Exposures]):
     def _surroundings(
         self, scene: int, generator: np.random.Generator
     ) -> tuple[NDArray[np.float32], float, str]:
-        """Return light that is exposed together, of a still the share that saturates, its place."""
-        light, part, share, place = self.lights[scene], None, self._lit, ""
+        """Return the light of a region, the fraction of a still's pixels that saturates, and the
+        place."""
+        light, region, share, place = self.lights[scene], None, self._lit, ""
         low, high = sorted(self.settings.saturated)
         for _ in range(_TRIES):
             row, col = (int(generator.integers(side - self.side + 1)) for side in light.shape[-2:])
             place = f"at {row},{col}"
-            part = light[..., row : row + self.side, col : col + self.side]
+            region = light[..., row : row + self.side, col : col + self.side]
             if light.ndim == 2:
                 share = float(generator.uniform(low, high))
             else:
                 first = int(generator.integers(len(light) - self.slots + 1))
-                part, place = part[first : first + self.slots], f"from {first} {place}"
-            lit = part > 0 if light.ndim == 2 else part.any(axis=0)
+                region, place = region[first : first + self.slots], f"from {first} {place}"
+            lit = region > 0 if light.ndim == 2 else region.any(axis=0)
             if np.count_nonzero(lit) > share * lit.size:
                 break
-        assert part is not None
-        return part, share, place
+        assert region is not None
+        return region, share, place
 
 
 def cut_batch(drawn: Exposures, settings: DataSettings, full_well_e: float, device: torch.device
               ) -> Batch:  # fmt: skip
     """Return the patches of a batch, exposed, cut and augmented on a device."""
     light, share, contrast, turns, mirrored, backwards, source, corner = (
-        each.to(device, non_blocking=True) for each in drawn[:-1]
+        tensor.to(device, non_blocking=True) for tensor in drawn[:-1]
     )
     still = light.ndim == 3
     slots = 1 if still else light.shape[1]
     grey_e = load_protocol(settings.protocol).mid_grey_e
     if still:
-        levels, whites = (quantiles(light.flatten(1), part) for part in (1 - share, _WHITE))
+        levels, whites = (
+            quantiles(light.flatten(1), level_share) for level_share in (1 - share, _WHITE)
+        )
         level, white = levels**contrast, whites**contrast
     else:
         total = light.sum(dim=1, dtype=torch.float64).flatten(1)
         level = quantiles(total, 0.99 if grey_e is None else 0.5)
         level = level if grey_e is None else level * (full_well_e / grey_e)
         white = torch.ones_like(level)
-    # What has no light is dark at any exposure.
+    # A region without light is dark at any exposure.
     scale = torch.where(level > 0, full_well_e / level, 0.0)
     values = _cut(light, settings.patch, turns, mirrored, backwards, source, corner)
     wide = (-1,) + (1,) * (values.ndim - 1)
@@ -184,14 +197,14 @@ def _cut(
     light: Tensor, patch: int, turns: Tensor, mirrored: Tensor, backwards: Tensor, source: Tensor,
     corner: Tensor,
 ) -> Tensor:  # fmt: skip
-    """Return the patches (batch, [N,] patch, patch) of turned and mirrored surroundings."""
+    """Return the patches (batch, [N,] patch, patch) of rotated and mirrored regions."""
     last = light.shape[-1] - 1
     step = torch.arange(patch, device=light.device)
     rows = (corner[:, 0, None] + step)[:, :, None]
     cols = (corner[:, 1, None] + step)[:, None, :]
     cols = torch.where(mirrored[source, None, None], last - cols, cols)
     turned = turns[source, None, None]
-    # The pixel that np.rot90 has there, of as many right angles.
+    # The source pixel of np.rot90 by this number of right angles.
     row = torch.where(turned == 0, rows, torch.where(
         turned == 1, cols, torch.where(turned == 2, last - rows, last - cols)))  # fmt: skip
     col = torch.where(turned == 0, cols, torch.where(
@@ -206,25 +219,27 @@ def _cut(
     return torch.take(light, first[:, :, None, None] + place[:, None])
 
 
-def quantiles(values: Tensor, part: Tensor | float) -> Tensor:
-    """Return the quantile `part`, a number or (batch,), of each row of values (batch, count).
+def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
+    """Return the quantile (a number, or (batch,)) of each row of values (batch, count).
 
     The result is float64, interpolated as numpy does.
     """
     last = values.shape[1] - 1
-    if isinstance(part, float):
-        below = int(part * last)
+    if isinstance(quantile, float):
+        below = int(quantile * last)
         most = values.topk(last - below + 1, dim=1).values.double()  # from the largest down
         low, high = most[:, -1], most[:, max(-2, -most.shape[1])]
-        return low + (high - low) * (part * last - below)
-    place = part.double() * last
-    whole = place.floor().long()
-    pair = values.sort(dim=1).values.gather(1, torch.stack([whole, (whole + 1).clamp(max=last)], 1))
+        return low + (high - low) * (quantile * last - below)
+    place = quantile.double() * last
+    lower_index = place.floor().long()
+    pair = values.sort(dim=1).values.gather(
+        1, torch.stack([lower_index, (lower_index + 1).clamp(max=last)], 1)
+    )
     low, high = pair.double().unbind(1)
-    return low + (high - low) * (place - whole)
+    return low + (high - low) * (place - lower_index)
 
 
-def _without_poles(scene: Scene, settings: DataSettings) -> NDArray[np.float32]:
+def _without_poles(scene: SourceScene, settings: DataSettings) -> NDArray[np.float32]:
     light = scene.light
     side = max(settings.patch, EXPOSED)
     if light.ndim == 2 and light.shape[1] == 2 * light.shape[0] >= 4 * side:

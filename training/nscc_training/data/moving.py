@@ -1,7 +1,7 @@
-"""Clips made of pictures: several layers that pan, turn, zoom, bend and cross one another.
+"""Clips made of pictures: layers that pan, rotate, zoom, bend and cross one another.
 
-There is little video that may be used freely, and many photographs. What a clip needs to teach is
-in them: detail, and motion of its parts by itself, with edges that cover and uncover.
+Little video may be used freely, but many photographs may. They provide detail; the layers provide
+independent motion of parts, with edges that cover and uncover.
 """
 
 from __future__ import annotations
@@ -23,46 +23,49 @@ Generator = np.random.Generator
 
 _SHORT = 1000
 _LOOKED_AT = 3
-"""Places of a picture of which the one with most detail is taken: skies teach little."""
+"""Places of a picture that are tried; the one with most detail is used, because skies teach little.
+"""
 _SPEEDS = (0.03, 6.0)
-"""Pixels a frame, slowest and fastest: all ratios between are as likely."""
+"""Slowest and fastest speed in pixels per frame, drawn uniformly in the logarithm."""
 _STILL = 0.15
-"""The part of layers that do not move at all."""
+"""Fraction of layers that stand still."""
 _BLURRED = 3
-"""Moments that a frame is the mean of, where a clip's shutter stays open while things move."""
+"""Moments averaged for a frame of a clip with motion blur."""
 
 
 def moving(
     pictures: Sequence[Picture], generator: Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
-    """A clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than `size`.
+    """Return a clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than
+    `size`.
 
-    A background and up to three things before it, each from a picture of its own; half of the
-    clips have motion within a frame, too. Values are as stored or, raised to a power, like light.
+    A background and up to three objects in front of it come from different pictures; half of the
+    clips have motion blur. Values are as stored or, raised to a power, like light.
     """
-    layers = [_Layer.drawn(pictures, generator, size, whole=True)]
+    layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
-        layers.append(_Layer.drawn(pictures, generator, size, whole=False))
+        layers.append(_Layer.drawn(pictures, generator, size, background=False))
     moments = _BLURRED if generator.random() < 0.5 else 1
-    found = np.zeros((frames, size, size), np.float32)
+    clip = np.zeros((frames, size, size), np.float32)
     for frame in range(frames):
-        for part in range(moments):
-            found[frame] += _seen(layers, frame + part / moments - frames / 2, size)
-    found /= moments * 255
+        for moment in range(moments):
+            clip[frame] += _composite(layers, frame + moment / moments - frames / 2, size)
+    clip /= moments * 255
     if generator.random() < 0.6:
-        low, high = np.percentile(found[0], (1, 99))
-        found = np.clip((found - low) / max(high - low, 0.1), 0, 1)
+        low, high = np.percentile(clip[0], (1, 99))
+        clip = np.clip((clip - low) / max(high - low, 0.1), 0, 1)
     power = float(np.exp(generator.uniform(np.log(0.7), np.log(2.4))))
     gain, dark = generator.uniform(0.5, 1.0), generator.uniform(0.0, 0.1)
-    return np.asarray(dark + (gain - dark) * found**power, np.float32)
+    return np.asarray(dark + (gain - dark) * clip**power, np.float32)
 
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """A picture on its way: at moment t the place p of a clip shows `picture` at
-    centre + turn(t) (p - size / 2 - velocity t) * scale * zoom^t, bent by waves.
+    """A moving picture.
 
-    `outline` is a polygon of radii around `middle`, none for a background.
+    At moment t, place p of the clip shows `picture` at centre + turn(t) (p - size / 2 - velocity t)
+    * scale * zoom^t, distorted by waves. `outline` is a polygon of radii around `middle`; None for
+    a background.
     """
 
     picture: Picture
@@ -78,7 +81,7 @@ class _Layer:
 
     @classmethod
     def drawn(
-        cls, pictures: Sequence[Picture], generator: Generator, size: int, *, whole: bool
+        cls, pictures: Sequence[Picture], generator: Generator, size: int, *, background: bool
     ) -> _Layer:
         picture = pictures[int(generator.integers(len(pictures)))]
         speed = np.exp(generator.uniform(*np.log(_SPEEDS))) * (generator.random() > _STILL)
@@ -92,7 +95,7 @@ class _Layer:
                 *generator.uniform(0, 2 * np.pi, 2), generator.uniform(0.01, 0.15),
             ])  # fmt: skip
         outline = None
-        if not whole:
+        if not background:
             corners = generator.uniform(0.4, 1.0, int(generator.integers(4, 12)))
             outline = corners * size * generator.uniform(0.08, 0.4)
         return cls(
@@ -114,25 +117,25 @@ class _Layer:
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
         down = rows - size / 2 - self.velocity[0] * moment
         right = cols - size / 2 - self.velocity[1] * moment
-        height, per_row, per_col, one, other, pace = self.waves
+        height, per_row, per_col, phase_down, phase_right, pace = self.waves
         if height:
             phase = 2 * np.pi * (per_row * rows + per_col * cols + pace * moment)
             down, right = (
-                down + height * np.sin(phase + one),
-                right + height * np.sin(phase + other),
+                down + height * np.sin(phase + phase_down),
+                right + height * np.sin(phase + phase_right),
             )
         scale, angle = self.scale * self.zoom**moment, self.angle + self.spin * moment
         sine, cosine = scale * np.sin(angle), scale * np.cos(angle)
         y = self.centre[0] + cosine * down - sine * right
         x = self.centre[1] + sine * down + cosine * right
-        found = cv2.remap(
+        warped = cv2.remap(
             self.picture, x.astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,
             borderMode=cv2.BORDER_REFLECT_101,
         )  # fmt: skip
-        return np.asarray(found, np.float32)
+        return np.asarray(warped, np.float32)
 
     def cover_at(self, moment: float, size: int) -> NDArray[np.float32]:
-        """How much of each pixel the thing covers: its edge is a pixel wide."""
+        """Return the fraction of each pixel that the object covers; its edge is one pixel wide."""
         assert self.outline is not None
         y, x = self.middle + self.velocity * moment
         rows, cols = np.mgrid[:size, :size].astype(np.float32)
@@ -145,25 +148,25 @@ class _Layer:
 
 
 def _detailed(picture: Picture, generator: Generator, size: int) -> NDArray[np.float64]:
-    """A place (row, column) of a picture, rather where there is something to see."""
+    """Return the place (row, column) with most detail of some random places of a picture."""
     places = generator.uniform(0.15, 0.85, (_LOOKED_AT, 2)) * picture.shape
 
     def detail(place: NDArray[np.float64]) -> float:
         row, col = (int(at) - size // 2 for at in place)
-        part = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
-        return float(part.std())
+        region = picture[max(0, row) : row + size : 2, max(0, col) : col + size : 2]
+        return float(region.std())
 
     return np.asarray(max(places, key=detail))
 
 
-def _seen(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
-    """The layers at a moment, each over those before it, 0..255."""
-    found = layers[0].picture_at(moment, size)
+def _composite(layers: Sequence[_Layer], moment: float, size: int) -> NDArray[np.float32]:
+    """Return the layers at a moment, each painted over those before it, 0..255."""
+    image = layers[0].picture_at(moment, size)
     for layer in layers[1:]:
         cover = layer.cover_at(moment, size)
         if cover.any():
-            found += cover * (layer.picture_at(moment, size) - found)
-    return found
+            image += cover * (layer.picture_at(moment, size) - image)
+    return image
 
 
 def pictures_below(folder: Path) -> list[Path]:
@@ -182,8 +185,10 @@ def pictures_below(folder: Path) -> list[Path]:
 
 
 def light_of_picture(path: Path) -> NDArray[np.float32]:
-    """Return the light of a picture, halved until its shorter side is below 1000 pixels: detail as
-    sharp as small cameras have it."""
+    """Return the light of a picture, halved until its shorter side is below 1000 pixels.
+
+    That gives detail as sharp as that of small cameras.
+    """
     import cv2
 
     light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)
@@ -194,6 +199,6 @@ def light_of_picture(path: Path) -> NDArray[np.float32]:
 
 
 def shown_picture(light: NDArray[np.float32]) -> Picture:
-    """The picture on a display whose white is the light that all but 2 % of the pixels have."""
+    """Return the picture on a display whose white is the 98 % quantile of the light."""
     level = max(float(np.percentile(light, 98)), 1e-30)
     return np.asarray(np.rint(srgb(np.clip(light / level, 0, 1)) * 255), np.uint8)

@@ -1,4 +1,4 @@
-"""Where scenes come from, and which of them are for validation."""
+"""Sources of scenes, and the split into training and validation."""
 
 from __future__ import annotations
 
@@ -33,23 +33,23 @@ from nscc_training.settings import DataSettings
 from nscc_training.turning_camera import turned
 
 _MOST_SIDE = 512
-"""Clips are cut to this from their centre: training takes patches."""
+"""Clips are cut to this many rows and columns around their centre: training takes patches."""
 _CAMERA_SIDE = 256
-"""Rows and columns of the clips that a camera makes of a panorama, at least."""
+"""Minimum rows and columns of the clips made of a panorama."""
 _MOST_LIGHT = 1e32
-"""Sums over all slots of more than that are infinite."""
+"""Sums of light over all slots beyond this overflow."""
 _LIT_SHARE = 0.01
-"""A clip's exposure is set by its brightest hundredth."""
+"""The exposure of a clip follows from its brightest hundredth."""
 _VALIDATION = 5
-"""Every so many files one is for validation, where no folder is named for it."""
+"""Every fifth file is for validation if no folder is named for it."""
 
 
 @dataclass(frozen=True, eq=False)
-class Scene:
-    """One scene: linear light (rows, cols) or (T, rows, cols), in no particular unit.
+class SourceScene:
+    """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
 
-    For clips of display files 1 is white. `sha256` is the file's digest, or the array's where there
-    is no file.
+    For clips of display files 1 is white. `sha256` is the digest of the file, or of the array if
+    there is no file.
     """
 
     name: str
@@ -59,16 +59,16 @@ class Scene:
 
 @dataclass(frozen=True, eq=False)
 class Scenes:
-    """The scenes of a run; `train` and `val` share none."""
+    """The scenes of a run; `train` and `val` share no scene."""
 
-    train: tuple[Scene, ...]
-    val: tuple[Scene, ...]
+    train: tuple[SourceScene, ...]
+    val: tuple[SourceScene, ...]
 
     def split(self) -> dict[str, list[dict[str, str]]]:
-        """What `split.json` holds: names and digests."""
+        """Return the content of `split.json`: names and digests."""
         return {
-            part: [{"file": s.name, "sha256": s.sha256} for s in scenes]
-            for part, scenes in (("train", self.train), ("val", self.val))
+            split_name: [{"file": s.name, "sha256": s.sha256} for s in scenes]
+            for split_name, scenes in (("train", self.train), ("val", self.val))
         }
 
 
@@ -76,12 +76,12 @@ def load_scenes(
     settings: DataSettings, still: bool, slots: int, seed: int, *, pictures: bool = False,
     tell: Callable[[str], object] = lambda _text: None,
 ) -> Scenes:  # fmt: skip
-    """The scenes that a configuration names; with `pictures` those to learn from are the light of
-    all pictures below a folder. `tell` is told which of a folder are for validation, and what was
-    changed in a scene.
+    """Load the scenes that a configuration names.
 
-    Raises Rejected: NS0811 for a folder without scenes of the kind, or where training and
-    validation would share one, NS0812 for an import path.
+    With `pictures`, the training scenes are the light of all pictures below a folder. `tell` is
+    called with a message on the validation split, and on changes of a scene. Raises Rejected:
+    NS0811 for a folder without scenes of the kind, or if training and validation would share a
+    scene; NS0812 for an import path.
     """
     kind = _Kind(settings, still, slots, seed, tell)
     train = _pictures(Path(settings.train)) if pictures else _load(settings.train, kind, "train")
@@ -91,12 +91,15 @@ def load_scenes(
         val = _load(settings.val or "procedural", kind, "val")
     else:
         # By file: the clips of one panorama stay together.
-        kept = set(list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION])
-        val = [scene for scene in train if scene.sha256 in kept]
-        train = [scene for scene in train if scene.sha256 not in kept]
+        validation_digests = set(
+            list(dict.fromkeys(scene.sha256 for scene in train))[::_VALIDATION]
+        )
+        val = [scene for scene in train if scene.sha256 in validation_digests]
+        train = [scene for scene in train if scene.sha256 not in validation_digests]
         kept_back = ", ".join(dict.fromkeys(scene.name.partition(", path ")[0] for scene in val))
+        count = len(validation_digests) + len({s.sha256 for s in train})
         tell(
-            f"validation: {len(kept)} of {len(kept) + len({s.sha256 for s in train})} scenes of "
+            f"validation: {len(validation_digests)} of {count} scenes of "
             f"'{settings.train}' ({kept_back[:200]}), every fifth; data.val names a folder instead"
         )
     shared = {s.sha256 for s in train} & {s.sha256 for s in val}
@@ -114,7 +117,7 @@ def load_scenes(
 
 @dataclass(frozen=True)
 class _Kind:
-    """What is loaded: stills or clips of at least `slots` frames."""
+    """The kind of scenes to load: stills, or clips of at least `slots` frames."""
 
     settings: DataSettings
     still: bool
@@ -123,55 +126,57 @@ class _Kind:
     tell: Callable[[str], object] = lambda _text: None
 
     def light(self, stored: NDArray[Any], transfer: Transfer, name: str) -> NDArray[np.float64]:
-        """A stored picture as light, by the same rules as `nscc run`."""
-        return picture_light(stored, transfer, name, warn=lambda said: self.tell(said.message))
+        """Return the light of a stored picture, by the rules of `nscc run`."""
+        return picture_light(
+            stored, transfer, name, warn=lambda diagnostic: self.tell(diagnostic.message)
+        )
 
 
-def _pictures(folder: Path) -> list[Scene]:
+def _pictures(folder: Path) -> list[SourceScene]:
     files = pictures_below(folder)
-    return [Scene(path.name, file_sha256(path), light_of_picture(path))
+    return [SourceScene(path.name, file_sha256(path), light_of_picture(path))
             for path in files]  # fmt: skip
 
 
-def _load(where: str, kind: _Kind, part: str) -> list[Scene]:
-    if where == "procedural":
-        return _made(kind, part)
-    if is_import_path(where):
-        call = imported(where, "data")
-        with own_code(where, "data"):
-            what = "still" if kind.still else "clip"
-            found = call(kind=what, part=part, slots=kind.slots, seed=kind.seed)
-            pairs = [(str(name), np.asarray(light)) for name, light in found]
+def _load(source: str, kind: _Kind, split_name: str) -> list[SourceScene]:
+    if source == "procedural":
+        return _procedural_scenes(kind, split_name)
+    if is_import_path(source):
+        call = imported(source, "data")
+        with own_code(source, "data"):
+            kind_text = "still" if kind.still else "clip"
+            scenes = call(kind=kind_text, part=split_name, slots=kind.slots, seed=kind.seed)
+            pairs = [(str(name), np.asarray(light)) for name, light in scenes]
         return [_scene(name, light, kind) for name, light in pairs]
-    folder, endings = Path(where), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
+    folder, endings = Path(source), LINEAR if kind.still else (*CLIPS, *LINEAR, *DISPLAY)
     files = files_in(folder, endings)
     if not files:
-        what = "stills" if kind.still else "clips"
+        kind_text = "stills" if kind.still else "clips"
         raise rejected(
             "NS0811",
-            f"'{folder}' holds no {what} to learn from",
-            notes=(f"{what} end in {', '.join(endings)}",),
+            f"'{folder}' holds no {kind_text} to learn from",
+            notes=(f"{kind_text} end in {', '.join(endings)}",),
             helps=("name a folder of such files, `procedural`, or a function as module:name",),
         )
     return [scene for path in files for scene in _read(path, kind)]
 
 
-def _made(kind: _Kind, part: str) -> list[Scene]:
-    count = kind.settings.scenes if part == "train" else -(-kind.settings.scenes // 4)
+def _procedural_scenes(kind: _Kind, split_name: str) -> list[SourceScene]:
+    count = kind.settings.scenes if split_name == "train" else -(-kind.settings.scenes // 4)
     size = max(kind.settings.patch + kind.settings.patch // 2, 32)
     scenes = []
     for index in range(count):
-        generator = np.random.default_rng([kind.seed, 1 if part == "train" else 2, index])
+        generator = np.random.default_rng([kind.seed, 1 if split_name == "train" else 2, index])
         if kind.still:
             light = made_scenes.still(generator, size)
         else:
             light = made_scenes.clip(generator, kind.slots, size)
-        scenes.append(_scene(f"procedural-{part}-{index}", light, kind))
+        scenes.append(_scene(f"procedural-{split_name}-{index}", light, kind))
     return scenes
 
 
-def _read(path: Path, kind: _Kind) -> list[Scene]:
-    """The scenes of a file: one, or the clips of a panorama or a photograph."""
+def _read(path: Path, kind: _Kind) -> list[SourceScene]:
+    """Return the scenes of a file: one, or the clips of a panorama or a photograph."""
     digest = file_sha256(path)
     suffix = path.suffix.lower()
     if suffix not in PICTURES:
@@ -188,10 +193,12 @@ def _read(path: Path, kind: _Kind) -> list[Scene]:
     return [_scene(path.name, still, kind, digest)]
 
 
-def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) -> list[Scene]:
-    """The clips of a panorama; the camera's paths are fixed by the file and the seed.
+def _turned(
+    panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
+) -> list[SourceScene]:
+    """Return the clips of a panorama; file and seed determine the camera's paths.
 
-    Where stored values of clips are taken as light, so are those that a display camera would store.
+    If stored values of clips count as light, the values of a display camera are used here too.
     """
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
@@ -204,8 +211,9 @@ def _turned(panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind) 
     return scenes
 
 
-def _moved(path: Path, digest: str, kind: _Kind) -> list[Scene]:
-    """The clips of a photograph: layers that are all cut from it, so that no other file is seen."""
+def _moved(path: Path, digest: str, kind: _Kind) -> list[SourceScene]:
+    """Return the clips of a photograph, with all layers cut from it, so that clips of different
+    files stay separate."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     picture = shown_picture(light_of_picture(path))
     transfer: Transfer = "linear" if kind.settings.transfer == "linear" else "srgb"
@@ -219,7 +227,7 @@ def _moved(path: Path, digest: str, kind: _Kind) -> list[Scene]:
 
 
 def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
-    """One for each of the clips that a file's scene is made of, fixed by file and seed."""
+    """Return a generator for each clip made of a file; file and seed determine it."""
     return [
         np.random.default_rng([kind.seed, 3, int(digest[:8], 16), index])
         for index in range(kind.settings.paths)
@@ -227,7 +235,7 @@ def _generators(digest: str, kind: _Kind) -> list[np.random.Generator]:
 
 
 def _read_clip(path: Path, kind: _Kind) -> NDArray[np.float32]:
-    """The first frames of a clip as light."""
+    """Return the first frames of a clip as light."""
     chosen = kind.settings.transfer or ("linear" if path.suffix.lower() == ".mat" else "srgb")
     transfer: Transfer = "linear" if chosen == "linear" else "srgb"
     return _clip_light(path, frames_in(path), transfer, kind)
@@ -245,12 +253,12 @@ def _clip_light(
 
 def _centre(frame: NDArray[Any]) -> NDArray[Any]:
     rows, cols = frame.shape[:2]
-    top, left = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
-    return frame[top : top + _MOST_SIDE, left : left + _MOST_SIDE]
+    first_row, first_col = max(0, rows - _MOST_SIDE) // 2, max(0, cols - _MOST_SIDE) // 2
+    return frame[first_row : first_row + _MOST_SIDE, first_col : first_col + _MOST_SIDE]
 
 
 def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
-    """Why no exposure fits a scene of which too little is lit; "" for others."""
+    """Return why no exposure suits a scene, because too few pixels are lit; "" otherwise."""
     share = max(kind.settings.saturated) if kind.still else _LIT_SHARE
     lit = float(np.mean(light > 0 if kind.still else light.any(axis=0)))
     return "" if lit >= share else (
@@ -259,8 +267,8 @@ def _too_dark(light: NDArray[Any], kind: _Kind) -> str:
     )  # fmt: skip
 
 
-def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> Scene:
-    """The scene, if training can use it; else Rejected (NS0811)."""
+def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = None) -> SourceScene:
+    """Return the scene; Rejected (NS0811) if training cannot use it."""
     patch, reason = kind.settings.patch, ""
     if light.dtype.kind not in "uifb":
         reason = f"its light is {light.dtype}, not real numbers"
@@ -282,7 +290,7 @@ def _scene(name: str, light: NDArray[Any], kind: _Kind, digest: str | None = Non
             helps=("take it out of the folder, or change [data] patch or [shutter] slots",),
         )
     if kind.still and not _MOST_LIGHT**-0.25 < light.max() < _MOST_LIGHT**0.25:
-        # Stills have no unit, and far from 1 their powers and sums leave float32.
+        # Stills have an arbitrary unit; far from 1 their powers and sums overflow float32.
         light = light.astype(np.float64) / (float(light.max()) or 1.0)
     values = np.ascontiguousarray(light, np.float32)
-    return Scene(name, digest or sha256(values.tobytes()).hexdigest(), values)
+    return SourceScene(name, digest or sha256(values.tobytes()).hexdigest(), values)

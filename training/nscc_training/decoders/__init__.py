@@ -1,4 +1,4 @@
-"""Networks from a coded frame to what was in front of the sensor.
+"""Networks from a coded frame to the light of the scene.
 
 A decoder is a module called with `frame` (batch, rows, cols), codes over the top code, and
 `shutters` (N, r, c), a tile that repeats over the frame from its top left corner

@@ -10,37 +10,39 @@ from torch import Tensor, nn
 from torch.autograd import Function
 from torch.nn import functional
 
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 
 Size = tuple[int, int]
 
 
-def taken(pictures: Tensor, block: Size, step: Size) -> Tensor:
-    """Blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows, cols).
+def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
+    """Return the blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows,
+    cols).
 
-    Blocks are in order of their rows; so many of them as lie in the pictures, `step` apart.
+    Blocks are ordered by rows and lie `step` pixels apart.
     """
-    parts = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
-    batch, count, down, across = parts.shape[:4]
-    return parts.permute(0, 2, 3, 1, 4, 5).reshape(
+    blocks = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
+    batch, count, down, across = blocks.shape[:4]
+    return blocks.permute(0, 2, 3, 1, 4, 5).reshape(
         batch, down * across, count * block[0] * block[1]
     )
 
 
-def put(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
-    """Sums of blocks where they lie in pictures (batch, *size): the adjoint of `taken`.
+def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
+    """Return the sums of overlapping blocks in pictures (batch, *size): the adjoint of
+    `unfold_blocks`.
 
-    A step is a block or a whole part of one, and the blocks fill the pictures.
+    A step is a block or a whole fraction of one, and the blocks fill the pictures.
     """
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
     again = block[0] // step[0], block[1] // step[1]
-    parts = blocks.reshape(batch, down, across, count, again[0], step[0], again[1], step[1])
-    parts = parts.permute(0, 3, 4, 6, 1, 5, 2, 7)
+    split_blocks = blocks.reshape(batch, down, across, count, again[0], step[0], again[1], step[1])
+    split_blocks = split_blocks.permute(0, 3, 4, 6, 1, 5, 2, 7)
     total = blocks.new_zeros(batch, count, rows // step[0], step[0], cols // step[1], step[1])
     for row in range(again[0]):
         for col in range(again[1]):
-            total[:, :, row : row + down, :, col : col + across] += parts[:, :, row, col]
+            total[:, :, row : row + down, :, col : col + across] += split_blocks[:, :, row, col]
     return total.reshape(batch, *size)
 
 
@@ -48,7 +50,7 @@ class _Taken(Function):
     @staticmethod
     def forward(ctx: Any, pictures: Tensor, block: Size, step: Size) -> Tensor:
         ctx.how = tuple(pictures.shape[1:]), block, step
-        return taken(pictures, block, step)
+        return unfold_blocks(pictures, block, step)
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None]:
@@ -61,24 +63,25 @@ class _Put(Function):
         ctx: Any, blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size
     ) -> Tensor:
         ctx.how = block, step
-        return put(blocks, size, block, step)
+        return fold_blocks(blocks, size, block, step)
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None, None, None]:
         return _Taken.apply(grad, *ctx.how), None, None, None  # type: ignore[no-untyped-call]
 
 
-def fcnet(channels: Sequence[int], task: Task, size: str) -> BlockNet:
-    """The declared decoder `fcnet`, of one width."""
+def fcnet(channels: Sequence[int], task: DecoderTask, size: str) -> BlockNet:
+    """Build the declared decoder `fcnet`, which has one width."""
     return BlockNet(channels[0], task.slots, task.tile)
 
 
 class BlockNet(nn.Module):
-    """Every block of 2 x 2 tiles of the frame becomes N pictures of that block.
+    """Fully connected layers from every block of 2 x 2 tiles of the frame to N pictures of that
+    block.
 
-    Blocks overlap by a tile in both directions, and a pixel's values are averaged over the blocks
-    that hold it. It sees no code but knows its tile: blocks always begin at a tile's corner.
-    `overlapping` (down, across) may be switched off after training: fewer blocks, less work.
+    Blocks overlap by a tile in both directions; each pixel is the average over the blocks that
+    contain it. The network sees no code, but blocks always begin at the corner of a tile.
+    `overlapping` (down, across) may be switched off after training for fewer blocks.
     """
 
     def __init__(self, hidden: int, slots: int, tile: tuple[int, int]) -> None:
@@ -101,19 +104,21 @@ class BlockNet(nn.Module):
         padded = functional.pad(
             frame.unsqueeze(1), (0, across - cols, 0, down - rows), mode="replicate"
         )
-        made = self.layers(_Taken.apply(padded, self.block, step)).float()  # type: ignore[no-untyped-call]
-        total: Tensor = _Put.apply(made, (self.slots, down, across), self.block, step)  # type: ignore[no-untyped-call]
-        ones = torch.ones((1, made.shape[1], self.block[0] * self.block[1]), device=made.device)
-        holders = put(ones, (1, down, across), self.block, step)
+        decoded = self.layers(_Taken.apply(padded, self.block, step)).float()  # type: ignore[no-untyped-call]
+        total: Tensor = _Put.apply(decoded, (self.slots, down, across), self.block, step)  # type: ignore[no-untyped-call]
+        ones = torch.ones(
+            (1, decoded.shape[1], self.block[0] * self.block[1]), device=decoded.device
+        )
+        holders = fold_blocks(ones, (1, down, across), self.block, step)
         return (total / holders)[..., :rows, :cols]
 
     @property
     def step(self) -> tuple[int, int]:
-        """Pixels from a block to the next, down and across."""
+        """Distance between blocks in pixels, down and across."""
         down, across = self.overlapping
         return (self.tile if down else self.block)[0], (self.tile if across else self.block)[1]
 
     def grown(self, size: int, axis: int) -> int:
-        """The next size that whole blocks fill, at their steps."""
+        """Return the smallest size, at least `size`, that whole blocks fill along an axis."""
         block, step = self.block[axis], self.step[axis]
         return block + max(0, -(-(size - block) // step)) * step

@@ -1,4 +1,4 @@
-"""What decoders there are: each declared here once, whole, without loading a network."""
+"""Declarations of all decoders, without loading a network."""
 
 from __future__ import annotations
 
@@ -12,9 +12,13 @@ SIZES = ("paper", "small")
 
 
 @dataclass(frozen=True)
-class Task:
-    """What a decoder is for: stills or clips of `slots`, coded by a `tile`, in one bucket or two;
-    what it may see, and whether a U-Net improves on a first guess (None: its size says)."""
+class DecoderTask:
+    """The task of a decoder.
+
+    `kind` is "still" or "clip", of `slots` slots, coded by a tile (rows, cols) in one or two
+    `buckets`. `sees_code`: the network gets the shutters as input. `guess`: a U-Net starts from a
+    first guess (None: depends on the size).
+    """
 
     kind: str
     slots: int
@@ -26,16 +30,28 @@ class Task:
 
 @dataclass(frozen=True)
 class Decoder:
-    """A decoder of nscc's own.
+    """The declaration of a decoder of nscc.
 
-    `network` is the `module:function` that makes it, called with its layers' channels, a `Task` and
-    the size, and loaded only then. `channels` has those of each size. `stills`, `clips`: whether it
-    reconstructs those. `needs_code` says why it cannot do without the code, ""
-    if it can. `any_code`: whether it decodes codes that it was not trained with. `given`: whether
-    it has the declared channels alone, for it begins with weights that come with nscc, or has none.
-    `guesses`: whether it can begin with a first guess, or without.
-    `two_buckets`: whether it takes frames (batch, 2, rows, cols) of clips, with the shutters of the
-    first bucket.
+    Attributes
+    ----------
+    name : str
+    network : str
+        `module:function` that builds the network from its channels, a task and the size. The module
+        is loaded when the decoder is built.
+    channels : mapping of str to tuple of int
+        The channels of the layers, by size.
+    stills, clips : bool
+        Whether the decoder reconstructs stills, and clips.
+    needs_code : str
+        Why the decoder needs the shutter code as input; empty if it does not.
+    any_code : bool
+        Whether it decodes codes that it was not trained with.
+    fixed_channels : bool
+        Whether its width is fixed: it starts from weights that come with nscc, or has no weights.
+    guesses : bool
+        Whether it can start from a first guess, or without.
+    two_buckets : bool
+        Whether it takes frames (batch, 2, rows, cols) of clips, and shutters of the first bucket.
     """
 
     name: str
@@ -45,7 +61,7 @@ class Decoder:
     clips: bool = True
     needs_code: str = ""
     any_code: bool = True
-    given: bool = False
+    fixed_channels: bool = False
     guesses: bool = False
     two_buckets: bool = False
 
@@ -80,7 +96,7 @@ _OWN = (
         {"paper": (32, 64, 96), "small": (32, 64, 96)},
         stills=True,
         needs_code="asks what a clip would have given behind its code: it cannot do without",
-        given=True,
+        fixed_channels=True,
         two_buckets=True,
     ),
     Decoder(
@@ -89,7 +105,7 @@ _OWN = (
         {"paper": (1,), "small": (1,)},
         stills=True,
         clips=False,
-        given=True,
+        fixed_channels=True,
         needs_code="divides by the time that a code is open: it cannot do without",
     ),
     Decoder("refined", f"{_HERE}.unrolled:refined", _UNROLLED, needs_code=_PROJECTS),
@@ -97,13 +113,13 @@ _OWN = (
 DECODERS = {decoder.name: decoder for decoder in _OWN}
 
 
-def others() -> dict[str, Callable[..., Any]]:
-    """What makes the decoders that other distributions add, by name; called as a user's own is.
+def added_decoders() -> dict[str, Callable[..., Any]]:
+    """Return the builders of decoders that other distributions declare, by name.
 
-    Raises Rejected (NS0905) for what cannot be called or has a name of `DECODERS`.
+    Raises Rejected (NS0905) for an object that is not callable, or a name of `DECODERS`.
     """
-    found = added("nscc.decoders", DECODERS)
-    for name, make in found.items():
+    makers = added("nscc.decoders", DECODERS)
+    for name, make in makers.items():
         if not callable(make):
             raise unusable("nscc.decoders", name, f"a {type(make).__name__} makes no decoder")
-    return found
+    return makers

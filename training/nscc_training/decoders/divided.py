@@ -1,4 +1,4 @@
-"""The simplest decoder: each exposure over the time that its own pixel was open."""
+"""The simplest decoder: divide each exposure by the time that its pixel was open."""
 
 from __future__ import annotations
 
@@ -6,18 +6,18 @@ from collections.abc import Sequence
 
 from torch import Tensor, nn
 
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.sensor_model import laid
 
 
-def divided(channels: Sequence[int], task: Task, size: str) -> Divided:
-    """The declared decoder `divided`."""
+def divided(channels: Sequence[int], task: DecoderTask, size: str) -> Divided:
+    """Build the declared decoder `divided`."""
     return Divided()
 
 
 class Divided(nn.Module):
-    """Light of stills (batch, rows, cols) from a frame and shutters (N, r, c); nothing is learned,
-    and no neighbour asked."""
+    """Light of stills (batch, rows, cols) from a frame and shutters (N, r, c), without weights and
+    neighbours."""
 
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         share = laid(shutters.mean(dim=-3), *frame.shape[-2:])

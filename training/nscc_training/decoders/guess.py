@@ -1,7 +1,7 @@
-"""First guesses: what a frame and its code say without learning, for networks to improve on.
+"""First guesses without learning, from a frame and its code, which networks improve.
 
-Both are normalised averages: every pixel's light is the mean of the measurements around it, each
-with its weight, and where those weigh little, of wider and wider surroundings. Gradients pass.
+Both are normalised averages: each pixel is the weighted mean of the measurements around it. Where
+weights are small, wider neighbourhoods count more. Gradients pass.
 """
 
 from __future__ import annotations
@@ -14,21 +14,23 @@ from torch.autograd import Function
 from torch.nn import functional
 
 READ_VARIANCE = 7.5e-6
-"""Of codes over the top code: 0.65 LSB of noise and the rounding of 8 bits."""
+"""Variance of the readout, in codes over the top code: 0.65 LSB of noise and the rounding of 8
+bits."""
 SHOT_VARIANCE = 1 / 30000
-"""The same of photons, at a full well of 30,000 e: in proportion to the frame."""
+"""Variance of photon noise per unit of the frame, at a full well of 30,000 e."""
 _OWN = 8.0
-"""A pixel's own measurement counts so much more than a direct neighbour's."""
+"""Weight of a pixel's own measurement relative to that of a direct neighbour."""
 _FAINT = 0.01
-"""The weight with which wider surroundings count: below that of any measurement of a still."""
+"""Weight of the wider neighbourhood; below that of any measurement of a still."""
 
 
 def still_guess(frame: Tensor, share: Tensor) -> Tensor:
-    """Light over the whole frame, 1 is a full well, of `frame` (batch, rows, cols).
+    """Estimate the light of a still over the whole frame, in full wells, from `frame` (batch, rows,
+    cols).
 
-    `share` is the part of the frame that each pixel was open for, of the same shape or without
-    the batch. Measurements count with their precision and saturated ones not at all; a saturated
-    pixel has at least the light that saturates it.
+    `share` is the open fraction of the frame of each pixel, of the same shape or without the batch.
+    Measurements are weighted by their precision. Saturated measurements have weight 0; a saturated
+    pixel gets at least the light that saturates it.
     """
     opened = share.clamp(min=1e-6)
     alone = frame / opened
@@ -36,18 +38,21 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
     saturated = frame >= 1
     noise = READ_VARIANCE + SHOT_VARIANCE * frame.clamp(min=0)
     precision = torch.where(saturated | (share <= 0), torch.zeros_like(frame), share**2 / noise)
-    found = averaged(alone.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
-    return torch.where(saturated, torch.maximum(found, alone), found)
+    guess = averaged(alone.unsqueeze(1), precision.unsqueeze(1)).squeeze(1)
+    return torch.where(saturated, torch.maximum(guess, alone), guess)
 
 
 def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
-    """Light slot by slot of S^T E, `volume` (batch, N, rows, cols), as `lifted` gives it.
+    """Estimate the light of a clip slot by slot from S^T E, `volume` (batch, N, rows, cols) of
+    `lifted`.
 
-    `opened` (N, rows, cols) are the shutters, of each bucket. A pixel says more of a slot the fewer
-    slots that bucket was open in: it counts with the inverse of their number.
+    `opened` (N, rows, cols) are the shutters of each bucket. A measurement is weighted by the
+    inverse of the number of slots in which the pixel's bucket was open.
     """
     refuse_not_finite(volume, "volume")
-    weight = torch.stack([each / each.sum(dim=0).clamp(min=1) for each in opened]).sum(dim=0)
+    weight = torch.stack([shutter / shutter.sum(dim=0).clamp(min=1) for shutter in opened]).sum(
+        dim=0
+    )
     return averaged(volume, weight.unsqueeze(0).expand_as(volume))
 
 
@@ -65,29 +70,34 @@ def refuse_not_finite(values: Tensor, name: str) -> None:
 
 
 def averaged(values: Tensor, weights: Tensor) -> Tensor:
-    """The weighted mean around every pixel, (batch, channels, rows, cols) of both, in their own
-    precision: that of a network around does not reach it."""
+    """Return the weighted mean around every pixel; both arguments are (batch, channels, rows,
+    cols).
+
+    It is computed in their own precision, whatever the precision of the surrounding network.
+    """
     with torch.autocast(values.device.type, enabled=False):
         return _averaged(values, weights)
 
 
 def _averaged(values: Tensor, weights: Tensor) -> Tensor:
-    totals = [tuple(_tent(part) for part in (values * weights, weights))]
+    totals = [tuple(_tent(plane) for plane in (values * weights, weights))]
     while max(totals[-1][0].shape[-2:]) > 1:
-        totals.append(tuple(functional.avg_pool2d(part, 2, ceil_mode=True) for part in totals[-1]))
+        totals.append(
+            tuple(functional.avg_pool2d(plane, 2, ceil_mode=True) for plane in totals[-1])
+        )
     value, weight = totals.pop()
-    found = value / weight.clamp(min=1e-12)
+    mean = value / weight.clamp(min=1e-12)
     while totals:
         value, weight = totals.pop()
         wide = functional.interpolate(
-            found, size=value.shape[-2:], mode="bilinear", align_corners=False
+            mean, size=value.shape[-2:], mode="bilinear", align_corners=False
         )
-        found = (value + _FAINT * wide) / (weight + _FAINT)
-    return found
+        mean = (value + _FAINT * wide) / (weight + _FAINT)
+    return mean
 
 
 class _Tent(Function):
-    """Its own adjoint: far quicker than what a convolution of single channels has for that."""
+    """A self-adjoint convolution, faster than torch's gradient of single-channel convolutions."""
 
     @staticmethod
     def forward(_ctx: Any, x: Tensor) -> Tensor:
@@ -102,6 +112,6 @@ class _Tent(Function):
 
 
 def _tent(x: Tensor) -> Tensor:
-    """Sums over 3 x 3 pixels with weights 1, 1/2, 1/4; a pixel itself counts `_OWN` times."""
-    found: Tensor = _Tent.apply(x)  # type: ignore[no-untyped-call]
-    return found
+    """Sum over 3 x 3 pixels with weights 1, 1/2, 1/4; the pixel itself counts `_OWN` times."""
+    sums: Tensor = _Tent.apply(x)  # type: ignore[no-untyped-call]
+    return sums

@@ -10,36 +10,36 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.curves import log_curve_inverse
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.guess import clip_guess, still_guess
 from nscc_training.sensor_model import laid, lifted, shared_out
 
 LOG_FLOOR = 1e-3
-"""Stills are predicted as log(1 + light / LOG_FLOOR)."""
-# The paper's networks begin with nothing; the small ones have no time for that.
+"""Networks predict stills as log(1 + light / LOG_FLOOR)."""
+# The paper's networks start from nothing; the small ones train too briefly for that.
 _GUESSES = {"paper": False, "small": True}
 
 
-def flat(channels: Sequence[int], task: Task, size: str) -> StillUNet:
-    """The declared decoder `unet2d`."""
+def flat(channels: Sequence[int], task: DecoderTask, size: str) -> StillUNet:
+    """Build the declared decoder `unet2d`."""
     slots = None if task.kind == "still" else task.slots
     return StillUNet(channels, slots, task.sees_code, _guesses(task, size), task.buckets)
 
 
-def deep(channels: Sequence[int], task: Task, size: str) -> ClipUNet:
-    """The declared decoder `unet3d`."""
+def deep(channels: Sequence[int], task: DecoderTask, size: str) -> ClipUNet:
+    """Build the declared decoder `unet3d`."""
     return ClipUNet(channels, task.slots, _guesses(task, size), task.buckets)
 
 
-def _guesses(task: Task, size: str) -> bool:
+def _guesses(task: DecoderTask, size: str) -> bool:
     return _GUESSES[size] if task.guess is None else task.guess
 
 
 class UNet(nn.Module):
-    """The common shape of both: `widths` channels from the finest level to the coarsest.
+    """A U-Net with `widths` channels from the finest level to the coarsest.
 
-    Any size of input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the
-    result is cut to what came in.
+    The input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the result is
+    cut to the size of the input.
     """
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
@@ -75,28 +75,28 @@ class UNet(nn.Module):
         """(batch, inputs, [N,] rows, cols) to (batch, outputs, [N,] rows, cols)."""
         sizes = x.shape[2:]
         # Its edges, repeated up to the next multiple.
-        margins = [part for size in reversed(sizes) for part in (0, -size % self.multiple)]
+        margins = [margin for size in reversed(sizes) for margin in (0, -size % self.multiple)]
         if any(margins):
             x = functional.pad(x, margins, mode="replicate")
-        kept: list[Tensor] = []
+        skips: list[Tensor] = []
         for level, layer in enumerate(self.down):
             x = layer(x if level == 0 else self.pool(x))
-            kept.append(x)
-        kept.pop()
+            skips.append(x)
+        skips.pop()
         mode = "bilinear" if self.dimensions == 2 else "trilinear"
         for layer in self.up:
-            finer = kept.pop()
+            finer = skips.pop()
             x = functional.interpolate(x, size=finer.shape[2:], mode=mode, align_corners=False)
             x = layer(torch.cat([x, finer], dim=1))
-        found: Tensor = self.last(x)
-        return found[(slice(None), slice(None), *(slice(0, size) for size in sizes))]
+        output: Tensor = self.last(x)
+        return output[(slice(None), slice(None), *(slice(0, size) for size in sizes))]
 
 
 class _Convolution3d(nn.Conv3d):
-    """A convolution that is in float32 where only two slots are left, on CPUs.
+    """A convolution in float32 if only two slots remain, on CPUs.
 
-    In bfloat16 parts of its weights' gradients are uninitialised memory there (torch 2.13 on
-    processors with AVX512-BF16).
+    In bfloat16 some gradients of its weights are uninitialised memory (torch 2.13 on processors
+    with AVX512-BF16).
     """
 
     def forward(self, x: Tensor) -> Tensor:
@@ -107,13 +107,14 @@ class _Convolution3d(nn.Conv3d):
 
 
 class StillUNet(nn.Module):
-    """2D U-Net. Sees the frame, or those of two buckets; with `sees_code`, for stills also the part
-    of the frame that each pixel was open for and its light by itself, for clips S^T E, a channel a
-    slot.
+    """2D U-Net.
 
-    The result of stills is the logarithm of light, that of clips (`slots`) has a channel a slot.
-    With `guesses` the network sees the first guess, too, and says what must be added to it, for
-    clips also how much of it is to stay (`gated`); that takes `sees_code`.
+    Inputs: the frame, or the frames of two buckets. With `sees_code` also, for stills, the open
+    fraction of each pixel and its light alone; for clips S^T E, a channel per slot.
+
+    Output: the logarithm of the light of a still, or a channel per slot of a clip (`slots`). With
+    `guesses` the first guess is another input, and the network predicts a correction to it, for
+    clips also a gain (`gated`); this needs `sees_code`.
     """
 
     def __init__(
@@ -132,36 +133,36 @@ class StillUNet(nn.Module):
         return self._clip(frame, shutters) if self.slots else self._still(frame, shutters)
 
     def _still(self, frame: Tensor, shutters: Tensor) -> Tensor:
-        seen, guess = [frame], None
+        inputs, guess = [frame], None
         if self.sees_code:
             share = laid(shutters.mean(dim=-3), *frame.shape[-2:]).expand_as(frame)
             alone = torch.where(share > 0, frame / share.clamp(min=1e-6), torch.zeros_like(frame))
             # Readout noise takes dark pixels below the offset of the ADC.
-            seen += [share, torch.log1p(alone.clamp(min=0) / LOG_FLOOR)]
+            inputs += [share, torch.log1p(alone.clamp(min=0) / LOG_FLOOR)]
             if self.guesses:
                 guess = torch.log1p(still_guess(frame, share).clamp(min=0) / LOG_FLOOR)
-                seen.append(guess)
-        found: Tensor = self.network(torch.stack(seen, dim=1)).float()[:, 0]
-        return log_curve_inverse(found if guess is None else found + guess, LOG_FLOOR)
+                inputs.append(guess)
+        output: Tensor = self.network(torch.stack(inputs, dim=1)).float()[:, 0]
+        return log_curve_inverse(output if guess is None else output + guess, LOG_FLOOR)
 
     def _clip(self, frame: Tensor, shutters: Tensor) -> Tensor:
         assert self.slots is not None
-        seen, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
+        inputs, guess = [frame if frame.ndim == 4 else frame.unsqueeze(1)], None
         if self.sees_code:
             volumes, opened = _lifted(frame, shutters, self.slots)
-            seen += volumes
+            inputs += volumes
             if self.guesses:
                 guess = clip_guess(_added(volumes), *opened)
-                seen.append(guess)
-        found: Tensor = self.network(torch.cat(seen, dim=1)).float()
-        return found if guess is None else gated(guess, *found.chunk(2, dim=1))
+                inputs.append(guess)
+        output: Tensor = self.network(torch.cat(inputs, dim=1)).float()
+        return output if guess is None else gated(guess, *output.chunk(2, dim=1))
 
 
 class ClipUNet(nn.Module):
     """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
 
-    With `guesses` it sees the first guess, too, and says what must be added to it and how much of
-    it is to stay (`gated`).
+    With `guesses` the first guess is another input, and the network predicts its correction and its
+    gain (`gated`).
     """
 
     def __init__(
@@ -175,28 +176,31 @@ class ClipUNet(nn.Module):
     def forward(self, frame: Tensor, shutters: Tensor) -> Tensor:
         volumes, opened = _lifted(frame, shutters, self.slots)
         guess = clip_guess(_added(volumes), *opened) if self.guesses else None
-        seen = volumes if guess is None else [*volumes, guess]
-        found: Tensor = self.network(torch.stack(seen, dim=1)).float()
-        return found[:, 0] if guess is None else gated(guess, found[:, 0], found[:, 1])
+        inputs = volumes if guess is None else [*volumes, guess]
+        output: Tensor = self.network(torch.stack(inputs, dim=1)).float()
+        return output[:, 0] if guess is None else gated(guess, output[:, 0], output[:, 1])
 
 
-def gated(guess: Tensor, added: Tensor, more: Tensor) -> Tensor:
-    """A guess of which a network takes so much more or less, and to which it adds something.
+def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
+    """Return `guess * (1 + extra_share) + added`.
 
-    A clip's guess holds the code's own pattern. To take that away by adding alone, a network has to
-    make the pattern again; taking less of the guess is one number.
+    A clip's guess contains the pattern of the code. Removing it by addition would make the network
+    reproduce the pattern; a gain removes it with one number.
     """
-    return added + guess * (1 + more)
+    return added + guess * (1 + extra_share)
 
 
 def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
-    """S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows, cols).
+    """Return S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows,
+    cols).
 
-    Added up, two buckets' have something in every slot; apart they show where their light went.
+    The buckets stay separate: their sum has light in every slot and hides which bucket got it.
     """
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
-    whole = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
-    opened = shared_out(whole, len(frames)).unbind() if len(frames) > 1 else (whole,)
+    array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
+    opened = (
+        shared_out(array_shutters, len(frames)).unbind() if len(frames) > 1 else (array_shutters,)
+    )
     # A frame is the sum over its open slots; S^T E is in light a slot, so 1 is full well / N.
     return [lifted(e * slots, way)[0] for e, way in zip(frames, opened, strict=True)], opened
 
@@ -206,6 +210,6 @@ def _added(volumes: Sequence[Tensor]) -> Tensor:
 
 
 def begin_with_nothing(network: UNet) -> UNet:
-    """Let a network that improves on something begin with adding nothing to it."""
+    """Set the last layer to zero, so that the network starts by adding nothing."""
     nn.init.zeros_(network.last.weight)
     return network

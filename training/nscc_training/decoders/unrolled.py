@@ -8,7 +8,7 @@ import torch
 from torch import Tensor, nn
 
 from nscc_training.baselines.tensor_tv import gap_tv_of
-from nscc_training.decoders.declared import Task
+from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.guess import clip_guess
 from nscc_training.decoders.unet import UNet, begin_with_nothing
 from nscc_training.measured import Measured
@@ -18,25 +18,26 @@ _STAGES = {"paper": 9, "small": 3}
 _TV_ITERATIONS = 20
 
 
-def unrolled(channels: Sequence[int], task: Task, size: str) -> Unrolled:
-    """The declared decoder `unrolled`."""
+def unrolled(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
+    """Build the declared decoder `unrolled`."""
     return Unrolled(channels, task.slots, _STAGES[size])
 
 
-def refined(channels: Sequence[int], task: Task, size: str) -> Unrolled:
-    """The declared decoder `refined`: GAP-TV first."""
+def refined(channels: Sequence[int], task: DecoderTask, size: str) -> Unrolled:
+    """Build the declared decoder `refined`, which starts from GAP-TV."""
     return Unrolled(channels, task.slots, _STAGES[size], _TV_ITERATIONS)
 
 
 class Unrolled(nn.Module):
-    """`stages` times: take the clip to one that gives the frame, then let a 2D U-Net improve it.
+    """Alternate a projection and a 2D U-Net, `stages` times.
 
     The projection is that of generalised alternating projection (Liao, Li and Carin, SIAM Journal
-    on Imaging Sciences 2014): it spreads what the frame has more than the clip's own capture over
-    the slots that each pixel was open in. A U-Net has a channel a slot, and sees the shutters.
+    on Imaging Sciences 2014): it distributes the difference between the frame and the clip's own
+    capture over the slots in which each pixel was open. A U-Net has a channel per slot and sees the
+    shutters.
 
-    It begins with the first guess, or, with `tv_iterations`, with so many of GAP-TV: better, but no
-    gradient passes them, so that codes do not learn what they are worth.
+    The clip starts from the first guess, or from `tv_iterations` of GAP-TV. The latter is better,
+    but passes no gradient to the codes.
     """
 
     def __init__(
@@ -58,11 +59,11 @@ class Unrolled(nn.Module):
             clip = self._gap_tv(total, opened)
         else:
             clip = clip_guess(lifted(total, opened)[0], opened)
-        seen = opened.expand_as(clip)
+        shutter_channels = opened.expand_as(clip)
         for step, denoiser in zip(self.steps, self.denoisers, strict=True):
             missing = (total - (opened * clip).sum(dim=1)) / energy
             clip = clip + step * opened * missing.unsqueeze(1)
-            clip = clip + denoiser(torch.cat([clip, seen], dim=1)).float()
+            clip = clip + denoiser(torch.cat([clip, shutter_channels], dim=1)).float()
         return clip
 
     @torch.no_grad()

@@ -24,7 +24,7 @@ from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
 from nscc_runtime.pieces import Taken, simulate_scene
-from nscc_runtime.scenes import Fit, Laid, Scene
+from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
 from nscc_runtime.simulate import Listener, Request
 from nscc_training.demo.subject import Subject
@@ -78,7 +78,7 @@ class Exposed:
 
     run: Path
     scene: Scene
-    laid: tuple[Laid, ...]
+    laid: tuple[PlacedLight, ...]
     container: Container
     sensor: Sensor
     taken: Taken
@@ -96,7 +96,7 @@ class Exposed:
     def truth(self) -> NDArray[Any]:
         """Electrons over the frame (rows, cols), or a slot (T, rows, cols); colours last."""
         cut = [
-            one.where.cut(one.light.total_e() if self.still else one.light.dense())
+            one.placement.cut(one.light.total_e() if self.still else one.light.dense())
             for one in self.laid
         ]
         return cut[0] if len(cut) == 1 else np.stack(cut, axis=-1)
@@ -163,7 +163,7 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
 
 def _laid(
     found: Subject, like: RunCapture, container: Container, settings: Settings, listener: Listener
-) -> tuple[tuple[Laid, ...], Scene]:
+) -> tuple[tuple[PlacedLight, ...], Scene]:
     """The scene's light, and the scene with the exposure that it was given."""
     scene = replace(found.scene, fit=settings.fit, color=settings.color)
     electrons, _, _ = like.exposure.partition("@")

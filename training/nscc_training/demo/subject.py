@@ -12,9 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime.scenes import Scene
-from nscc_runtime.scenes.arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.clips import CLIPS, read_clip
 from nscc_runtime.scenes.colour import Transfer
+from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, read_light, read_mat
 from nscc_runtime.scenes.load import ARRAYS
 from nscc_runtime.scenes.picture_files import (
     PICTURES,

@@ -1,4 +1,4 @@
-"""What all encoders share: a tile of codes, its shutters hard and soft, starts and projections."""
+"""The base class of encoders: a tile of codes, hard and soft shutters, starts and projections."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from torch import Tensor, nn
 
 from nscc_training.code_choices import RELAXATIONS
 from nscc_training.draws import normal
-from nscc_training.encoders.trial import Over, Trial
+from nscc_training.encoders.trial import CodeTrial, Over
 from nscc_training.shutter_spec import ShutterSpec as ShutterSpec
 
 Codes = dict[str, NDArray[np.int64]]
@@ -20,12 +20,18 @@ Codes = dict[str, NDArray[np.int64]]
 
 
 class Encoder(nn.Module, ABC):
-    """Learned shutters of one class.
+    """Learned shutters of one class on a tile.
 
-    Calling it gives the shutters that training uses, (N, rows, cols) of the tile: exactly 0 and 1
-    with `straight-through`, between them with a relaxation. `hard()` gives the ones that get
-    compiled. `project()` belongs after every optimiser step: it takes parameters back to their
-    range, where gradients live.
+    Calling an encoder returns the shutters for training, (N, rows, cols) of the tile: exactly 0
+    and 1 with `straight-through`, values between them with a relaxation. `hard()` returns the
+    shutters that are compiled. Call `project()` after every optimiser step: it clips parameters to
+    their legal range.
+
+    Parameters
+    ----------
+    spec : ShutterSpec
+    relaxation : str
+        One of `nscc_training.code_choices.RELAXATIONS`.
     """
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
@@ -42,10 +48,10 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def codes(self) -> Codes:
-        """The legal codes that the parameters stand for now."""
+        """Return the legal codes of the current parameters, int64 (rows, cols) by field."""
 
     def check_finite(self) -> None:
-        """ValueError for parameters that are not finite: they stand for no code."""
+        """Raise ValueError if a parameter is not finite."""
         for name, parameter in self.named_parameters():
             count = int((~torch.isfinite(parameter)).sum())
             if count:
@@ -60,57 +66,59 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def start_random(self, generator: np.random.Generator) -> None:
-        """Independent codes, uniform over the legal ones of the class."""
+        """Set independent codes, uniform over the legal codes of the class."""
 
     @abstractmethod
     def start_uniform(self) -> None:
-        """One code for all places."""
+        """Set one code for all places."""
 
     @abstractmethod
     def start_quad(self) -> None:
-        """The pattern of 2 x 2 places: geometric exposures, or for clips moments side by side."""
+        """Set a pattern of 2 x 2 places: geometric exposures, or for clips moments side by side."""
 
     @abstractmethod
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Shutters (N, rows, cols): for training where `soft`, else the hard ones."""
+        """Return shutters (N, rows, cols): those for training if `soft`, else the hard ones."""
 
     @abstractmethod
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
-        """Shutters to either side of the codes, every pixel of the patch with draws of its own."""
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        """Return a trial: shutters for codes moved to either side, with independent draws in every
+        pixel."""
 
     def forward(self, generator: torch.Generator | None = None) -> Tensor:
-        """The shutters of this step; noise on parameters comes from `generator`, if given."""
+        """Return the shutters of a step; with a `generator` the parameters get noise."""
         if self.relaxation in ("tried", "search"):
             return self.hard()
         return self.shutters(generator, soft=self.relaxation != "straight-through")
 
     def hard(self) -> Tensor:
-        """The shutters that the codes open, exactly 0 and 1, without gradient or noise."""
+        """Return the shutters of the current codes, exactly 0 and 1, without gradient or noise."""
         with torch.no_grad():
             return self.shutters(None, soft=False)
 
     @torch.no_grad()
     def project(self) -> None:
-        """Take parameters back into their legal range."""
+        """Clip the parameters to their legal range."""
         for parameter, (low, high) in self.ranges():
             parameter.clamp_(low, high)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
-        """The parameters with their legal ranges."""
+        """Return the parameters with their legal ranges."""
         return []
 
     def dead_share(self) -> float:
-        """The share of parameters whose gradient is exactly 0 after a backward pass, 0..1.
+        """Return the fraction of parameters whose gradient is exactly 0 after a backward pass,
+        0..1.
 
-        Such a code cannot learn from this batch: all its pixels are saturated, dark or unused.
-        1 where no gradient arrived at all, 0 for a class without parameters.
+        Such a code cannot learn from this batch: all its pixels are saturated, dark or unused. 1 if
+        no gradient arrived at all, 0 for a class without parameters.
         """
         learned = list(self.parameters())
         dead = sum(p.numel() if p.grad is None else int((p.grad == 0).sum()) for p in learned)
         return dead / sum(p.numel() for p in learned) if learned else 0.0
 
     def noisy(self, parameter: Tensor, generator: torch.Generator | None) -> Tensor:
-        """The parameter with the noise of training, if there is a generator."""
+        """Return the parameter, with noise if there is a generator."""
         if generator is None or self.noise == 0:
             return parameter
         return parameter + self.noise * normal(parameter, generator)
@@ -118,8 +126,11 @@ class Encoder(nn.Module, ABC):
     def checked(
         self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]
     ) -> list[Tensor]:
-        """The fields in the order of `limits` as float64 tensors; ValueError where one is wrong."""
-        found = []
+        """Return the fields in the order of `limits` as float64 tensors.
+
+        Raises ValueError for a missing field, another shape or values outside the limits.
+        """
+        tensors = []
         for name, (low, high) in limits.items():
             values = codes.get(name)
             if values is None:
@@ -128,11 +139,11 @@ class Encoder(nn.Module, ABC):
                 raise ValueError(f"'{name}' is {values.shape}, the tile {self.spec.tile}")
             if values.min() < low or values.max() > high:
                 raise ValueError(f"'{name}' has values outside {low}..{high}")
-            found.append(torch.tensor(values.astype(np.float64)))
-        return found
+            tensors.append(torch.tensor(values.astype(np.float64)))
+        return tensors
 
     def quad_ranks(self) -> NDArray[np.int64]:
-        """0..3 at every place: its rank in the 2 x 2 pattern, the longest exposure first."""
+        """Return the rank 0..3 of every place in the 2 x 2 pattern, longest exposure first."""
         rows, cols = self.spec.tile
         y, x = np.mgrid[:rows, :cols]
         return np.asarray((y % 2) * 2 + x % 2, np.int64)

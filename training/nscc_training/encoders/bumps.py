@@ -1,4 +1,4 @@
-"""Classes a to d: one bump a frame, whose edges are learned."""
+"""Classes a to d: one open interval (bump) per frame, whose edges are learned."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 from torch import Tensor, nn
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import Over, Trial, drawn
+from nscc_training.encoders.trial import CodeTrial, Over, drawn
 from nscc_training.gradients import opened, replaced, rounded
 
 _FAR = 1e6
-"""Slots before the frame: an edge there never matters."""
+"""Distance in slots before the frame at which a fixed edge lies."""
 _MOST_DISTANCES = 1 << 24
 _REACH = 2
-"""Pixels around a trial whose losses are credited to it."""
+"""Radius in pixels within which losses are credited to a trial."""
 
 
 class AlwaysOpen(Encoder):
-    """Class a: an ordinary camera, with nothing to learn."""
+    """Class a: always open, with nothing to learn."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -44,24 +44,23 @@ class AlwaysOpen(Encoder):
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return self.always.expand(self.spec.slots, *self.spec.tile)
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         raise ValueError("class a has nothing to try")
 
 
 class Bump(Encoder):
-    """Open in the slots from an opening edge to a closing edge, either of which may be fixed.
+    """Open from an opening edge to a closing edge, either of which may be fixed.
 
-    Edges are boundaries 0..N between slots, real-valued as parameters, float64 so that thousands
-    of slots leave their fractions alone. The gradient of an edge is that of the light flowing
-    through the slots beside it.
+    Edges are boundaries 0..N between slots: real parameters in float64, precise for thousands of
+    slots. The gradient of an edge is the light that flows through the slots beside it.
 
-    `limits` are the legal values of each field; every field is a parameter of its name. `legal`
-    (codes, fields), if set, lists the codes that a program's `require` allows: codes then snap to
-    the nearest of them.
+    `limits` are the legal values of each field; each field is a parameter of that name. `legal`
+    (codes, fields), if set, lists the codes that `require` of a program allows: codes snap to the
+    nearest.
     """
 
     width = 1.0
-    """How far, in slots, an edge's stand-in gradient reaches: 1 is the light's own."""
+    """Width in slots of the surrogate gradient of an edge; 1 is the physical width."""
 
     def __init__(
         self, spec: ShutterSpec, relaxation: str, limits: dict[str, tuple[int, int]]
@@ -76,10 +75,10 @@ class Bump(Encoder):
     def restrict(
         self, legal: NDArray[np.int64], generator: np.random.Generator | None = None
     ) -> None:
-        """Allow only these codes (codes, fields): parameters snap to the nearest, and stay between
-        the least and the greatest value of each field.
+        """Allow only the codes `legal` (codes, fields).
 
-        With a generator the codes are drawn again, uniform over the legal ones.
+        Parameters snap to the nearest legal code and stay within the range of each field. With a
+        generator the codes are drawn again, uniformly over the legal ones.
         """
         self.legal = torch.as_tensor(legal, dtype=torch.float64)
         if generator is None:
@@ -91,15 +90,15 @@ class Bump(Encoder):
             self.limits[name] = (int(values.min()), int(values.max()))
 
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
-        """Opening and closing boundaries (rows, cols) of field values (fields, rows, cols)."""
+        """Return the opening and closing boundaries (rows, cols) of fields (fields, rows, cols)."""
         raise NotImplementedError
 
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return self.opened_by(self.fields(generator), soft)
 
     def opened_by(self, fields: Tensor, soft: bool = False) -> Tensor:
-        """The shutters (N, rows, cols) of field values (fields, rows, cols) within their limits,
-        of any size."""
+        """Return the shutters (N, rows, cols) of field values (fields, rows, cols) within their
+        limits."""
         start, stop = self.edges(fields if soft else self.snapped(fields))
         n = torch.arange(self.spec.slots, dtype=torch.float64, device=stop.device)
         middle = n.reshape(-1, 1, 1) + 0.5
@@ -111,45 +110,46 @@ class Bump(Encoder):
             return (torch.sigmoid(after * scale) * torch.sigmoid(before * scale)).float()
         return (opened(after, self.width) * opened(before, self.width)).float()
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         fields = over(self.fields(None))
         with torch.no_grad():
-            spread = self.tried(fields)
+            spread = self.trial_spread(fields)
             moved = spread * drawn(fields, generator, self.tried_share)
             first, second = (self.opened_by(self.within(fields + sign * moved)) for sign in (1, -1))
-        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
-    def tried(self, fields: Tensor) -> Tensor:
-        """The standard deviation, in slots, of trials around fields (fields, rows, cols)."""
+    def trial_spread(self, fields: Tensor) -> Tensor:
+        """Return the standard deviation, in slots, of trials around fields (fields, rows, cols)."""
         return torch.full_like(fields, max(self.noise, self.least_tried))
 
     @property
     def least_tried(self) -> float:
-        """The least noise of trials, in slots: with less of it codes round to what they are."""
+        """Minimum standard deviation of trials, in slots; with less, codes round back to
+        themselves."""
         return max(0.25, self.spec.slots / 256)
 
     def fields(self, generator: torch.Generator | None) -> Tensor:
-        """The fields (fields, rows, cols), real, within their limits; gradient 1 there."""
+        """Return the real fields (fields, rows, cols), clipped to their limits with gradient 1."""
         return self.within(
             torch.stack([self.noisy(self.get_parameter(name), generator) for name in self.limits])
         )
 
     def within(self, fields: Tensor) -> Tensor:
-        """Fields (fields, rows, cols) clipped to their limits."""
+        """Return fields (fields, rows, cols) clipped to their limits."""
         return torch.stack([
             torch.clamp(field, *limits)
             for field, limits in zip(fields, self.limits.values(), strict=True)
         ])  # fmt: skip
 
     def snapped(self, fields: Tensor) -> Tensor:
-        """The nearest legal codes, straight through."""
+        """Return the nearest legal codes; the gradient passes straight through."""
         if self.legal is None:
             return rounded(fields)
         legal = self.legal.to(fields)
         flat = fields.detach().reshape(len(fields), -1).T
         nearest = [
-            (part[:, None] - legal[None]).abs().sum(dim=-1).argmin(dim=1)
-            for part in torch.split(flat, max(1, _MOST_DISTANCES // legal.numel()))
+            (chunk[:, None] - legal[None]).abs().sum(dim=-1).argmin(dim=1)
+            for chunk in torch.split(flat, max(1, _MOST_DISTANCES // legal.numel()))
         ]
         return replaced(fields, legal[torch.cat(nearest)].T.reshape(fields.shape))
 
@@ -176,7 +176,7 @@ class Bump(Encoder):
 
 
 class Stop(Bump):
-    """Class b: open from slot 0 up to a stop of 1..N; never open does not exist."""
+    """Class b: open from slot 0 to a stop of 1..N; a shutter opens at least once."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation, {"stop": (1, spec.slots)})
@@ -184,9 +184,9 @@ class Stop(Bump):
     def edges(self, fields: Tensor) -> tuple[Tensor, Tensor]:
         return torch.full_like(fields[0].detach(), -_FAR), fields[0]
 
-    def tried(self, fields: Tensor) -> Tensor:
-        # Exposures count by their ratio: a short one is tried in small steps.
-        return torch.minimum(super().tried(fields), fields / 4).clamp(min=self.least_tried)
+    def trial_spread(self, fields: Tensor) -> Tensor:
+        # Exposures matter by their ratio: short ones are tried in small steps.
+        return torch.minimum(super().trial_spread(fields), fields / 4).clamp(min=self.least_tried)
 
     def start_random(self, generator: np.random.Generator) -> None:
         self.fill(generator.integers(1, self.spec.slots, self.spec.tile, endpoint=True))
@@ -230,9 +230,9 @@ class StartStop(Bump):
         return fields[0], torch.maximum(fields[1], fields[0] + 1)
 
     def codes(self) -> Codes:
-        found = super().codes()
-        found["stop"] = np.maximum(found["stop"], found["start"] + 1)
-        return found
+        codes = super().codes()
+        codes["stop"] = np.maximum(codes["stop"], codes["start"] + 1)
+        return codes
 
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
         start, stop = self.checked(codes, self.limits)

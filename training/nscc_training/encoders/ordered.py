@@ -1,7 +1,7 @@
-"""Tiles of bumps that begin one after the other: starts of codes for clips, of every class.
+"""Tiles of bumps with staggered starts: initial codes for clips, of every class.
 
-A pixel tells the light of its bump, and its neighbours that of others. In the 2 x 2 pattern all
-edges within the frame come at the same three moments; here they come at more of them.
+A pixel measures the light of its bump, and its neighbours the light of other bumps. The 2 x 2
+pattern has edges at three moments within the frame; these tiles have edges at more moments.
 """
 
 from __future__ import annotations
@@ -12,21 +12,23 @@ from numpy.typing import NDArray
 from nscc_training.encoders.base import Codes, ShutterSpec
 
 _SIDE = 4
-"""Rows and columns after which each of them repeats."""
+"""Rows and columns of the repeating tile."""
 _RANKS = np.array([[0, 8, 2, 10], [12, 4, 14, 6], [3, 11, 1, 9], [15, 7, 13, 5]])
-"""Bayer's order of 4 x 4 places: those of each 2 x 2 block of it are a quarter of all apart."""
+"""Bayer's order of 4 x 4 places."""
 
 Places = NDArray[np.int64]
 
 
 def ordered(name: str, spec: ShutterSpec) -> Codes:
-    """The codes of a tile as ORDERED names it, of bumps of the class's length or a quarter of the
-    frame; of a codebook with its shapes as `book`. ValueError for classes and tiles without.
+    """Return the codes of a tile for a start of ORDERED.
 
-    `two-phase`: the 2 x 2 pattern, but in every other 2 x 2 block half a bump later, or as late as
-    the frame allows. `staggered`: sixteen moments from the frame's begin to the last at which a
-    bump fits. `cyclic`: sixteen moments around the frame; bumps that reach its end go on at its
-    begin.
+    Bumps have the length of the class, or a quarter of the frame. For a codebook the shapes are
+    included as `book`. ValueError for classes and tiles that have no such start.
+
+    `two-phase`: the 2 x 2 pattern, with every other 2 x 2 block half a bump later, or as late as
+    the frame allows. `staggered`: sixteen moments from the begin of the frame to the last at which
+    a bump fits. `cyclic`: sixteen moments around the frame; a bump that reaches the end continues
+    at the begin.
     """
     if spec.kind not in _CODES:
         raise ValueError(f"{name} is for bumps of clips, classes {', '.join(_CODES)}")
@@ -41,7 +43,7 @@ def ordered(name: str, spec: ShutterSpec) -> Codes:
 
 
 def _first(name: str, spec: ShutterSpec, length: int) -> Places:
-    """The slot that each place of the tile opens in."""
+    """Return the slot in which each place of the tile opens."""
     y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
     last = spec.slots - length
     if name == "two-phase":
@@ -56,7 +58,7 @@ def _first(name: str, spec: ShutterSpec, length: int) -> Places:
 
 
 def _opened(spec: ShutterSpec, first: Places, length: int) -> NDArray[np.bool_]:
-    """(N, rows, cols), around the frame's end."""
+    """Return the shutters (N, rows, cols) of bumps that wrap around the end of the frame."""
     n = np.arange(spec.slots).reshape(-1, 1, 1)
     return np.asarray((n - first) % spec.slots < length)
 
@@ -75,15 +77,15 @@ def _bits(spec: ShutterSpec, first: Places, length: int) -> Codes:
 
 
 def _shapes(spec: ShutterSpec, first: Places, length: int) -> Codes:
-    begins, which = np.unique(first, return_inverse=True)
+    begins, row_of_place = np.unique(first, return_inverse=True)
     if spec.rows is None or len(begins) > spec.rows:
         raise ValueError(
             f"its {len(begins)} shutters are more than the codebook's {spec.rows} rows"
         )
-    # Rows that no place needs repeat the others.
+    # Unused rows of the codebook repeat used ones.
     begins = np.resize(begins, spec.rows)
     book = _opened(spec, begins[:, None], length)[..., 0].T
-    return {"id": which.reshape(spec.tile), "book": book.astype(np.int64)}
+    return {"id": row_of_place.reshape(spec.tile), "book": book.astype(np.int64)}
 
 
 _CODES = {"c": _starts, "d": _edges, "e": _bits, "codebook": _shapes}

@@ -1,4 +1,4 @@
-"""Class e, any bits, and the codebook: shapes that are learned, and which pixel has which."""
+"""Class e (free bits) and the codebook: learned shapes, and a choice of shape per pixel."""
 
 from __future__ import annotations
 
@@ -12,38 +12,42 @@ from torch import Tensor, nn
 from torch.nn import functional
 
 from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
-from nscc_training.encoders.trial import Over, Trial, decided
+from nscc_training.encoders.trial import CodeTrial, Over, decided
 from nscc_training.gradients import replaced, signed
 
 MOST_BITS = 62
-"""Class e's code is learned as one number: the language's longer bit fields are several."""
+"""Most slots of class e, whose code is one int64; longer bit fields of the language are several
+numbers."""
 _LEAST_TRIED = 0.25
-"""The least noise of trials: with less of it digits that are half-way certain never change."""
+"""Minimum standard deviation of trials; with less, undecided digits never change."""
 _REACH = 1
-"""Pixels around a trial whose losses are credited to it: with N digits tried in each of them, more
-pixels only add what others try (for clips of 16 slots nothing was found farther away)."""
+"""Radius in pixels within which losses are credited to a trial.
+
+With N digits tried per pixel, a larger radius only adds the effects of other trials (no benefit was
+measured for clips of 16 slots).
+"""
 
 
 class _Digits(Encoder):
-    """Digits whose parameter is above 0 are 1; parameters live in -1..1."""
+    """Binary digits: 1 if the parameter is above 0. Parameters lie in -1..1."""
 
     def digits(self, logits: Tensor, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """0 or 1 for every logit, or something between them if `soft`."""
+        """Return 0 or 1 for every logit, or a value between them if `soft`."""
         noisy = self.noisy(logits, generator)
         return torch.sigmoid(noisy / self.temperature) if soft else signed(noisy)
 
-    def tried(self, logits: Tensor) -> Tensor:
-        """The standard deviation of trials around logits, of the same shape."""
+    def trial_spread(self, logits: Tensor) -> Tensor:
+        """Return the standard deviation of trials around logits, of the same shape."""
         return torch.full_like(logits, max(self.noise, _LEAST_TRIED))
 
     def set_digits(self, logits: Tensor, digits: NDArray[np.bool_]) -> None:
-        """Half-way between undecided and certain."""
+        """Set logits to half of their range, with the sign of the digits."""
         with torch.no_grad():
             logits.copy_(torch.where(torch.as_tensor(digits), 0.5, -0.5))
 
 
 class Bits(_Digits):
-    """Class e: every pixel of the tile has N bits of its own."""
+    """Class e: N independent bits for every pixel of the tile."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -52,13 +56,13 @@ class Bits(_Digits):
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
         return self.digits(self.logits, generator, soft)
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
         fields = over(self.logits)
         with torch.no_grad():
-            spread = self.tried(fields)
+            spread = self.trial_spread(fields)
             first, second, moved = decided(fields, spread, generator, self.tried_share)
         sides = (first.float(), second.float())
-        return Trial(fields, moved, spread, sides, _REACH, self.tried_share)
+        return CodeTrial(fields, moved, spread, sides, _REACH, self.tried_share)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
         return [(self.logits, (-1.0, 1.0))]
@@ -87,10 +91,10 @@ class Bits(_Digits):
 
 
 class Codebook(_Digits):
-    """K shapes of N digits, and for every pixel of the tile the choice of one.
+    """K shapes of N digits, and for every pixel of the tile a choice of shape.
 
-    With as many shapes as places it has all of class e's freedom, at any N. The choice is a row of
-    K scores a pixel; the highest wins.
+    With as many shapes as places the codebook is as free as class e, at any N. The choice is the
+    largest of K scores of the pixel.
     """
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
@@ -107,7 +111,7 @@ class Codebook(_Digits):
         return torch.einsum("rck,kn->nrc", self.chosen(generator, soft), digits)
 
     def chosen(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """The weights (rows, cols, K) of the shapes at each place: one 1 unless `soft`."""
+        """Return the weights (rows, cols, K) of the shapes at each place: one-hot unless `soft`."""
         scores: Tensor = self.choice
         if soft and self.relaxation == "gumbel" and generator is not None:
             drawn = torch.empty(scores.shape, device=generator.device)
@@ -118,32 +122,37 @@ class Codebook(_Digits):
         hard = functional.one_hot(self.choice.argmax(dim=-1), self.rows).to(likely.dtype)
         return replaced(likely, hard)
 
-    def trial(self, over: Over, generator: torch.Generator) -> Trial:
-        """Every pixel tries other digits of its shape, and one other shape, as it is.
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        """Try other digits of each pixel's shape, and one other shape as a whole.
 
-        The last field is by how much a pixel prefers its shape to the other, which is drawn evenly.
+        The last field is the score by which a pixel prefers its shape to the other shape, which is
+        drawn uniformly.
         """
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
-            own = scores.argmax(dim=0, keepdim=True)
+            current = scores.argmax(dim=0, keepdim=True)
             steps = torch.randint(
-                1, max(2, self.rows), own.shape, generator=generator, device=generator.device
+                1, max(2, self.rows), current.shape, generator=generator, device=generator.device
             )
-            other = (own + steps.to(own.device)) % self.rows
+            alternative = (current + steps.to(current.device)) % self.rows
         fields = torch.cat([
-            self.shown(self.shapes, own), scores.gather(0, own) - scores.gather(0, other)
+            self.shown(self.shapes, current),
+            scores.gather(0, current) - scores.gather(0, alternative),
         ])  # fmt: skip
         with torch.no_grad():
-            spread = self.tried(fields)
+            spread = self.trial_spread(fields)
             # two scores differ by the noise of both
             spread[-1] *= math.sqrt(2)
             *sides, moved = decided(fields, spread, generator, self.tried_share)
-            others = self.shown(self.shapes, other) > 0
-            first, second = (torch.where(side[-1:], side[:-1], others).float() for side in sides)
-        return Trial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+            alternative_digits = self.shown(self.shapes, alternative) > 0
+            first, second = (
+                torch.where(side[-1:], side[:-1], alternative_digits).float() for side in sides
+            )
+        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
 
     def shown(self, shapes: Tensor, choice: Tensor) -> Tensor:
-        """The rows (N, rows, cols) of `shapes` (K, N) that pixels choose, (1, rows, cols)."""
+        """Return the shapes (N, rows, cols) that pixels choose, `choice` (1, rows, cols), of (K,
+        N)."""
         # as a product, whose gradient is added up in the same order every time
         weights = functional.one_hot(choice[0], self.rows).to(shapes.dtype)
         return torch.einsum("rck,kn->nrc", weights, shapes)
@@ -152,11 +161,11 @@ class Codebook(_Digits):
         return [(self.shapes, (-1.0, 1.0))]
 
     def unused_share(self) -> float:
-        """The share of shapes that no pixel chooses."""
+        """Return the fraction of shapes that no pixel chooses."""
         return 1 - len(torch.unique(self.choice.argmax(dim=-1))) / self.rows
 
     def book(self) -> NDArray[np.int64]:
-        """The shapes (K, N) as digits."""
+        """Return the shapes (K, N) as digits."""
         return np.asarray((self.shapes.detach() > 0).cpu().numpy(), np.int64)
 
     def codes(self) -> Codes:
@@ -187,18 +196,18 @@ class Codebook(_Digits):
         self.choose(np.where(again < self.rows, again, rank % self.rows))
 
     def spread(self) -> NDArray[np.int64]:
-        """Shapes dealt out to places one after the other."""
+        """Return row numbers that assign the shapes to the places in turn."""
         return np.arange(self.spec.places, dtype=np.int64).reshape(self.spec.tile) % self.rows
 
     def choose(self, rows: NDArray[np.int64]) -> None:
-        """Let every place prefer a row, by a margin that training can overcome."""
+        """Make every place prefer a row, by a margin that training can overcome."""
         with torch.no_grad():
             chosen = functional.one_hot(torch.as_tensor(rows), self.rows)
             self.choice.copy_(chosen.to(self.choice.dtype))
 
 
 def quarters(slots: int) -> NDArray[np.bool_]:
-    """Four shutters (N, 4), each open in a quarter of the frame, in at least one slot."""
+    """Return four shutters (N, 4), each open in a quarter of the frame, in at least one slot."""
     n = np.arange(slots)[:, None]
     first = np.minimum(np.arange(4) * slots // 4, slots - 1)
     last = np.maximum((np.arange(4) + 1) * slots // 4, first + 1)

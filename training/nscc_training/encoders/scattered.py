@@ -1,8 +1,7 @@
-"""Tiles in which equal exposures keep away from each other: starts of codes with one field.
+"""Tiles in which equal exposures keep away from each other: starts for classes of one field.
 
-The patterns that L-SVPE starts from (Nguyen, Martel and Wetzstein, "Learning Spatially Varying
-Pixel Exposures for Motion Deblurring", ICCP 2022). Tiles repeat, so neighbours are counted around
-edges.
+The starts of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel Exposures for
+Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges.
 """
 
 from __future__ import annotations
@@ -16,53 +15,57 @@ Tile = NDArray[np.int64]
 def scattered(
     name: str, levels: Tile, tile: tuple[int, int], generator: np.random.Generator
 ) -> Tile:
-    """One of `levels` (values,) for each place of a tile (rows, cols), as SCATTERED names it."""
-    made = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
-    chosen: Tile = levels[made(len(levels), tile, generator)]
+    """Return one of `levels` (values,) for each place of a tile (rows, cols), for a start of
+    SCATTERED."""
+    pattern = {"poisson-disc": _poisson_disc, "non-adjacent": _non_adjacent}[name]
+    chosen: Tile = levels[pattern(len(levels), tile, generator)]
     return chosen
 
 
 def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Each level in turn takes the free places at points that keep a distance from each other:
-    points of a Poisson-disc sampler, as many as its share of the tile. Places that no point reached
-    go to the level whose own are farthest away."""
+    """Assign levels at points that keep a distance from each other.
+
+    Each level in turn takes its share of free places, nearest to the points of a Poisson-disc
+    sampler. The remaining places go to the level whose own places are farthest away.
+    """
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile
-    found = np.full(tile, -1, np.int64)
+    chosen = np.full(tile, -1, np.int64)
     y, x = np.mgrid[:rows, :cols]
     share = -(-rows * cols // count)
     for level in generator.permutation(count).tolist():
-        # Discs of half that radius around so many points cover about 70 % of the tile.
+        # Discs of half that radius around `share` points cover about 70 % of the tile.
         sampler = PoissonDisk(d=2, radius=min(0.95 / share**0.5, 1.0), rng=generator)
         for down, across in sampler.random(share) * tile:
             away = np.hypot(_around(y + 0.5 - down, rows), _around(x + 0.5 - across, cols))
-            away[found >= 0] = np.inf
+            away[chosen >= 0] = np.inf
             if away.min() <= 1.0:
-                found[np.unravel_index(int(away.argmin()), tile)] = level
-    for row, col in np.argwhere(found < 0).tolist():
+                chosen[np.unravel_index(int(away.argmin()), tile)] = level
+    for row, col in np.argwhere(chosen < 0).tolist():
         away = np.hypot(_around(y - row, rows), _around(x - col, cols))
-        near = [away[found == level].min(initial=np.inf) for level in range(count)]
-        found[row, col] = int(np.argmax(near))
-    return found
+        distances = [away[chosen == level].min(initial=np.inf) for level in range(count)]
+        chosen[row, col] = int(np.argmax(distances))
+    return chosen
 
 
 def _non_adjacent(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Random levels, each unlike those of the eight places around it as far as there are enough."""
+    """Assign random levels that differ from those of the eight neighbours, if there are enough
+    levels."""
     rows, cols = tile
-    found = np.full(tile, -1, np.int64)
-    for row, col in generator.permutation(np.argwhere(found < 0)).tolist():
+    chosen = np.full(tile, -1, np.int64)
+    for row, col in generator.permutation(np.argwhere(chosen < 0)).tolist():
         around = [
-            found[(row + down) % rows, (col + across) % cols]
+            chosen[(row + down) % rows, (col + across) % cols]
             for down in (-1, 0, 1)
             for across in (-1, 0, 1)
         ]
         times = np.bincount([level for level in around if level >= 0], minlength=count)
-        found[row, col] = generator.choice(np.flatnonzero(times == times.min()))
-    return found
+        chosen[row, col] = generator.choice(np.flatnonzero(times == times.min()))
+    return chosen
 
 
 def _around(distance: NDArray[np.float64], length: int) -> NDArray[np.float64]:
-    """Distances along an axis that begins again at its end."""
+    """Return distances along an axis that wraps around."""
     away = np.abs(distance) % length
     return np.asarray(np.minimum(away, length - away))

@@ -14,19 +14,19 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc_training.code_choices import STARTS
 from nscc_training.evaluation import methods
-from nscc_training.evaluation.captured import Captured, captured
+from nscc_training.evaluation.captured import CapturedScene, captured
 from nscc_training.evaluation.methods import Light, Method
 from nscc_training.evaluation.results import (
+    ResultSubject,
     Scored,
-    Subject,
     also_saturated,
     mean_score,
     scored,
     usable_scenes,
     with_arrays,
 )
-from nscc_training.protocol_scenes.files import files_of, scenes_in
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
 from nscc_training.protocols import Protocol, load_protocol
 
@@ -153,29 +153,30 @@ def evaluate_baseline(
     files = files_of(protocol, folder)
     scenes, left_out = usable_scenes(scenes_in(files, protocol), protocol)
 
-    def decoded(tile: Tensor, shown: Sequence[Scene | None]) -> list[Scored]:
-        def decode(scene: Scene, index: int) -> tuple[Light, float]:
+    def decoded(tile: Tensor, shown: Sequence[ProtocolScene | None]) -> list[Scored]:
+        def decode(scene: ProtocolScene, index: int) -> tuple[Light, float]:
             frames = captured(scene, tile, model, 1000 * seed + index)
             begin = perf_counter()
             return _decoded(baseline, frames), perf_counter() - begin
 
         return list(scored(shown, decode))
 
-    tried = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
+    attempts = [(tile, settings, decoded(tile, scenes)) for tile, settings in choices]
     metric = baseline.best_in or "psnr_db"
-    tile, settings, every = max(tried, key=lambda each: mean_score(each[2], metric))
+    tile, settings, scored_scenes = max(attempts, key=lambda entry: mean_score(entry[2], metric))
     published = protocol.values.get("published_db", {}).get(name)
-    more = {} if published is None else {"published_db": published}
-    spent_s = [each.seconds for each in every]
-    subject = Subject(
-        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **more},
-        sees=baseline.method.sees, decoder_ms=1e3 * float(np.mean(spent_s)) if every else None,
+    extra_settings = {} if published is None else {"published_db": published}
+    spent_s = [entry.seconds for entry in scored_scenes]
+    subject = ResultSubject(
+        name, {**settings, "seed": seed, "shutter": codes or baseline.start, **extra_settings},
+        sees=baseline.method.sees,
+        decoder_ms=1e3 * float(np.mean(spent_s)) if scored_scenes else None,
     )  # fmt: skip
-    others = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
-    return with_arrays(protocol, subject, files, every, left_out, **others)
+    other_shares = also_saturated(files, protocol, lambda shown: decoded(tile, shown))
+    return with_arrays(protocol, subject, files, scored_scenes, left_out, **other_shares)
 
 
-def _decoded(baseline: Baseline, frames: Captured) -> Light:
+def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
     if not baseline.alone:
         return baseline.method.decode(frames)
     # A frame tells nothing of slots that it has not seen.
@@ -199,17 +200,19 @@ def _choices(
         return [(tile, {"frames": len(tile), "tile": [*tile.shape[2:]]})]
     slots = int(protocol["slots" if protocol.still else "frames"])
     if codes or ":" in baseline.start:
-        told: dict[str, Any] = {}
+        settings: dict[str, Any] = {}
         spec, start = named_codes(codes or baseline.start, protocol, name)
         if not codes:
             length = 1 if name == "bilinear" else spec.length
             spec = ShutterSpec(spec.kind, slots, (baseline.side, baseline.side), length)
         encoder = start if not isinstance(start, str) else make_encoder(spec, start, seed)
         if codes:
-            told["words_per_slot"] = words_per_slot(compiled(program_of(encoder, Chip()), Chip()))
+            settings["words_per_slot"] = words_per_slot(
+                compiled(program_of(encoder, Chip()), Chip())
+            )
         for key, values in encoder.codes().items():
-            told["stops" if key == "stop" else key] = values.tolist()
-        return [(encoder.hard().cpu(), told)]
+            settings["stops" if key == "stop" else key] = values.tolist()
+        return [(encoder.hard().cpu(), settings)]
     stops = [int(baseline.start)] if baseline.start else [
         1 << k for k in range(slots.bit_length()) if 1 << k <= slots
     ]  # fmt: skip
@@ -251,7 +254,7 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
         reason = f"'{text[:40]}' names no codes of protocol {protocol.name}"
         note = f"its classes are {', '.join(known)}; starts are {', '.join(STARTS)}"
     else:
-        takers = ", ".join(each for each, row in rows.items() if row.takes_codes)
+        takers = ", ".join(row_name for row_name, row in rows.items() if row.takes_codes)
         reason = f"{name} has codes of its own"
         note = f"under {protocol.name} these take others: {takers}"
     raise rejected("NS0840", reason, notes=(note,), helps=(f"such as {known[0]}:quad",))
@@ -275,12 +278,12 @@ def evaluate_sci8(
     methods.load(method, int(protocol["frames"]))
     options = {"iterations": iterations, "weight": weight} if method.endswith("-tv") else {}
 
-    def decode(scene: Scene, _index: int) -> tuple[Light, float]:
+    def decode(scene: ProtocolScene, _index: int) -> tuple[Light, float]:
         assert isinstance(scene, SciClip)
         begin = perf_counter()
-        return chosen.decode(Captured.of_benchmark(scene), **options), perf_counter() - begin
+        return chosen.decode(CapturedScene.of_benchmark(scene), **options), perf_counter() - begin
 
-    every = list(scored(scenes_in(paths, protocol), decode))
-    spent_ms = 1e3 * float(np.mean([each.seconds for each in every]))
-    subject = Subject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
-    return with_arrays(protocol, subject, paths, every, [])
+    scored_scenes = list(scored(scenes_in(paths, protocol), decode))
+    spent_ms = 1e3 * float(np.mean([entry.seconds for entry in scored_scenes]))
+    subject = ResultSubject(method, options, sees=chosen.sees, decoder_ms=spent_ms)
+    return with_arrays(protocol, subject, paths, scored_scenes, [])

@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
-from nscc_training.protocol_scenes.video import Window
+from nscc_training.protocol_scenes.video import ClipWindow
 
 if TYPE_CHECKING:
     from torch import Tensor
@@ -23,21 +23,21 @@ Frames = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
-class Captured:
+class CapturedScene:
     """Frames of one scene: `codes` (frames, rows, cols) above the converter's offset.
 
     `tile` (frames, slots, r, c) are the shutters, which repeat over the array; `saturated` (frames,
     rows, cols) says which codes are. `model` is the sensor, None for exact measurements.
     """
 
-    scene: Scene
+    scene: ProtocolScene
     codes: Frames
     tile: Frames
     saturated: NDArray[np.bool_]
     model: SensorModel | None
 
     @classmethod
-    def of_benchmark(cls, clip: SciClip) -> Captured:
+    def of_benchmark(cls, clip: SciClip) -> CapturedScene:
         """The measurement that a benchmark clip brings with it."""
         codes = clip.measurement[None]
         return cls(clip, codes, clip.mask[None], np.zeros(codes.shape, np.bool_), None)
@@ -66,7 +66,7 @@ class Captured:
     def white_e(self) -> float:
         """Electrons a slot of the source's white: the unit that total variation is weighed for."""
         scene, slots = self.scene, self.tile.shape[1]
-        scale_e = scene.scale_e if isinstance(scene, Window) else 1.0
+        scale_e = scene.scale_e if isinstance(scene, ClipWindow) else 1.0
         return float(scale_e * len(scene.light_e) / slots)
 
     def measured(self) -> Measured:
@@ -80,17 +80,19 @@ class Captured:
         masks = self.share[None, None].astype(np.float32) if self.is_still else self.masks
         return Measured.read(self.codes, masks, self.model)
 
-    def corner(self, size: int) -> Captured:
+    def corner(self, size: int) -> CapturedScene:
         """Return the upper left corner of the same frames."""
-        part = np.s_[..., :size, :size]
-        return replace(self, codes=self.codes[part], saturated=self.saturated[part])
+        region = np.s_[..., :size, :size]
+        return replace(self, codes=self.codes[region], saturated=self.saturated[region])
 
-    def frame(self, number: int) -> Captured:
+    def frame(self, number: int) -> CapturedScene:
         """Return one frame, with the slots that it has seen."""
         slots = np.flatnonzero(self.tile[number].any(axis=(1, 2)))
-        one = slice(number, number + 1)
-        tile = self.tile[one, slots[0] : slots[-1] + 1]
-        return replace(self, codes=self.codes[one], tile=tile, saturated=self.saturated[one])
+        frame_slice = slice(number, number + 1)
+        tile = self.tile[frame_slice, slots[0] : slots[-1] + 1]
+        return replace(
+            self, codes=self.codes[frame_slice], tile=tile, saturated=self.saturated[frame_slice]
+        )
 
     def _over_frame(self, tile: NDArray[Any]) -> NDArray[Any]:
         rows, cols = self.codes.shape[-2:]
@@ -98,13 +100,13 @@ class Captured:
         return np.tile(tile, (1,) * (tile.ndim - 2) + repeats)[..., :rows, :cols]
 
 
-def captured(scene: Scene, tile: Tensor, model: SensorModel, seed: int) -> Captured:
+def captured(scene: ProtocolScene, tile: Tensor, model: SensorModel, seed: int) -> CapturedScene:
     """Expose a scene through a tile of shutters ([frames,] slots, r, c), with noise of the seed."""
     from nscc_training.sensor_model import frame_of
 
     tiles = tile if tile.ndim == 4 else tile[None]
     codes = np.stack([
-        frame_of(scene.light_e, each, model, seed * len(tiles) + k).numpy()
-        for k, each in enumerate(tiles)
+        frame_of(scene.light_e, frame_tile, model, seed * len(tiles) + k).numpy()
+        for k, frame_tile in enumerate(tiles)
     ])  # fmt: skip
-    return Captured(scene, codes, tiles.float().numpy(), codes >= model.full_code, model)
+    return CapturedScene(scene, codes, tiles.float().numpy(), codes >= model.full_code, model)

@@ -30,9 +30,9 @@ from nscc_training.encoders import make_encoder
 from nscc_training.evaluation.runs import seen_of
 from nscc_training.loop.decoding import container_of, decoded_frame
 from nscc_training.metrics import finite_mean, mu_psnr, psnr
-from nscc_training.protocol_scenes.files import scenes_in
+from nscc_training.protocol_scenes.file_scenes import scenes_in
 from nscc_training.protocol_scenes.hdr import ENDINGS
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import load_protocol
 from nscc_training.run_files import run_capture
 from nscc_training.run_folder import RunFolder, load_run
@@ -49,7 +49,7 @@ Field = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class _Taken:
+class _Shot:
     """What came of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
     `frames`, the coded one and that of always open pixels, as greys."""
 
@@ -61,18 +61,18 @@ class _Taken:
         """Return a picture of a figure's layout."""
         if shown in self.frames:
             return Image(self.frames[shown], shown.replace("-", " "))
-        found = _SHOWN.fullmatch(shown)
-        assert found is not None, shown
-        truth, light = self.light["truth"], self.light[found["light"]]
-        name, white = found["light"].replace("open", "always open"), None
-        title = f"{name}, {found['curve']}"
-        if found["gain"]:
-            white = max(float(np.median(truth)), 1e-9) / _GREY / float(found["gain"])
-            title = f"{name}, exposure {found['gain']}"
-        tone = fitted(found["curve"], truth, white)
-        if not found["frame"]:
+        match = _SHOWN.fullmatch(shown)
+        assert match is not None, shown
+        truth, light = self.light["truth"], self.light[match["light"]]
+        name, white = match["light"].replace("open", "always open"), None
+        title = f"{name}, {match['curve']}"
+        if match["gain"]:
+            white = max(float(np.median(truth)), 1e-9) / _GREY / float(match["gain"])
+            title = f"{name}, exposure {match['gain']}"
+        tone = fitted(match["curve"], truth, white)
+        if not match["frame"]:
             return Image(tone(light), title, "" if light is truth else self._score(light))
-        k = min(int(found["frame"]), len(truth) - 1)
+        k = min(int(match["frame"]), len(truth) - 1)
         note = "" if light is truth or k else self._score(light)
         return Image(tone(light[k]), f"{name}, frame {k + 1}", note)
 
@@ -97,11 +97,11 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
     them. Raises Rejected: NS0756 for effects that there are not, NS0811 for a folder of neither.
     """
     runs = {still: load_run(path) for still, path in RUNS.items()}
-    found = {
+    scenes = {
         kind: None if data is None else _scene_of(folder, data, kind)
         for kind, folder in runs.items()
     }
-    if data is not None and not any(found.values()):
+    if data is not None and not any(scenes.values()):
         raise rejected(
             "NS0811",
             f"'{data}' holds nothing to show",
@@ -110,70 +110,76 @@ def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> d
             ),
             helps=("name a folder of panoramas and clips, or with folders hdr and video of them",),
         )
-    taken = {"still" if kind else "clip": _taken(folder, kind, found[kind], effects, seed)
+    shots = {"still" if kind else "clip": _shot_of(folder, kind, scenes[kind], effects, seed)
              for kind, folder in runs.items()}  # fmt: skip
     layout = files("nscc_training.evaluation") / "figures.toml"
-    made = {}
+    pngs = {}
     for name, figure in tomllib.loads(layout.read_text(encoding="utf-8")).items():
         if "scene" in figure:
-            scene = taken[figure["scene"]]
+            scene = shots[figure["scene"]]
             rows = [[scene.image(shown) for shown in row.split()] for row in figure["rows"]]
             title = f"{scene.name}: {figure['title']}"
         else:
             rows, title = _mosaics(runs, seed), figure["title"]
-        made[f"{name}.png"] = png_of(image_sheet, rows, title)
-    return made
+        pngs[f"{name}.png"] = png_of(image_sheet, rows, title)
+    return pngs
 
 
-def _taken(
-    folder: RunFolder, still: bool, found: tuple[str, Scene] | None, effects: str, seed: int
-) -> _Taken:
+def _shot_of(
+    folder: RunFolder,
+    still: bool,
+    found_scene: tuple[str, ProtocolScene] | None,
+    effects: str,
+    seed: int,
+) -> _Shot:
     """A scene that was found, or the built-in one: a run's frame and what it makes of that."""
-    parts = folder.parts
-    if found is None:
+    setup = folder.setup
+    if found_scene is None:
         like = run_capture(folder.path)
-        target, slot_us = parts.target, (parts.chip.slot_us,) * parts.slots
+        target, slot_us = setup.target, (setup.chip.slot_us,) * setup.slots
         [laid] = Shown(_BUILTIN[still], exposure=like.exposure).laid(slot_us, target)
         name, light = _BUILTIN[still], laid.light
     else:
-        name, scene = found
+        name, scene = found_scene
         light_e = np.asarray(scene.light_e, np.float32)
-        weight = np.full(parts.slots, 1 / parts.slots)
+        weight = np.full(setup.slots, 1 / setup.slots)
         light = Light.of_still(light_e, weight) if still else Light.of_clip(light_e)
     truth = np.asarray(light.total_e() if still else light.dense(), np.float64)
-    on = captures_on(parts.device)
+    on = captures_on(setup.device)
     request = Request.of(effects=effects, seed=seed, device_seed=seed, torch_device=on)
     coded, usual = (
-        simulate(container, light, parts.sensor, request).frame
-        for container in (container_of(parts), camera(parts.slots, parts.chip.slot_us))
+        simulate(container, light, setup.sensor, request).frame
+        for container in (container_of(setup), camera(setup.slots, setup.chip.slot_us))
     )
-    made = decoded_frame(parts, coded.frame[0], coded.saturated[0])
-    flat = usual.frame[0] * parts.model.electrons_per_lsb / (1 if still else parts.slots)
+    decoded_light = decoded_frame(setup, coded.frame[0], coded.saturated[0])
+    flat = usual.frame[0] * setup.model.electrons_per_lsb / (1 if still else setup.slots)
     usual_light = np.broadcast_to(flat, truth.shape)
-    codes = fitted("srgb", np.zeros(1), float(parts.model.top_code))
+    codes = fitted("srgb", np.zeros(1), float(setup.model.top_code))
     frames = {
-        name: codes(each.frame[0]) for name, each in (("coded", coded), ("always-open", usual))
+        name: codes(frame.frame[0]) for name, frame in (("coded", coded), ("always-open", usual))
     }
-    shown = {"truth": truth, "open": usual_light, "decoded": made.astype(np.float64)}
-    return _Taken(name, shown, frames)
+    shown = {"truth": truth, "open": usual_light, "decoded": decoded_light.astype(np.float64)}
+    return _Shot(name, shown, frames)
 
 
-def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Scene] | None:
+def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
     """The scene that a figure shows of a folder, and its file's name; None without any."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
-    size = (folder.parts.target.rows, folder.parts.target.cols)
-    scenes: list[tuple[float, str, Scene]] = []
+    size = (folder.setup.target.rows, folder.setup.target.cols)
+    scenes: list[tuple[float, str, ProtocolScene]] = []
     paths = files_in(data / name, endings) or files_in(data, endings)
-    seen = seen_of(folder, paths)
-    for path in (path for path in paths if path not in seen):
-        every = scenes_in([path], protocol)
-        scene = next((each for each in every if isinstance(each, Scene)), None)
+    seen_paths = seen_of(folder, paths)
+    for path in (path for path in paths if path not in seen_paths):
+        file_scenes = scenes_in([path], protocol)
+        scene = next(
+            (candidate for candidate in file_scenes if isinstance(candidate, ProtocolScene)), None
+        )
         if scene is not None and scene.light_e.shape[-2:] == size:
             scenes.append((_worth(scene.light_e), path.name, scene))
     if not scenes:
         return None
-    _, shown, scene = max(scenes, key=lambda each: each[0])
+    _, shown, scene = max(scenes, key=lambda candidate: candidate[0])
     return shown, scene
 
 
@@ -185,18 +191,20 @@ def _worth(light_e: Field) -> float:
 
 
 def _mosaics(runs: dict[bool, RunFolder], seed: int) -> list[list[Image]]:
-    """Rows of stills and of clips: codes at random, the 2 x 2 pattern, the run's own."""
+    """Rows of stills and of clips: codes at random, the 2 x 2 tile, the run's own."""
     rows = []
     for still, folder in runs.items():
-        spec, row = folder.parts.encoder.spec, []
+        spec, row = folder.setup.encoder.spec, []
         codes = {start: make_encoder(spec, start, seed) for start in ("random", "quad")}
-        for name, encoder in {**codes, "run": folder.parts.encoder}.items():
+        for name, encoder in {**codes, "run": folder.setup.encoder}.items():
             opened = encoder.hard().double().cpu().numpy()
             share, count = opened.mean(axis=0), np.arange(len(opened)) + 0.5
-            when = np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
-            title = {"quad": "2 x 2 pattern", "run": f"run {RUNS[still]}"}.get(name, name)
+            mean_time = (
+                np.tensordot(count, opened, 1) / np.maximum(opened.sum(axis=0), 1) / len(opened)
+            )
+            title = {"quad": "2 x 2 tile", "run": f"run {RUNS[still]}"}.get(name, name)
             # Stops span two decades: their root tells the short ones apart.
-            shown = np.sqrt(share / share.max()) if still else when
+            shown = np.sqrt(share / share.max()) if still else mean_time
             note = "bright is long" if still else "dark is early, bright late"
             grey = np.rint(255 * shown).astype(np.uint8)
             row.append(Image(np.kron(grey, np.ones((_ZOOM, _ZOOM), np.uint8)), title, note))

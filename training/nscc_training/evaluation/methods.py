@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from nscc_training.baselines import sci
 from nscc_training.baselines.dictionary import made_dictionary
 from nscc_training.baselines.hdr import merged
-from nscc_training.baselines.loops import denoise
-from nscc_training.evaluation.captured import Captured
+from nscc_training.baselines.tv_loop import denoise
+from nscc_training.evaluation.captured import CapturedScene
 
 Light = NDArray[np.float64]
 
@@ -31,19 +31,21 @@ class Method:
     settings: Mapping[str, Mapping[str, Any]] | None = None
 
 
-def _clip(loop: Callable[..., NDArray[np.float32]], captured: Captured, **options: Any) -> Light:
+def _clip(
+    loop: Callable[..., NDArray[np.float32]], captured: CapturedScene, **options: Any
+) -> Light:
     """Decode with a loop that takes a measurement in units of white, and a mask."""
     white_e = captured.white_e
     measurement = (captured.codes[0] * (captured.code_e / white_e)).astype(np.float32)
     return np.asarray(loop(measurement, captured.masks[0], **options), np.float64) * white_e
 
 
-def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: Captured) -> Light:
+def _of_truth(loop: Callable[..., NDArray[np.float32]], captured: CapturedScene) -> Light:
     truth = captured.scene.light_e.astype(np.float32)
     return np.asarray(loop(truth, captured.masks[0]), np.float64)
 
 
-def _merged(captured: Captured) -> Light:
+def _merged(captured: CapturedScene) -> Light:
     model = captured.model
     assert model is not None
     noise_e = model.adc_noise_lsb * model.electrons_per_lsb
@@ -52,7 +54,7 @@ def _merged(captured: Captured) -> Light:
     )
 
 
-def _sparse(captured: Captured, **options: Any) -> Light:
+def _sparse(captured: CapturedScene, **options: Any) -> Light:
     from nscc_training.baselines.sparse_coding import coded_still
 
     model = captured.model
@@ -63,14 +65,14 @@ def _sparse(captured: Captured, **options: Any) -> Light:
     )  # fmt: skip
 
 
-def _any(captured: Captured, **options: Any) -> Light:
+def _any(captured: CapturedScene, **options: Any) -> Light:
     from nscc_training.any_code.decode import decoded_clip, decoded_still
 
     decode = decoded_still if captured.is_still else decoded_clip
     return np.asarray(decode(captured.measured(), **options)[0].double().numpy())
 
 
-def _read_out(captured: Captured) -> Light:
+def _read_out(captured: CapturedScene) -> Light:
     """Return what each pixel read, over the part of the frame that it was open for."""
     return np.asarray(captured.codes[0].astype(np.float64) * captured.code_e / captured.share)
 

@@ -25,10 +25,10 @@ _MISSING = "not run"
 _UNSHIPPED = "†"
 _WORDS = ("mean", "gain", "value", "row", "against", "columns", "paper")
 _SETTINGS = {
-    "moved": lambda found: f"{found['moved']} of {found['places']}",
-    "steps": lambda found: str(found["steps"]),
-    "words": lambda found: f"{found['words_per_slot']:.1f}",
-    "stops": lambda found: " ".join(str(stop) for row in found["stops"] for stop in row),
+    "moved": lambda settings: f"{settings['moved']} of {settings['places']}",
+    "steps": lambda settings: str(settings["steps"]),
+    "words": lambda settings: f"{settings['words_per_slot']:.1f}",
+    "stops": lambda settings: " ".join(str(stop) for row in settings["stops"] for stop in row),
 }
 
 
@@ -50,21 +50,21 @@ class Page:
 
     def mean(self, name: str, metric: str) -> str:
         """Over items, then seeds: dB with two digits, others with three."""
-        found = self._found(name)
+        results = self._results_of(name)
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
-        if not found:
+        if not results:
             return _MISSING
         if share:
             values = [
-                each[f"mean_{metric}"] for result in found for each in result["also_saturated"]
-                if each["saturated_fraction"] == float(share)
+                entry[f"mean_{metric}"] for result in results for entry in result["also_saturated"]
+                if entry["saturated_fraction"] == float(share)
             ]  # fmt: skip
             return _digits(sum(values) / len(values), metric)
         if way not in ("", "source", "interval"):
             raise ValueError(f"a metric ends in /source or /interval, not /{way}")
-        text = _digits(mean_of(found, metric, by_source=way == "source"), metric)
-        items = [item for result in found for item in result["items"] if item[metric] != "inf"]
+        text = _digits(mean_of(results, metric, by_source=way == "source"), metric)
+        items = [item for result in results for item in result["items"] if item[metric] != "inf"]
         if way != "interval" or len({item["file"] for item in items}) < 2:
             return text
         ends = bootstrap([number(i[metric]) for i in items], [str(i["file"]) for i in items])
@@ -75,46 +75,59 @@ class Page:
 
         A result of one seed is compared with all of the other's. By source: the difference alone.
         """
-        one, other = self._found(first), self._found(second)
-        if not (one and other):
+        first_results, second_results = self._results_of(first), self._results_of(second)
+        if not (first_results and second_results):
             return _MISSING
         if metric.endswith("/source"):
             metric = metric.removesuffix("/source")
-            means = [mean_of(found, metric, by_source=True) for found in (one, other)]
+            means = [
+                mean_of(results, metric, by_source=True)
+                for results in (first_results, second_results)
+            ]
             return f"{(means[1] or 0) - (means[0] or 0):+.2f}"
-        count = max(len(one), len(other))
-        pairs = zip(one * (count // len(one)), other * (count // len(other)), strict=True)
-        found = compare(list(pairs), metric)
-        between = "" if found["ci95"] is None else " ({:+.2f} to {:+.2f})".format(*found["ci95"])
-        return f"{found['gain_db']:+.2f}{between}"
+        count = max(len(first_results), len(second_results))
+        pairs = zip(
+            first_results * (count // len(first_results)),
+            second_results * (count // len(second_results)),
+            strict=True,
+        )
+        comparison = compare(list(pairs), metric)
+        between = (
+            ""
+            if comparison["ci95"] is None
+            else " ({:+.2f} to {:+.2f})".format(*comparison["ci95"])
+        )
+        return f"{comparison['gain_db']:+.2f}{between}"
 
     def value(self, name: str, key: str) -> str:
         """What a result says of its subject: moved, steps, words, stops, parameters, items."""
-        found = self._found(name)
-        if not found:
+        results = self._results_of(name)
+        if not results:
             return _MISSING
         if key == "items":
-            items = found[0]["items"]
+            items = results[0]["items"]
             return f"{len(items)} of {len({item['file'] for item in items})} scenes"
         if key == "parameters":
-            count = found[0]["parameters"]
+            count = results[0]["parameters"]
             return f"{count / 1e6:.2g} million" if count < 1e7 else f"{count / 1e6:.1f} million"
-        return ", ".join(_SETTINGS[key](result["settings"]) for result in found)
+        return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
 
     def row(self, label: str, name: str, *cells: str) -> str:
         """Return a row of a table: cells are metrics, keys of `value`, NAME:METRIC, the gain over
         that result, and = for none."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
-            other, _, metric = cell.rpartition(":")
+            base_name, _, metric = cell.rpartition(":")
             if cell == "=":
                 texts.append("")
-            elif other:
-                texts.append(self.gain(other, name, metric))
+            elif base_name:
+                texts.append(self.gain(base_name, name, metric))
             elif cell in (*_SETTINGS, "parameters", "items"):
                 texts.append(self.value(name, cell))
             else:
-                texts.append(" / ".join(self.mean(name, each) for each in cell.split("+")))
+                texts.append(
+                    " / ".join(self.mean(name, metric_name) for metric_name in cell.split("+"))
+                )
         return f"| {' | '.join(texts)} |"
 
     def against(self, label: str, first: str, second: str, *metrics: str) -> str:
@@ -136,31 +149,31 @@ class Page:
         self, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
     ) -> str:
         """Return a row of the paper's tables, - for what it does not report, and our own."""
-        found = self._found(name)
-        settings = [result["settings"] for result in found]
+        results = self._results_of(name)
+        settings = [result["settings"] for result in results]
         moved = [self.value(name, "moved")] if any(s.get("moved") for s in settings) else []
-        remark = "; ".join([*([] if found else [_MISSING]), *([remark] if remark else []),
+        remark = "; ".join([*([] if results else [_MISSING]), *([remark] if remark else []),
                             *(f"places moved: {text}" for text in moved)])  # fmt: skip
         row: dict[str, Any] = {
             "table": int(table), "row": label,
             "paper_psnr_db": None if psnr_db == "-" else float(psnr_db),
             "paper_ssim": None if ssim == "-" else float(ssim),
-            "psnr_db": mean_of(found, "psnr_db"), "ssim": mean_of(found, "ssim"),
-            "psnr_by_source_db": mean_of(found, "psnr_db", by_source=True),
+            "psnr_db": mean_of(results, "psnr_db"), "ssim": mean_of(results, "ssim"),
+            "psnr_by_source_db": mean_of(results, "psnr_db", by_source=True),
             "size": settings[0].get("size", "-") if settings else None,
             "steps": max((s.get("steps", 0) for s in settings), default=None),
             "seeds": sorted({s.get("train_seed", s.get("seed", 0)) for s in settings}),
-            "protocol": found[0]["protocol"] if found else None,
-            "data": [each["file"] for each in found[0]["data"]] if found else [],
+            "protocol": results[0]["protocol"] if results else None,
+            "data": [data_file["file"] for data_file in results[0]["data"]] if results else [],
             "remark": remark,
         }  # fmt: skip
         self.rows.append(row)
-        here = [self.mean(name, metric) for metric in ("psnr_db", "ssim", "psnr_db/source")]
+        own_scores = [self.mean(name, metric) for metric in ("psnr_db", "ssim", "psnr_db/source")]
         cells = [
             f"{label} {self._mark(name)}".strip(),
             f"{psnr_db} / {ssim}",
-            " / ".join(here[:2]) if found else "-",
-            here[2] if found else "-",
+            " / ".join(own_scores[:2]) if results else "-",
+            own_scores[2] if results else "-",
             str(row["steps"] or "-"),
             ",".join(map(str, row["seeds"])) or "-",
             remark,
@@ -176,7 +189,7 @@ class Page:
             raise ValueError(f"{{{{{word} {shlex.join(arguments)}}}}}: {error}") from error
         return text
 
-    def _found(self, name: str) -> list[dict[str, Any]]:
+    def _results_of(self, name: str) -> list[dict[str, Any]]:
         return [self._read(path) for path in sorted(self.results.glob(f"{name}.json"))]
 
     def _mark(self, name: str) -> str:
@@ -185,8 +198,8 @@ class Page:
             for folder in [self.results.parent / "runs" / path.relative_to(self.results)]
             if folder.with_suffix("").is_dir()
         ]  # fmt: skip
-        kept = all((folder.with_suffix("") / WEIGHTS).is_file() for folder in folders)
-        return "" if kept else _UNSHIPPED
+        has_weights = all((folder.with_suffix("") / WEIGHTS).is_file() for folder in folders)
+        return "" if has_weights else _UNSHIPPED
 
 
 def page_of(

@@ -16,8 +16,8 @@ from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole
 from nscc_training.measures import number, stamp
 from nscc_training.metrics import finite_mean
-from nscc_training.protocol_scenes.files import scenes_in
-from nscc_training.protocol_scenes.scene import Item, Scene, Unusable
+from nscc_training.protocol_scenes.file_scenes import scenes_in
+from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import labels
 from nscc_training.statistics import paired, summary
@@ -33,24 +33,24 @@ Array = NDArray[Any]
 class Scored(NamedTuple):
     """A scene with its items, its reconstruction as it is scored, and the seconds of decoding."""
 
-    scene: Scene
+    scene: ProtocolScene
     items: list[Item]
-    made: Array
+    reconstruction: Array
     seconds: float
 
 
 def usable_scenes(
-    every: Iterable[Scene | Unusable], protocol: Protocol
-) -> tuple[list[Scene | None], list[dict[str, Any]]]:
+    candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
+) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
     """Return the scenes that can be used, and what a result says of the others.
 
     A scene's noise follows from its number: under hdr-v1 only scenes that can be used count, under
     the other protocols None stands in the place of those that cannot.
     """
-    scenes: list[Scene | None] = []
+    scenes: list[ProtocolScene | None] = []
     left_out = []
-    for scene in every:
-        if isinstance(scene, Scene):
+    for scene in candidates:
+        if isinstance(scene, ProtocolScene):
             scenes.append(scene)
             continue
         left_out.append(scene.as_json())
@@ -60,7 +60,8 @@ def usable_scenes(
 
 
 def scored(
-    scenes: Iterable[Scene | Unusable | None], decode: Callable[[Scene, int], tuple[Array, float]]
+    scenes: Iterable[ProtocolScene | Unusable | None],
+    decode: Callable[[ProtocolScene, int], tuple[Array, float]],
 ) -> Iterator[Scored]:
     """Decode and score every scene; `decode` gives electrons and seconds.
 
@@ -68,50 +69,52 @@ def scored(
     with values that are not finite.
     """
     for index, scene in enumerate(scenes):
-        if isinstance(scene, Scene):
+        if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
             check_finite(result_e, scene.file.name)
-            made = scene.result(result_e).astype(np.float32)
-            yield Scored(scene, scene.items(result_e), made, seconds)
+            reconstruction = scene.result(result_e).astype(np.float32)
+            yield Scored(scene, scene.items(result_e), reconstruction, seconds)
 
 
-def mean_score(every: Sequence[Scored], metric: str) -> float:
+def mean_score(scored_scenes: Sequence[Scored], metric: str) -> float:
     """Return the mean of a metric in dB; -inf if there is no item."""
-    scores = [number(item.metrics[metric]) for each in every for item in each.items]
+    scores = [number(item.metrics[metric]) for entry in scored_scenes for item in entry.items]
     return finite_mean(scores) if scores else -math.inf
 
 
 def also_saturated(
-    files: Sequence[Path], protocol: Protocol, decoded: Callable[[list[Scene | None]], list[Scored]]
+    files: Sequence[Path],
+    protocol: Protocol,
+    decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
     """Return means at the other shares of saturated pixels that hdr-v1 has; else nothing."""
-    found = []
+    rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
-        every = decoded(usable)
-        means = {f"mean_{name}": mean_score(every, name) for name in _MEANS}
-        found.append({
+        scored_scenes = decoded(usable)
+        means = {f"mean_{name}": mean_score(scored_scenes, name) for name in _MEANS}
+        rows.append({
             "saturated_fraction": fraction, "crops": len(usable), "crops_left_out": len(left_out),
             **{name: value if math.isfinite(value) else None for name, value in means.items()},
         })  # fmt: skip
-    return {"also_saturated": found} if found else {}
+    return {"also_saturated": rows} if rows else {}
 
 
 def check_finite(result: Array, name: str) -> None:
     """Rejected (NS0804) for a reconstruction with values that are not finite: it has no score."""
-    bad = int(np.count_nonzero(~np.isfinite(result)))
-    if bad:
+    bad_count = int(np.count_nonzero(~np.isfinite(result)))
+    if bad_count:
         raise rejected(
             "NS0804",
-            f"{bad} of {result.size} values of the reconstruction of '{name}' are not finite",
+            f"{bad_count} of {result.size} values of the reconstruction of '{name}' are not finite",
             notes=("PSNR and SSIM of such values mean nothing",),
             helps=("look at the decoder and its weights: NaN and infinity come from there",),
-            data={"count": bad},
+            data={"count": bad_count},
         )
 
 
 @dataclass(frozen=True)
-class Subject:
+class ResultSubject:
     """What was evaluated, with hard shutters: a method's name and settings, and what it costs."""
 
     method: str
@@ -125,11 +128,11 @@ class Subject:
 
 def result(
     protocol: Protocol,
-    subject: Subject,
+    subject: ResultSubject,
     files: Sequence[Path],
     items: Sequence[Item],
     left_out: Sequence[Mapping[str, Any]] = (),
-    **more: Any,
+    **extra_keys: Any,
 ) -> dict[str, Any]:
     """The result of these items as JSON values; `more` are further keys.
 
@@ -163,46 +166,46 @@ def result(
         "parameters": subject.parameters,
         "flops": subject.flops,
         "left_out": list(left_out),
-        **more,
+        **extra_keys,
     }  # fmt: skip
 
 
 def with_arrays(
     protocol: Protocol,
-    subject: Subject,
+    subject: ResultSubject,
     files: Sequence[Path],
-    every: Sequence[Scored],
+    scored_scenes: Sequence[Scored],
     left_out: Sequence[Mapping[str, Any]],
-    **more: Any,
+    **extra_keys: Any,
 ) -> tuple[dict[str, Any], dict[str, Array]]:
     """The same of what was scored, and what `--save` writes of every item, by name: the
     reconstruction, an `image` or a `video`, and the truth."""
-    items = [item for each in every for item in each.items]
-    found = result(protocol, subject, files, items, left_out, **more)
+    items = [item for entry in scored_scenes for item in entry.items]
+    report = result(protocol, subject, files, items, left_out, **extra_keys)
     called, arrays = labels(files), {}
-    for scene, _, made, _ in every:
+    for scene, _, reconstruction, _ in scored_scenes:
         place = [*(scene.crop or ()), *([] if scene.frame is None else [scene.frame])]
         label = "_".join([called.get(scene.file.name, scene.file.name), *map(str, place)])
         truth = scene.truth_e
         kind = "image" if truth.ndim == 2 else "video"
-        arrays[f"{label}_{kind}"] = made
+        arrays[f"{label}_{kind}"] = reconstruction
         arrays[f"{label}_truth"] = truth if truth.dtype == np.uint8 else truth.astype(np.float32)
-    return found, arrays
+    return report, arrays
 
 
 def read_result(path: Path) -> dict[str, Any]:
     """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
     try:
-        found = json.loads(read_whole(path))
-        if isinstance(found, dict) and found.get("schema") == SCHEMA:
-            if not isinstance(found.get("mean"), int | float | None):
+        document = json.loads(read_whole(path))
+        if isinstance(document, dict) and document.get("schema") == SCHEMA:
+            if not isinstance(document.get("mean"), int | float | None):
                 raise ValueError("its mean is no number")
-            _ = [str(entry["sha256"]) for entry in found.get("data", ())]
-            for item in found["items"]:
+            _ = [str(entry["sha256"]) for entry in document.get("data", ())]
+            for item in document["items"]:
                 if math.isnan(number(item["psnr_db"])):
                     raise ValueError("an item's PSNR is no number")
                 _ = item["file"], item["crop"], item["frame"]
-            return dict(found)
+            return dict(document)
         reason = f"it has no schema {SCHEMA}"
     except OSError as error:
         reason = error.strerror or str(error)
@@ -223,14 +226,14 @@ def mean_of(
     items that are infinite are left out. `by_source`: over the means of the files, each of which
     counts once, however many items it has. None without a finite item."""
     means = []
-    for found in results:
+    for result_values in results:
         values: dict[str, list[float]] = {}
-        for item in found["items"]:
+        for item in result_values["items"]:
             value = number(item[metric])
             if math.isfinite(value):
                 values.setdefault(str(item["file"]) if by_source else "", []).append(value)
         if values:
-            means.append(float(np.mean([np.mean(part) for part in values.values()])))
+            means.append(float(np.mean([np.mean(file_values) for file_values in values.values()])))
     return float(np.mean(means)) if means else None
 
 
@@ -248,8 +251,11 @@ def compare(
         _check_alike(pairs[0][0], *pair)
         # By what they are in other results too: file, corner of the crop, first frame.
         items = [
-            {f"{each['file']} {each['crop']} {each['frame']}": each for each in found["items"]}
-            for found in pair
+            {
+                f"{entry['file']} {entry['crop']} {entry['frame']}": entry
+                for entry in pair_result["items"]
+            }
+            for pair_result in pair
         ]
         if not set(items[0]) & set(items[1]):
             raise rejected(
@@ -259,9 +265,9 @@ def compare(
                 helps=("evaluate both on the same data",),
             )
         _check_metric(items, metric)
-        for kept, part in zip(scores, items, strict=True):
-            for key, item in part.items():
-                kept[f"{seed} {key}"] = number(item[metric])
+        for pair_scores, items_by_key in zip(scores, items, strict=True):
+            for key, item in items_by_key.items():
+                pair_scores[f"{seed} {key}"] = number(item[metric])
                 scenes[f"{seed} {key}"] = str(item["file"])
     first, second = ([pair[k] for pair in pairs] for k in (0, 1))
     return {
@@ -276,26 +282,29 @@ def compare(
 
 
 def _about(results: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    means = [found["mean"] for found in results if found.get("mean") is not None]
+    means = [entry["mean"] for entry in results if entry.get("mean") is not None]
     mean = sum(means) / len(means) if means else None
     return {"method": results[0].get("method"), "mean": mean}
 
 
 def _check_alike(*results: dict[str, Any]) -> None:
-    for key, what in (("protocol", "protocols"), ("protocol_sha256", "versions of a protocol")):
-        found = list(dict.fromkeys(str(result.get(key)) for result in results))
-        if len(found) > 1:
+    for key, plural_name in (
+        ("protocol", "protocols"),
+        ("protocol_sha256", "versions of a protocol"),
+    ):
+        values = list(dict.fromkeys(str(result.get(key)) for result in results))
+        if len(values) > 1:
             raise rejected(
                 "NS0808",
-                f"the results are of two {what}: {found[0]} and {found[1]}",
+                f"the results are of two {plural_name}: {values[0]} and {values[1]}",
                 notes=("a number without its protocol is no number: these do not compare",),
                 helps=("evaluate both under one protocol",),
             )
 
 
 def _check_metric(items: Sequence[dict[str, dict[str, Any]]], metric: str) -> None:
-    held = (v.get(metric) for part in items for v in part.values())
-    if any(not isinstance(v, int | float) and v != "inf" for v in held):
+    metric_values = (v.get(metric) for items_by_key in items for v in items_by_key.values())
+    if any(not isinstance(v, int | float) and v != "inf" for v in metric_values):
         known = sorted(k for k in next(iter(items[0].values())) if k.endswith("_db"))
         raise rejected(
             "NS0808",

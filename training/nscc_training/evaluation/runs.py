@@ -18,11 +18,11 @@ from nscc.program.problems import counted
 from nscc_runtime.sensor import load_sensor
 from nscc_training.data import load_scenes
 from nscc_training.decoders.declared import DECODERS
-from nscc_training.decoders.make import flops, parameter_count
-from nscc_training.encoders.looks import LOOKS
+from nscc_training.decoders.decoder_building import flops, parameter_count
+from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.evaluation.results import (
+    ResultSubject,
     Scored,
-    Subject,
     also_saturated,
     scored,
     usable_scenes,
@@ -31,13 +31,13 @@ from nscc_training.evaluation.results import (
 from nscc_training.loop.validation import by_chip, by_model, validation_scenes
 from nscc_training.problems import listed
 from nscc_training.programs import SENSOR_FILE
-from nscc_training.protocol_scenes.files import files_of, scenes_in
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocol_scenes.sci import SciClip
 from nscc_training.protocols import Protocol
 from nscc_training.run_folder import RunFolder
 
-DecodeScene = Callable[[Scene, int], tuple[NDArray[Any], float]]
+DecodeScene = Callable[[ProtocolScene, int], tuple[NDArray[Any], float]]
 _SIZE = (256, 256)
 """Rows and columns of what protocols expose."""
 
@@ -64,10 +64,10 @@ def evaluate_run(
     """
     _check_kind(folder, protocol)
     files = files_of(protocol, data)
-    seen = seen_of(folder, files)
-    if not (skip_seen and len(seen) < len(files)):
+    seen_files = seen_of(folder, files)
+    if not (skip_seen and len(seen_files) < len(files)):
         check_unseen(folder, files)
-    files = [path for path in files if path not in seen]
+    files = [path for path in files if path not in seen_files]
     if effects and protocol.name == "sci8":
         raise rejected(
             "NS0841", "sci8 brings its own measurements, which no chip has made",
@@ -77,13 +77,22 @@ def evaluate_run(
         _by_mask(folder) if protocol.name == "sci8" else _by_run(folder, seed, effects, changes)
     )
     scenes, unusable = usable_scenes(scenes_in(files, protocol), protocol)
-    left_out = [{"file": path.name, "reason": "the run has seen it"} for path in seen] + unusable
-    every = list(scored(scenes, decode))
-    others = also_saturated(files, protocol, lambda shown: list(scored(shown, decode)))
-    subject = _subject(folder, every, seed, effects)
-    more = {"sensor_changes": [*changes]} if changes else {}
+    left_out = [
+        {"file": path.name, "reason": "the run has seen it"} for path in seen_files
+    ] + unusable
+    scored_scenes = list(scored(scenes, decode))
+    other_shares = also_saturated(files, protocol, lambda shown: list(scored(shown, decode)))
+    subject = _subject(folder, scored_scenes, seed, effects)
+    extra_keys = {"sensor_changes": [*changes]} if changes else {}
     return with_arrays(
-        protocol, subject, files, every, left_out, **others, **more, flops_size=[*_SIZE]
+        protocol,
+        subject,
+        files,
+        scored_scenes,
+        left_out,
+        **other_shares,
+        **extra_keys,
+        flops_size=[*_SIZE],
     )
 
 
@@ -93,32 +102,32 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
     Its mean is the PSNR of the step whose state the run has kept, in `metrics.csv`. Rejected
     (NS0811) if the scenes of its configuration are not there, or are others.
     """
-    settings = folder.parts.settings
-    scenes = load_scenes(settings.data, folder.parts.still, folder.parts.slots, settings.train.seed)
-    if not {scene.sha256 for scene in scenes.val} <= folder.seen:
+    settings = folder.setup.settings
+    scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
+    if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
         raise rejected(
             "NS0811", f"'{folder.path}' was validated on other scenes than those of its "
             "configuration today",
             notes=("split.json has the digests of those that it was chosen by",),
             helps=("give [data] val the files that it had",),
         )  # fmt: skip
-    shown = validation_scenes(folder.parts, scenes)
+    shown = validation_scenes(folder.setup, scenes)
     effects = settings.sensor.effects
-    every = list(scored(shown, _by_run(folder, 0, effects, ())))
-    subject = _subject(folder, every, 0, effects)
+    scored_scenes = list(scored(shown, _by_run(folder, 0, effects, ())))
+    subject = _subject(folder, scored_scenes, 0, effects)
     protocol = shown[0].protocol
-    return with_arrays(protocol, subject, [], every, [], split="val", flops_size=[*_SIZE])
+    return with_arrays(protocol, subject, [], scored_scenes, [], split="val", flops_size=[*_SIZE])
 
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
     """Return what captures a scene as the run was trained, or by the emulated chip, and decodes."""
     file = folder.path / SENSOR_FILE
-    own = file if folder.parts.settings.sensor.file and file.is_file() else None
-    sensor = load_sensor(folder.parts.target, own, changes) if changes else None
+    sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
+    sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
     if effects:
-        decode = by_chip(folder.parts, effects, sensor, seed)
+        decode = by_chip(folder.setup, effects, sensor, seed)
     else:
-        decode = by_model(folder.parts, seed=seed)
+        decode = by_model(folder.setup, seed=seed)
     return lambda scene, index: decode(scene.light_e, index)
 
 
@@ -128,31 +137,34 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
     As in training a full well is the 99th percentile of what an always open pixel would gather: of
     a measurement, the light of open slots scaled up to all of them.
     """
-    parts = folder.parts
+    setup = folder.setup
 
     @torch.no_grad()
-    def decode(scene: Scene, _index: int) -> tuple[NDArray[Any], float]:
+    def decode(scene: ProtocolScene, _index: int) -> tuple[NDArray[Any], float]:
         assert isinstance(scene, SciClip)
         share = scene.mask.mean(axis=0)
         gathered = scene.measurement[share > 0] / share[share > 0]
         level = max(float(np.percentile(gathered, 99)), 1e-6)
         frame = torch.from_numpy((scene.measurement / level).astype(np.float32)).clamp(max=1)
         begin = perf_counter()
-        mask = torch.from_numpy(scene.mask).to(parts.device)
-        made = parts.decoder(frame[None].to(parts.device), mask)[0].float().cpu().numpy()
-        return made.astype(np.float64) * (level / len(scene.mask)), perf_counter() - begin
+        mask = torch.from_numpy(scene.mask).to(setup.device)
+        result = setup.decoder(frame[None].to(setup.device), mask)[0].float().cpu().numpy()
+        return result.astype(np.float64) * (level / len(scene.mask)), perf_counter() - begin
 
     return decode
 
 
-def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str) -> Subject:
+def _subject(
+    folder: RunFolder, scored_scenes: Sequence[Scored], seed: int, effects: str
+) -> ResultSubject:
     """What a result says of the run."""
-    parts, settings = folder.parts, folder.parts.settings
-    return Subject(
+    setup, settings = folder.setup, folder.setup.settings
+    decoder_s = [entry.seconds for entry in scored_scenes]
+    return ResultSubject(
         f"{settings.decoder.name} ({settings.decoder.sized})",
         {
             "run": folder.path.name,
-            "buckets": parts.buckets,
+            "buckets": setup.buckets,
             "size": settings.decoder.sized,
             "steps": settings.train.steps,
             "train_seed": settings.train.seed,
@@ -165,38 +177,38 @@ def _subject(folder: RunFolder, every: Sequence[Scored], seed: int, effects: str
             "trained_effects": settings.sensor.effects,
             "seed": seed,
         },
-        decoder_ms=1e3 * float(np.median([each.seconds for each in every])) if every else None,
-        device=parts.device.type,
-        parameters=parameter_count(parts.decoder),
-        flops=flops(parts.decoder, parts.slots, *_SIZE, parts.buckets),
+        decoder_ms=1e3 * float(np.median(decoder_s)) if scored_scenes else None,
+        device=setup.device.type,
+        parameters=parameter_count(setup.decoder),
+        flops=flops(setup.decoder, setup.slots, *_SIZE, setup.buckets),
     )  # fmt: skip
 
 
 def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
-    parts = folder.parts
+    setup = folder.setup
     if protocol.name == "staggered-v1":
         raise rejected(
             "NS0821",
             f"'{folder.path}' was trained for one exposure; protocol {protocol.name} has several",
             helps=("its rows are those of `nscc evaluate --help`",),
         )
-    kind = parts.encoder.spec.kind
-    have = f"{'stills' if parts.still else 'clips'} of {parts.slots} slots, class {kind}"
+    kind = setup.encoder.spec.kind
+    have = f"{'stills' if setup.still else 'clips'} of {setup.slots} slots, class {kind}"
     if protocol.still:
         want = f"stills of {protocol['slots']} slots, class {protocol['class']}"
         known = kind in (protocol["class"], LOOKS)
-        good = parts.still and parts.slots == protocol["slots"] and known
+        matches = setup.still and setup.slots == protocol["slots"] and known
     else:
         want = f"clips of {protocol['frames']} slots"
-        good = not parts.still and parts.slots == protocol["frames"]
-    if not good:
+        matches = not setup.still and setup.slots == protocol["frames"]
+    if not matches:
         raise rejected(
             "NS0821",
             f"'{folder.path}' was trained for {have}; protocol {protocol.name} takes {want}",
             helps=("train with [data] protocol and [shutter] slots of the protocol",),
         )
-    name = parts.settings.decoder.name
-    if protocol.name == "sci8" and parts.buckets > 1:
+    name = setup.settings.decoder.name
+    if protocol.name == "sci8" and setup.buckets > 1:
         raise rejected(
             "NS0821", f"'{folder.path}' was trained with two buckets, and clips of sci8 have one",
             helps=("protocol two-bucket-v1 has two",),
@@ -211,15 +223,15 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
 
 def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
     """Those of the files that the run learned from or was chosen by."""
-    return [path for path in files if file_sha256(path) in folder.seen]
+    return [path for path in files if file_sha256(path) in folder.seen_digests]
 
 
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:
     """Rejected (NS0820) where the run has seen one of these files."""
     shared = [path.name for path in seen_of(folder, files)]
     if shared:
-        others = counted(len(files) - len(shared), "other file")
-        skip = (f"`nscc evaluate RUN --skip-seen` scores it on the {others} of the folder",)
+        other_files = counted(len(files) - len(shared), "other file")
+        skip = (f"`nscc evaluate RUN --skip-seen` scores it on the {other_files} of the folder",)
         raise rejected(
             "NS0820",
             f"'{folder.path}' was trained or validated on {len(shared)} of these "

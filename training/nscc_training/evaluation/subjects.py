@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
 from nscc_training.evaluation.baselines import BASELINES, evaluate_baseline
-from nscc_training.evaluation.looks import LOOKING, evaluate_looks
+from nscc_training.evaluation.looks_rows import LOOKING, evaluate_looks
 from nscc_training.evaluation.runs import evaluate_run
 from nscc_training.protocols import load_protocol
 from nscc_training.run_files import run_path

@@ -1,4 +1,5 @@
-"""Whole frames and scenes through a run's decoder: by the model of the sensor, or by the chip."""
+"""Decode frames and scenes with a run's decoder, captured by the sensor model or by the emulated
+chip."""
 
 from __future__ import annotations
 
@@ -20,100 +21,105 @@ from nscc_runtime.sensor import Sensor
 from nscc_runtime.simulate import Request, simulate
 from nscc_training import programs
 from nscc_training.emulated import captures_on
-from nscc_training.encoders.looks import LOOKS
+from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.looking_model import looked
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out
 
 _BLOCK, _MARGIN = 256, 32
-"""Pixels a side that are decoded at a time of frames larger than an array, and around them those
-that are seen too: more than decoders reach."""
+"""Side in pixels of the blocks in which large frames are decoded, and their margin.
+
+The margin is larger than the receptive field of decoders.
+"""
 
 Arrays = NDArray[Any]
 
 
-def container_of(parts: Parts) -> Container:
+def container_of(setup: TrainingSetup) -> Container:
     """Return a run's program, compiled."""
-    made = programs.compiled(programs.program_of(parts.encoder, parts.chip), parts.chip).container
-    assert made is not None
-    return made
+    container = programs.compiled(
+        programs.program_of(setup.encoder, setup.chip), setup.chip
+    ).container
+    assert container is not None
+    return container
 
 
 @torch.no_grad()
 def scene_by_model(
-    parts: Parts, light_e: Arrays, seed: int, tile: Tensor | None = None,
+    setup: TrainingSetup, light_e: Arrays, seed: int, tile: Tensor | None = None,
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Return the light of a scene, captured by the model of the sensor, and the decoder's seconds.
+    """Return the light of a scene captured by the sensor model, and the decoding time in seconds.
 
-    Light is in electrons, over the frame or a slot. `tile` are other shutters than the run's hard
-    ones; `model` is another sensor than the one that the decoder was trained with.
+    Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
+    `model` replaces the sensor model of training.
     """
-    tile = parts.encoder.hard().cpu() if tile is None else tile.cpu()
-    model = parts.model if model is None else model
-    if parts.encoder.spec.kind == LOOKS:
+    tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
+    model = setup.model if model is None else model
+    if setup.encoder.spec.kind == LOOKS:
         generator = torch.Generator().manual_seed(seed)
         light = torch.as_tensor(light_e, dtype=torch.float32)[None]
-        step_e = parts.target.electrons_per_step
-        codes, share = looked(light, tile, parts.slots, step_e, model, generator)
+        step_e = setup.target.electrons_per_step
+        codes, share = looked(light, tile, setup.slots, step_e, model, generator)
         frame, shutters = codes[0] - model.adc_offset_lsb, share
     else:
-        frame = frame_of(light_e, shared_out(tile, parts.buckets), model, seed)
+        frame = frame_of(light_e, shared_out(tile, setup.buckets), model, seed)
         shutters = laid(tile, *frame.shape[-2:])
     begin = perf_counter()
-    relative = parts.model.relative(frame)[None].to(parts.device)
-    made = parts.decoder(relative, shutters.to(parts.device))[0].float().cpu().numpy()
+    relative = setup.model.relative(frame)[None].to(setup.device)
+    result = setup.decoder(relative, shutters.to(setup.device))[0].float().cpu().numpy()
     seconds = perf_counter() - begin
-    return made.astype(np.float64) * parts.unit_e, seconds
+    return result.astype(np.float64) * setup.unit_e, seconds
 
 
 def scene_by_chip(
-    parts: Parts, container: Container, sensor: Sensor, light_e: Arrays, effects: str,
+    setup: TrainingSetup, container: Container, sensor: Sensor, light_e: Arrays, effects: str,
     seeds: tuple[int, int],
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
-    """Return the same from a frame of the emulated chip, as `nscc run` and `nscc reconstruct` do.
+    """Return the same for a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make
+    it.
 
     `seeds` are those of noise and of the chip. A scene smaller than the array is continued by its
-    edge, and of a larger one the upper left part is seen.
+    edge; of a larger scene the upper left part is exposed.
     """
     array = (container.target.rows, container.target.cols)
     size = tuple(min(pair) for pair in zip(light_e.shape[-2:], array, strict=True))
-    seen = light_e[..., : size[0], : size[1]].astype(np.float32)
-    margins = [(0, 0)] * (seen.ndim - 2) + [
+    visible = light_e[..., : size[0], : size[1]].astype(np.float32)
+    margins = [(0, 0)] * (visible.ndim - 2) + [
         (0, most - side) for most, side in zip(array, size, strict=True)
     ]
-    whole = np.pad(seen, margins, mode="edge")
-    slots = parts.slots
+    padded = np.pad(visible, margins, mode="edge")
+    slots = setup.slots
     light = (
-        Light.of_still(whole, np.full(slots, 1 / slots)) if parts.still else Light.of_clip(whole)
+        Light.of_still(padded, np.full(slots, 1 / slots)) if setup.still else Light.of_clip(padded)
     )
     request = Request.of(
-        effects=effects, seed=seeds[0], device_seed=seeds[1], torch_device=captures_on(parts.device)
+        effects=effects, seed=seeds[0], device_seed=seeds[1], torch_device=captures_on(setup.device)
     )
     frame = simulate(container, light, sensor, request).frame
     begin = perf_counter()
     opened = frame.told.get(OPEN)
     share = None if opened is None else (opened[0] / slots).astype(np.float32)
-    bucket = 0 if parts.buckets == 1 else ...
-    made = decoded_frame(parts, frame.frame[bucket], frame.saturated[bucket], share)
-    return made[..., : size[0], : size[1]].astype(np.float64), perf_counter() - begin
+    bucket = 0 if setup.buckets == 1 else ...
+    result = decoded_frame(setup, frame.frame[bucket], frame.saturated[bucket], share)
+    return result[..., : size[0], : size[1]].astype(np.float64), perf_counter() - begin
 
 
 @torch.no_grad()
 def scene_by_words(
-    parts: Parts, container: Container, light_e: Arrays
+    setup: TrainingSetup, container: Container, light_e: Arrays
 ) -> tuple[NDArray[np.float64], float]:
-    """Return the same from a frame that the words expose exactly, without noise."""
+    """Return the same for a frame that the words expose exactly, without noise."""
     rows, cols = light_e.shape[-2:]
-    whole = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
-    whole[..., :rows, :cols] = light_e
-    slots = parts.slots
+    padded = np.zeros((*light_e.shape[:-2], container.target.rows, container.target.cols), "f4")
+    padded[..., :rows, :cols] = light_e
+    slots = setup.slots
     light = (
-        Light.of_still(whole, np.full(slots, 1 / slots)) if parts.still else Light.of_clip(whole)
+        Light.of_still(padded, np.full(slots, 1 / slots)) if setup.still else Light.of_clip(padded)
     )
-    ideal = parts.model.noiseless()
+    ideal = setup.model.noiseless()
     begin = perf_counter()
-    if parts.encoder.spec.kind == LOOKS:
+    if setup.encoder.spec.kind == LOOKS:
         shot = capture(container, light)
         codes = torch.from_numpy(shot.frame[0, :rows, :cols].astype(np.float32))
         share = np.cumsum([0.0, *container.slot_us]) / sum(container.slot_us)
@@ -122,32 +128,34 @@ def scene_by_words(
     else:
         exposure = expose(container, light).exposure_e[:, :rows, :cols].copy()
         codes = read_out(torch.from_numpy(exposure), ideal)
-        codes = codes if parts.buckets > 1 else codes[0]
-        shutters = laid(parts.encoder.hard().cpu(), rows, cols)
-    frame = parts.model.relative(codes - ideal.adc_offset_lsb)[None].to(parts.device)
-    made = parts.decoder(frame, shutters.to(parts.device))[0].float().cpu().numpy()
-    return made.astype(np.float64) * parts.unit_e, perf_counter() - begin
+        codes = codes if setup.buckets > 1 else codes[0]
+        shutters = laid(setup.encoder.hard().cpu(), rows, cols)
+    frame = setup.model.relative(codes - ideal.adc_offset_lsb)[None].to(setup.device)
+    result = setup.decoder(frame, shutters.to(setup.device))[0].float().cpu().numpy()
+    return result.astype(np.float64) * setup.unit_e, perf_counter() - begin
 
 
 def decoded_frame(
-    parts: Parts, frame: NDArray[np.uint8] | NDArray[np.float32], saturated: NDArray[np.bool_],
+    setup: TrainingSetup, frame: NDArray[np.uint8] | NDArray[np.float32],
+    saturated: NDArray[np.bool_],
     share: NDArray[np.float32] | None = None, corner: tuple[int, int] = (0, 0),
 ) -> NDArray[np.float32]:  # fmt: skip
-    """Return electrons over the frame (rows, cols), or a slot (T, rows, cols), of a frame's codes.
+    """Decode the codes of a frame to electrons over the frame (rows, cols), or per slot (T, rows,
+    cols).
 
-    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the part of the frame that
-    each pixel was open, where pixels looked; `corner` the place on the array of the first pixel of
-    a part of a frame. Frames larger than the array are decoded block by block.
+    Codes of two buckets are (2, rows, cols). `share` (rows, cols) is the open fraction of the frame
+    of each pixel, for pixels that look. `corner` is the place on the array of the first pixel.
+    Frames larger than the array are decoded in blocks.
     """
     rows, cols = frame.shape[-2:]
     light: NDArray[np.float32] | None = None
-    array = (parts.target.rows, parts.target.cols)
-    shutters = lru_cache(maxsize=4)(partial(shutters_at, parts))
-    for top in range(0, rows, _BLOCK):
-        for left in range(0, cols, _BLOCK):
+    array = (setup.target.rows, setup.target.cols)
+    shutters = lru_cache(maxsize=4)(partial(shutters_at, setup))
+    for block_row in range(0, rows, _BLOCK):
+        for block_col in range(0, cols, _BLOCK):
             down, across = (
                 slice(max(at - _MARGIN, 0), min(at + _BLOCK + _MARGIN, most))
-                for at, most in ((top, rows), (left, cols))
+                for at, most in ((block_row, rows), (block_col, cols))
             )
             codes, full = frame[..., down, across], saturated[..., down, across]
             first = (down.start + corner[0]) % array[0], (across.start + corner[1]) % array[1]
@@ -155,35 +163,40 @@ def decoded_frame(
                 opened = shutters(codes.shape[-2:], first)
             else:
                 opened = torch.from_numpy(share[None, down, across].copy())
-            made = _decoded_block(parts, codes, full, opened)
-            inside = made[..., top - down.start :, left - across.start :][..., :_BLOCK, :_BLOCK]
+            block = _decoded_block(setup, codes, full, opened)
+            inside = block[..., block_row - down.start :, block_col - across.start :][
+                ..., :_BLOCK, :_BLOCK
+            ]
             if light is None:
-                light = np.empty((*made.shape[:-2], rows, cols), np.float32)
-            light[..., top : top + _BLOCK, left : left + _BLOCK] = inside
+                light = np.empty((*block.shape[:-2], rows, cols), np.float32)
+            light[..., block_row : block_row + _BLOCK, block_col : block_col + _BLOCK] = inside
     assert light is not None  # a frame has pixels
     return light
 
 
 @torch.no_grad()
 def _decoded_block(
-    parts: Parts, frame: NDArray[np.uint8] | NDArray[np.float32], saturated: NDArray[np.bool_],
+    setup: TrainingSetup, frame: NDArray[np.uint8] | NDArray[np.float32],
+    saturated: NDArray[np.bool_],
     shutters: Tensor,
 ) -> NDArray[np.float32]:  # fmt: skip
-    shutters = shutters.to(parts.device)
-    codes = torch.from_numpy(frame.astype(np.float32)).to(parts.device)
-    relative = parts.model.relative(codes - parts.model.adc_offset_lsb)
-    # The knee of registers, and light that eats the reset level, make full pixels read less.
-    full = torch.from_numpy(np.ascontiguousarray(saturated)).to(parts.device)
-    if parts.encoder.spec.kind != LOOKS:
-        relative = filled(relative, full, shared_out(shutters, parts.buckets))
-    made = parts.decoder(relative[None], shutters)[0].float().cpu().numpy()
-    return np.asarray(made * parts.unit_e, np.float32)
+    shutters = shutters.to(setup.device)
+    codes = torch.from_numpy(frame.astype(np.float32)).to(setup.device)
+    relative = setup.model.relative(codes - setup.model.adc_offset_lsb)
+    # Saturated pixels may read less: registers compress, and light lowers the reset level.
+    full = torch.from_numpy(np.ascontiguousarray(saturated)).to(setup.device)
+    if setup.encoder.spec.kind != LOOKS:
+        relative = filled(relative, full, shared_out(shutters, setup.buckets))
+    result = setup.decoder(relative[None], shutters)[0].float().cpu().numpy()
+    return np.asarray(result * setup.unit_e, np.float32)
 
 
-def shutters_at(parts: Parts, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)) -> Tensor:
-    """Return the run's shutters (N, rows, cols) at a block of pixels of arrays side by side."""
-    target = parts.target
-    array = laid(parts.encoder.hard(), target.rows, target.cols)
+def shutters_at(
+    setup: TrainingSetup, shape: tuple[int, ...], corner: tuple[int, int] = (0, 0)
+) -> Tensor:
+    """Return the run's shutters (N, rows, cols) at a block of pixels; arrays lie side by side."""
+    target = setup.target
+    array = laid(setup.encoder.hard(), target.rows, target.cols)
     rows, cols = (
         (torch.arange(side) + at) % most
         for side, at, most in zip(shape, corner, (target.rows, target.cols), strict=True)

@@ -13,10 +13,10 @@ from nscc.diagnostics.rejection import rejected
 
 @contextmanager
 def locked_folder(folder: Path) -> Iterator[None]:
-    """Make a folder if need be, and keep other processes out to the end of the block.
+    """Make a folder and lock it against other processes until the end of the block.
 
-    Raises Rejected (NS0848) where another process has it. The lock ends with the process, however
-    that ends, and leaves no file.
+    Raises Rejected (NS0848) if another process holds the lock. The lock ends with the process and
+    leaves no file.
     """
     is_new = not folder.exists()
     folder.mkdir(parents=True, exist_ok=True)

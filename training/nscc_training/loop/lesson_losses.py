@@ -1,4 +1,4 @@
-"""Losses of the decoder for any code: one for each update of a lesson."""
+"""Losses of the decoder for any code, one per update of a lesson."""
 
 from __future__ import annotations
 
@@ -16,16 +16,18 @@ from nscc_training.any_code.stills import coded_light, started_still, still_sche
 from nscc_training.baselines.tensor_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
 from nscc_training.data.exposures import quantiles
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 
 
-def lesson_losses(parts: Parts, lesson: Lesson, generator: torch.Generator) -> Iterator[Tensor]:
-    """Yield the losses of a lesson's updates; what comes after an update is computed after it."""
-    decoder = parts.decoder
+def lesson_losses(
+    setup: TrainingSetup, lesson: Lesson, generator: torch.Generator
+) -> Iterator[Tensor]:
+    """Yield the losses of a lesson's updates; each is computed after the update before it."""
+    decoder = setup.decoder
     assert isinstance(decoder, AnyCode)
-    chosen = parts.settings.decoder
-    mixed = parts.settings.train.dtype == "bf16"
-    with torch.autocast(parts.device.type, torch.bfloat16, enabled=mixed):
+    chosen = setup.settings.decoder
+    mixed = setup.settings.train.dtype == "bf16"
+    with torch.autocast(setup.device.type, torch.bfloat16, enabled=mixed):
         if chosen.lessons == "denoise":
             yield _of_noise(decoder, lesson, generator)
         elif chosen.lessons == "stills":
@@ -37,8 +39,8 @@ def lesson_losses(parts: Parts, lesson: Lesson, generator: torch.Generator) -> I
 def _of_noise(decoder: AnyCode, lesson: Lesson, generator: torch.Generator) -> Tensor:
     clip = lesson.light
     noise, sigma = noisy(clip, generator)
-    seen = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
-    error = (decoder.denoiser(noise, seen, sigma) - clip) / sigma.reshape(-1, 1, 1, 1)
+    no_features = clip.new_zeros(len(clip), SEEN, *clip.shape[1:])
+    error = (decoder.denoiser(noise, no_features, sigma) - clip) / sigma.reshape(-1, 1, 1, 1)
     loss: Tensor = error.square().mean() + 0.2 * error.abs().mean()
     return loss
 
@@ -52,7 +54,7 @@ def _of_codes(
     waiting: list[Tensor] = []
     for number, sigma in enumerate(schedule(stages), start=1):
         clip, target = stage(measured, decoder.denoiser, clip, target, sigma)
-        # The root: a clip counts by its error's ratio, nearly, as decibels do.
+        # The square root weights clips by relative error, similar to decibels.
         squared = _difference(clip, truth, shown).square().mean(dim=(1, 2, 3))
         waiting.append(squared.add(1e-6).sqrt().mean())
         if number % through == 0 or number == stages:
@@ -73,7 +75,7 @@ def _of_stills(decoder: AnyCode, lesson: Lesson, generator: torch.Generator, sta
 
 
 def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
-    """Return that of two clips, or of what a display shows of them, whose white is `shown`."""
+    """Return the loss of two clips; with `shown` as white, of their display encodings."""
     if shown is None:
         return clip - truth
     level = shown.reshape(-1, 1, 1, 1)
@@ -81,12 +83,14 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
-    """Return errors of light and of its logarithm, over the peak that all but a thousandth of the
-    pixels stay below: as protocol hdr-v1 counts them, nearly."""
+    """Return the errors of light and of its logarithm, relative to the 99.9 % quantile.
+
+    This is close to the scores of protocol hdr-v1.
+    """
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
-    made, there = ((part / peak).clamp(0, 1) for part in (light, truth))
-    linear = (made - there).square().mean(dim=(1, 2)).add(1e-6).sqrt()
-    curved = [torch.log1p(MU * part) / log(1 + MU) for part in (made, there)]
+    relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
+    linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()
+    curved = [torch.log1p(MU * values) / log(1 + MU) for values in (relative, relative_truth)]
     bent = (curved[0] - curved[1]).square().mean(dim=(1, 2)).add(1e-6).sqrt()
-    whole = (coded_light(light) - coded_light(truth)).abs().mean(dim=(1, 2))
-    return 10 * (linear + bent + whole).mean()
+    coded_error = (coded_light(light) - coded_light(truth)).abs().mean(dim=(1, 2))
+    return 10 * (linear + bent + coded_error).mean()

@@ -1,4 +1,4 @@
-"""What a run says while it learns: `metrics.csv`, and event files if TensorBoard is there."""
+"""The log of training: `metrics.csv`, and event files if TensorBoard is installed."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ EVENTS = "tensorboard"
 
 
 class Log:
-    """The log of a run that goes on after `step`, in the folder `out`; its lines are `rows`."""
+    """The log of a run that continues after `step`, in the folder `out`; `rows` are its lines."""
 
     def __init__(self, out: Path, rows: list[str] | None = None) -> None:
         self.out = out
@@ -23,13 +23,13 @@ class Log:
 
     @classmethod
     def of_checkpoint(cls, folder: Path, step: int, out: Path) -> Log:
-        """Return the log up to a checkpoint's step: what came after is done again."""
+        """Return the log up to the step of a checkpoint; later steps are computed again."""
         path = folder / METRICS
         if not path.is_file():
             return cls(out)
         try:
-            head, *rest = path.read_text(encoding="utf-8").splitlines()
-            kept = [row for row in rest if int(row.partition(",")[0]) <= step]
+            head, *rows = path.read_text(encoding="utf-8").splitlines()
+            kept_rows = [row for row in rows if int(row.partition(",")[0]) <= step]
         except ValueError:
             raise rejected(
                 "NS0816",
@@ -37,10 +37,10 @@ class Log:
                 notes=(f"{path.name} is damaged: its lines do not begin with a step",),
                 helps=("without that file the run goes on, and its log begins there",),
             ) from None
-        return cls(out, [head, *kept])
+        return cls(out, [head, *kept_rows])
 
     def add(self, step: int, split: str, **values: float | None) -> None:
-        """Add a line; what is not known stays empty."""
+        """Add a line; missing values stay empty."""
         cells = (values.get(name) for name in COLUMNS[2:])
         texts = ("" if value is None else repr(float(value)) for value in cells)
         self.rows.append(",".join([str(step), split, *texts]))
@@ -61,9 +61,9 @@ class Log:
             self._events.close()
 
     def _writer(self) -> Any:
-        """Return the writer of event files, made when it is first needed; None without its package.
+        """Return the writer of event files, made at first use; None without its package.
 
-        Event files hold times and the host's name: they are no products, and nothing reads them.
+        Event files contain times and the host name, so they are not products.
         """
         if self._events is None and find_spec("tensorboard") is not None:
             from torch.utils.tensorboard import SummaryWriter

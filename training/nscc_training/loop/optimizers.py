@@ -9,17 +9,17 @@ from typing import Any
 import torch
 from torch import Tensor, nn
 
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.settings import TrainSettings
 
 _MUON_RATE = 4.0
-"""Times Adam's rate: steps whose root mean square is 0.8 of it."""
+"""Factor on Adam's rate; steps then have 0.8 of that rate as root mean square."""
 
 
 class Muon(torch.optim.Muon):
-    """`torch.optim.Muon`, which takes matrices, for weights of convolutions (out, ...).
+    """`torch.optim.Muon` for weights of convolutions (out, ...).
 
-    Every weight is seen as a matrix with a row for each output, in the same memory.
+    Every weight is viewed as a matrix with one row per output, in the same memory.
     """
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
@@ -29,36 +29,38 @@ class Muon(torch.optim.Muon):
 
     @torch.no_grad()
     def step(self, closure: Any = None) -> None:  # type: ignore[override]
-        """Take a step along the gradients that the weights have; `closure` is not used."""
+        """Take a step with the current gradients; `closure` is not used."""
         for weight, matrix in zip(self.weights, self.matrices, strict=True):
             matrix.grad = None if weight.grad is None else weight.grad.reshape_as(matrix)
         super().step()  # type: ignore[no-untyped-call]
 
 
-def optimizers_of(parts: Parts) -> list[torch.optim.Optimizer]:
-    """Return the optimizers of a run; each group knows its rate at the first step as `base`."""
-    settings = parts.settings
-    inner, outer = _by_muon(parts.decoder) if settings.train.optimizer == "muon" else (
-        [], list(parts.decoder.parameters()))  # fmt: skip
+def optimizers_of(setup: TrainingSetup) -> list[torch.optim.Optimizer]:
+    """Return the optimizers of a run; `base` of each group is its initial rate."""
+    settings = setup.settings
+    inner, outer = _by_muon(setup.decoder) if settings.train.optimizer == "muon" else (
+        [], list(setup.decoder.parameters()))  # fmt: skip
     groups = [(outer, settings.train.rate)]
     if settings.shutter.learn:
-        spans = {id(p): high - low for p, (low, high) in parts.encoder.ranges()}
-        for parameter in parts.encoder.parameters():
+        spans = {id(p): high - low for p, (low, high) in setup.encoder.ranges()}
+        for parameter in setup.encoder.parameters():
             span = spans.get(id(parameter), 1.0)
             groups.append(([parameter], settings.train.code_rate * span))
     else:
-        parts.encoder.requires_grad_(False)
-    made = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
-    found: list[torch.optim.Optimizer] = [torch.optim.Adam(made, fused=True)] if made else []
+        setup.encoder.requires_grad_(False)
+    adam_groups = [{"params": group, "base": rate, "lr": rate} for group, rate in groups if group]
+    optimizers: list[torch.optim.Optimizer] = (
+        [torch.optim.Adam(adam_groups, fused=True)] if adam_groups else []
+    )
     if inner:
         rate = _MUON_RATE * settings.train.rate
-        found.append(Muon(inner, rate))
-        found[-1].param_groups[0]["base"] = rate
-    return found
+        optimizers.append(Muon(inner, rate))
+        optimizers[-1].param_groups[0]["base"] = rate
+    return optimizers
 
 
 def _by_muon(decoder: nn.Module) -> tuple[list[Tensor], list[Tensor]]:
-    """Return the weights of convolutions that a network has inside, and its other parameters."""
+    """Return the weights of inner convolutions of a network, and its other parameters."""
     kernels = [name for name, weight in decoder.named_parameters() if weight.ndim >= 4]
     inside = set(kernels[1:-1])
     inner: list[Tensor] = []

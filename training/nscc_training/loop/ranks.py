@@ -1,4 +1,4 @@
-"""Data-parallel training under `torchrun`: every process takes its part of each batch."""
+"""Data-parallel training under `torchrun`: every process takes a share of each batch."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from torch import distributed, nn
 from torch.nn.parallel import DistributedDataParallel
 
 LONGEST_WAIT = timedelta(hours=6)
-"""How long a process waits for the one that writes: it validates and makes artifacts alone."""
+"""Longest wait for the writing process, which validates and writes artifacts alone."""
 
 
 class Ranks:
-    """The processes of a run: `rank` of `count`; alone outside of `torchrun`."""
+    """The processes of a run: `rank` of `count`; 0 of 1 outside of `torchrun`."""
 
     def __init__(self) -> None:
         self.count = int(os.environ.get("WORLD_SIZE", "1"))
@@ -32,34 +32,34 @@ class Ranks:
 
     @property
     def first(self) -> bool:
-        """Whether this process is the one that writes."""
+        """Whether this process writes the files."""
         return self.rank == 0
 
-    def part(self, size: int) -> tuple[int, int]:
-        """Which patches of a batch are this process's: from, to."""
+    def batch_range(self, size: int) -> tuple[int, int]:
+        """Return the range of a batch's patches that this process takes."""
         return self.rank * size // self.count, (self.rank + 1) * size // self.count
 
     def parallel(self, module: nn.Module) -> nn.Module:
-        """The module, its gradients averaged over all processes where there are several."""
+        """Return the module, with gradients averaged over the processes."""
         if self.count == 1:
             return module
         return DistributedDataParallel(module, find_unused_parameters=True)
 
     def weight(self, size: int) -> float:
-        """What a loss counts here, so that all patches count alike in the mean of gradients."""
-        first, last = self.part(size)
+        """Return the weight of the loss of this process, so that all patches count alike."""
+        first, last = self.batch_range(size)
         return (last - first) * self.count / size
 
     def meet(self) -> None:
-        """Wait until all are here: the one that writes is done, too."""
+        """Wait until all processes, the writing one included, reach this point."""
         if self.count > 1:
             distributed.barrier()
 
     def close(self) -> None:
-        """Leave the group, if it was entered here.
+        """Leave the process group, if it was joined here.
 
-        Gloo's threads end with it. They may still hold gradients of the last step, and an
-        interpreter that ends under them aborts.
+        Its gloo threads end with it. They may hold gradients of the last step; if the interpreter
+        exits before them, it aborts.
         """
         if self._ours:
             distributed.destroy_process_group()

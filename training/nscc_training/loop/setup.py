@@ -1,4 +1,4 @@
-"""A configuration as the things it names, checked by the compiler before anything is learned."""
+"""Build the objects that a configuration names, checked by the compiler before training."""
 
 from __future__ import annotations
 
@@ -21,35 +21,35 @@ from nscc_training import programs
 from nscc_training.any_code.decoder import AnyCode
 from nscc_training.code_choices import STARTS
 from nscc_training.codes_files import load_codes
-from nscc_training.decoders.declared import Task
-from nscc_training.decoders.make import make_decoder
+from nscc_training.decoders.declared import DecoderTask
+from nscc_training.decoders.decoder_building import make_decoder
 from nscc_training.design.chip import most_steps
 from nscc_training.emulated import CHIPS, EmulatedSensor, captures_on, emulated_sensor
 from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
 from nscc_training.encoders.bumps import Bump
-from nscc_training.encoders.looks import LOOKS
+from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.encoders.patterns import MOST_BITS
 from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
 from nscc_training.losses import LOSSES, Loss
-from nscc_training.problems import said
+from nscc_training.problems import one_line
 from nscc_training.programs import MOST_LISTED, Chip, begun_with
 from nscc_training.protocols import Protocol, load_protocol
 from nscc_training.run_files import WEIGHTS, run_path
 from nscc_training.sensor_model import SensorModel, shared_out
-from nscc_training.settings import Settings, ShutterSettings
+from nscc_training.settings import RunSettings, ShutterSettings
 
 _STARTS = (*STARTS, "learned")
 
 
 @dataclass(frozen=True, eq=False)
-class Parts:
-    """Everything that a run is made of. `still` says whether scenes are stills or clips.
+class TrainingSetup:
+    """The objects of a training run.
 
-    `files` are a chip and a sensor of the user's own, as they were read: by the names that they
-    have in a run folder. So many `chips` stand for all in what `emulated` measures.
+    `still`: scenes are stills, not clips. `files` are the user's chip and sensor files, by their
+    names in a run folder. `chips` is the number of chips that `emulated` measures.
     """
 
-    settings: Settings
+    settings: RunSettings
     protocol: Protocol
     still: bool
     chip: Chip
@@ -65,39 +65,40 @@ class Parts:
 
     @property
     def slots(self) -> int:
-        """N."""
+        """Number of slots per frame."""
         return self.encoder.spec.slots
 
     @property
     def unit_e(self) -> float:
-        """Electrons, over the frame or a slot, of what decoders call 1."""
+        """Electrons, over the frame or per slot, that decoders represent as 1."""
         return self.model.full_e / (1 if self.still else self.slots)
 
     @property
     def buckets(self) -> int:
-        """How many frames an exposure gives."""
+        """Number of frames per exposure."""
         return self.encoder.spec.buckets
 
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
-        """What the emulator makes of the shutters that the run began with, where `[sensor] effects`
-        asks for it; places keep it while their codes learn. Takes seconds, once, on the device
-        that the run trains on."""
+        """The emulated sensor of the initial shutters, if `[sensor] effects` asks for it.
+
+        Places keep it while their codes learn. It takes seconds, once, on the device of the run.
+        """
         if not self.settings.sensor.effects:
             return None
         seed = self.settings.train.seed
         start = started_encoder(self.settings.shutter, self.chip, self.target, seed)
-        found = programs.compiled(programs.program_of(start, self.chip), self.chip)
-        assert found.container is not None
+        build = programs.compiled(programs.program_of(start, self.chip), self.chip)
+        assert build.container is not None
         effects = self.settings.sensor.effects
         return emulated_sensor(
-            found.container, start.spec.tile, self.sensor, effects, self.chips,
+            build.container, start.spec.tile, self.sensor, effects, self.chips,
             captures_on(self.device),
         )  # fmt: skip
 
 
-def make_parts(settings: Settings, seed: int | None = None) -> Parts:
-    """The parts of a configuration, at their start.
+def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
+    """Build the objects of a configuration in their initial state.
 
     Raises Rejected: NS0815 for settings that do not go together, NS0812 for import paths, and the
     compiler's own errors where the shutters cannot be compiled for the chip.
@@ -117,7 +118,7 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
     encoder = started_encoder(chosen, chip, target, seed)
     if encoder.spec.kind == "e" and encoder.spec.slots > MOST_BITS:
         most = f"class e is learned with at most {MOST_BITS} slots, the bits of one number"
-        raise _wrong("shutter.slots", f"{most}; a codebook has shutters of any length")
+        raise _invalid_setting("shutter.slots", f"{most}; a codebook has shutters of any length")
     programs.compiled(programs.program_of(encoder, chip), chip, every_code=chosen.codes == "open")
     _check_learning(settings)
     if chosen.kind == LOOKS:
@@ -129,42 +130,54 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
         path = Path(settings.sensor.file)
         files[programs.SENSOR_FILE] = read_sensor(path)
         sensor = parse_sensor(target, files[programs.SENSOR_FILE], str(path))
-    task = Task(
-        "still" if still else "clip", chosen.slots, encoder.spec.tile, settings.decoder.sees_code,
-        chosen.buckets, {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
-    )  # fmt: skip
-    # Parameters of a decoder are drawn from torch's own generator: its state is nobody else's.
+    task = DecoderTask(
+        "still" if still else "clip",
+        chosen.slots,
+        encoder.spec.tile,
+        settings.decoder.sees_code,
+        chosen.buckets,
+        {"by size": None, "yes": True, "no": False}[settings.decoder.guess],
+    )
+    # The parameters of a decoder come from torch's global generator, so its state is restored.
     with torch.random.fork_rng(devices=[]):
         torch.manual_seed(seed)
         try:
-            made = settings.decoder
-            decoder = make_decoder(made.name, made.size, task, made.width)
-            if isinstance(decoder, AnyCode) and made.lessons and not made.init:
+            decoder_settings = settings.decoder
+            decoder = make_decoder(
+                decoder_settings.name, decoder_settings.size, task, decoder_settings.width
+            )
+            if (
+                isinstance(decoder, AnyCode)
+                and decoder_settings.lessons
+                and not decoder_settings.init
+            ):
                 decoder.begin_anew()
         except ValueError as error:
-            raise _wrong("decoder.name", error) from error
-    if made.init:
-        _begin_with(decoder, made.init)
+            raise _invalid_setting("decoder.name", error) from error
+    if decoder_settings.init:
+        _begin_with(decoder, decoder_settings.init)
     decoder.requires_grad_(settings.decoder.learn)
     learns = any(p.requires_grad for p in decoder.parameters())
     if not learns and not (chosen.learn and any(True for _ in encoder.parameters())):
-        raise _wrong("shutter.learn", "neither the decoder nor the shutters have anything to learn")
-    wanted, there = settings.train.device, torch.cuda.is_available()
-    if wanted == "cuda" and not there:
-        raise _wrong("train.device", "there is no CUDA device here")
-    device = torch.device("cuda" if wanted != "cpu" and there else "cpu")
+        raise _invalid_setting(
+            "shutter.learn", "neither the decoder nor the shutters have anything to learn"
+        )
+    device_name, has_cuda = settings.train.device, torch.cuda.is_available()
+    if device_name == "cuda" and not has_cuda:
+        raise _invalid_setting("train.device", "there is no CUDA device here")
+    device = torch.device("cuda" if device_name != "cpu" and has_cuda else "cpu")
     _check_effects(settings, encoder)
-    # The sensor's own numbers where a file is named or its effects are wanted, else the protocol's
-    # where it has some.
-    own = settings.sensor.file or settings.sensor.effects
-    fixed = not own and "full_well_e" in protocol.values
+    # Values of the sensor if a file or effects are named, else those of the protocol,
+    # if it has any.
+    named_sensor = settings.sensor.file or settings.sensor.effects
+    fixed = not named_sensor and "full_well_e" in protocol.values
     model = SensorModel.of_protocol(protocol) if fixed else SensorModel.of(sensor, target)
     model = replace(
         model, comparator_noise=sensor.comparator_noise_fraction,
         comparator_offset=sensor.comparator_offset_fraction,
     )  # fmt: skip
     model = model if settings.sensor.noise else model.noiseless()
-    return Parts(
+    return TrainingSetup(
         settings, protocol, still, chip, target, sensor,
         replace(model, slope=settings.sensor.slope), encoder.to(device), decoder.to(device),
         _loss(settings.loss.name), device, files,
@@ -172,14 +185,17 @@ def make_parts(settings: Settings, seed: int | None = None) -> Parts:
 
 
 def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: int) -> Encoder:
-    """The shutters that a run begins with. Rejected (NS0815) where there can be none."""
+    """Return the initial shutters of a run; Rejected (NS0815) if they do not exist."""
     array = (target.rows, target.cols)
     tile = array if chosen.free else (chosen.tile[0], chosen.tile[1])
     if chosen.kind == LOOKS:
         tile = (1, chosen.exposures - 1)
     if tile != array and tile[0] * tile[1] > MOST_LISTED:
-        raise _wrong("shutter.tile", f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, "
-                     "which only `free`, a code for every pixel, may have")  # fmt: skip
+        raise _invalid_setting(
+            "shutter.tile",
+            f"{tile[0]} x {tile[1]} are more than {MOST_LISTED} places, "
+            "which only `free`, a code for every pixel, may have",
+        )
     spec = ShutterSpec(
         chosen.kind, chosen.slots, (1, 1) if chosen.kind == "a" else tile,
         length=chosen.length if chosen.kind == "c" else None,
@@ -192,11 +208,11 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
     try:
         encoder = make_encoder(spec, start, seed, chosen.relaxation)
     except ValueError as error:
-        raise _wrong("shutter", error) from error
+        raise _invalid_setting("shutter", error) from error
     encoder.tried_share = chosen.tried_share
     if chip.require is not None:
         if not isinstance(encoder, Bump):
-            raise _wrong("shutter.require", "it is for the classes b, c and d")
+            raise _invalid_setting("shutter.require", "it is for the classes b, c and d")
         drawn = np.random.default_rng(seed) if start == "random" else None
         encoder.restrict(programs.legal_codes(spec, chip), drawn)
     if not named:
@@ -209,20 +225,22 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
                 encoder.load_codes(load_codes(path))
         except ValueError as error:
             reason = f"the codes of '{chosen.init}' do not fit: {error}"
-            raise _wrong("shutter.init", reason) from error
+            raise _invalid_setting("shutter.init", reason) from error
     return encoder
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Give an encoder the shutters of a program; ValueError, or Rejected as the compiler, where
-    they cannot be its own."""
-    found = begun_with(path, encoder.spec, chip)
-    encoder.load_codes(found.codes)
-    if found.opened is None:
+    """Set an encoder to the shutters of a program.
+
+    Raises ValueError, or Rejected as the compiler, for a program that the encoder cannot represent.
+    """
+    start = begun_with(path, encoder.spec, chip)
+    encoder.load_codes(start.codes)
+    if start.opened is None:
         return
     hard = encoder.hard()
-    mine = shared_out(hard, 2) if len(found.opened) > 1 else hard[None]
-    if not np.array_equal(mine.cpu().numpy() > 0, found.opened):
+    mine = shared_out(hard, 2) if len(start.opened) > 1 else hard[None]
+    if not np.array_equal(mine.cpu().numpy() > 0, start.opened):
         bump = f" of {encoder.spec.length} slots" if encoder.spec.kind == "c" else ""
         raise ValueError(
             f"the program opens other shutters for them than class {encoder.spec.kind}{bump} does"
@@ -230,7 +248,7 @@ def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
 
 
 def _begin_with(decoder: nn.Module, run: str) -> None:
-    """Give a decoder the weights of a run. Rejected (NS0815) where there are none that fit it."""
+    """Load the weights of a run into a decoder; Rejected (NS0815) if they do not fit."""
     from safetensors.torch import load_file
 
     path = run_path(Path(run)) / WEIGHTS
@@ -238,72 +256,85 @@ def _begin_with(decoder: nn.Module, run: str) -> None:
         check_size(path.stat().st_size)
         decoder.load_state_dict(load_file(str(path)))
     except Exception as error:  # safetensors raises its own type and several others
-        reason = f"the weights of '{run[:200]}' do not fit: {said(error, 150)}"
-        raise _wrong("decoder.init", reason) from error
+        reason = f"the weights of '{run[:200]}' do not fit: {one_line(error, 150)}"
+        raise _invalid_setting("decoder.init", reason) from error
 
 
-def _check_learning(settings: Settings) -> None:
-    """Rejected (NS0815) for what no codes can learn by, or not at all."""
+def _check_learning(settings: RunSettings) -> None:
+    """Raise Rejected (NS0815) for settings with which codes cannot learn."""
     chosen = settings.shutter
     if settings.decoder.lessons:
         if settings.decoder.name != "any":
-            raise _wrong("decoder.lessons", "they are for the decoder `any`")
+            raise _invalid_setting("decoder.lessons", "they are for the decoder `any`")
         if chosen.learn:
-            raise _wrong("shutter.learn", "lessons have codes of every kind, and the run's own do "
-                         "not learn: set it to false")  # fmt: skip
+            raise _invalid_setting(
+                "shutter.learn",
+                "lessons have codes of every kind, and the run's own do not learn: set it to false",
+            )
     if chosen.most_words and chosen.relaxation != "search":
-        raise _wrong("shutter.most_words", "a search alone stays within words: take the relaxation "
-                     "`search`, or weigh them by `words_weight`")  # fmt: skip
+        raise _invalid_setting(
+            "shutter.most_words",
+            "a search alone stays within words: take the relaxation "
+            "`search`, or weigh them by `words_weight`",
+        )
     if chosen.learn and chosen.warm_up + chosen.settle >= 1:
         reason = ("with `shutter.settle` it takes all steps, and leaves codes none to learn in: "
                   "take less, or set `shutter.learn` to false")  # fmt: skip
-        raise _wrong("shutter.warm_up", reason)
+        raise _invalid_setting("shutter.warm_up", reason)
 
 
-def _check_effects(settings: Settings, encoder: Encoder) -> None:
-    """NS0756 for effects that there are not, NS0815 where they go with nothing else."""
+def _check_effects(settings: RunSettings, encoder: Encoder) -> None:
+    """Raise Rejected for unknown effects (NS0756) and for invalid combinations (NS0815)."""
     if not settings.sensor.effects:
         return
     selected(settings.sensor.effects)
     if settings.shutter.free:
         reason = "a code for every pixel has no tile to be exposed at all levels: leave out `free`"
-        raise _wrong("sensor.effects", reason)
+        raise _invalid_setting("sensor.effects", reason)
     if not settings.sensor.noise:
-        raise _wrong("sensor.effects", "effects are noise, too, and `sensor.noise` is false")
+        raise _invalid_setting(
+            "sensor.effects", "effects are noise, too, and `sensor.noise` is false"
+        )
 
 
-def _check_looks(settings: Settings, still: bool) -> None:
-    """Rejected (NS0815) for what pixels that look do not have in training."""
+def _check_looks(settings: RunSettings, still: bool) -> None:
+    """Raise Rejected (NS0815) for settings that pixels that look do not support."""
     if not still:
-        raise _wrong("shutter.class", "looks are learned from stills: [data] protocol is hdr-v1")
+        raise _invalid_setting(
+            "shutter.class", "looks are learned from stills: [data] protocol is hdr-v1"
+        )
     if settings.sensor.effects:
-        raise _wrong("sensor.effects", "pixels that look are learned under noise alone")
+        raise _invalid_setting("sensor.effects", "pixels that look are learned under noise alone")
     if settings.shutter.words_weight:
-        raise _wrong("shutter.words_weight", "every look takes as many words: there is nothing to "
-                     "weigh")  # fmt: skip
+        raise _invalid_setting(
+            "shutter.words_weight", "every look takes as many words: there is nothing to weigh"
+        )
 
 
-def _check_buckets(settings: Settings, still: bool) -> None:
-    """Rejected (NS0815) for what two buckets do not have in training."""
+def _check_buckets(settings: RunSettings, still: bool) -> None:
+    """Raise Rejected (NS0815) for settings that two buckets do not support."""
     if settings.shutter.kind in ("a", LOOKS):
         reason = f"class {settings.shutter.kind} has no light to leave to a second bucket"
-        raise _wrong("shutter.buckets", reason)
+        raise _invalid_setting("shutter.buckets", reason)
     if still:
-        raise _wrong("shutter.buckets", "two are for clips: [data] protocol is two-bucket-v1")
+        raise _invalid_setting(
+            "shutter.buckets", "two are for clips: [data] protocol is two-bucket-v1"
+        )
     if settings.sensor.effects:
-        raise _wrong("sensor.effects", "two buckets are learned under noise, full well and "
-                     "converter alone")  # fmt: skip
+        raise _invalid_setting(
+            "sensor.effects", "two buckets are learned under noise, full well and converter alone"
+        )
 
 
 def _loss(names: str) -> Loss:
-    parts: list[Loss] = []
+    losses: list[Loss] = []
     for name in map(str.strip, names.split("+")):
         if not is_import_path(name) and name not in LOSSES:
-            raise _wrong("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
-        parts.append(_own_loss(name) if is_import_path(name) else LOSSES[name])
-    if len(parts) == 1:
-        return parts[0]
-    return lambda prediction, truth: torch.stack([part(prediction, truth) for part in parts]).sum()
+            raise _invalid_setting("loss.name", f"'{name[:60]}' is none of {', '.join(LOSSES)}")
+        losses.append(_own_loss(name) if is_import_path(name) else LOSSES[name])
+    if len(losses) == 1:
+        return losses[0]
+    return lambda prediction, truth: torch.stack([loss(prediction, truth) for loss in losses]).sum()
 
 
 def _own_loss(name: str) -> Loss:
@@ -311,20 +342,20 @@ def _own_loss(name: str) -> Loss:
 
     def loss(prediction: Tensor, truth: Tensor) -> Tensor:
         with own_code(name, "loss"):
-            found = call(prediction, truth)
-        if not isinstance(found, Tensor) or found.numel() != 1:
-            shape = tuple(found.shape) if isinstance(found, Tensor) else type(found).__name__
+            value = call(prediction, truth)
+        if not isinstance(value, Tensor) or value.numel() != 1:
+            shape = tuple(value.shape) if isinstance(value, Tensor) else type(value).__name__
             raise own_failed(name, "loss", f"it gives {shape}, not a tensor of one number")
-        if prediction.requires_grad and not found.requires_grad:
+        if prediction.requires_grad and not value.requires_grad:
             raise own_failed(name, "loss", "what it gives has no gradient: nothing can learn")
-        return found.reshape(())
+        return value.reshape(())
 
     return loss
 
 
-def _wrong(where: str, reason: object) -> Exception:
+def _invalid_setting(key: str, reason: object) -> Exception:
     return rejected(
         "NS0815",
-        f"{where} cannot be: {' '.join(str(reason).split())}",
+        f"{key} cannot be: {' '.join(str(reason).split())}",
         helps=("`nscc train --schema` prints every key with what it allows",),
     )

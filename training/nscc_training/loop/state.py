@@ -1,4 +1,4 @@
-"""What a run must remember to go on as if nothing had happened: one file, safetensors."""
+"""The checkpoint of a run: all state that an exact continuation needs, in one safetensors file."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from nscc.npy import check_size
 from nscc_training.data import Scenes
 from nscc_training.loop.artifacts import config_digest, split_digest
 from nscc_training.loop.optimizers import Muon
-from nscc_training.loop.setup import Parts
-from nscc_training.settings import Settings
+from nscc_training.loop.setup import TrainingSetup
+from nscc_training.settings import RunSettings
 
 CHECKPOINT = "checkpoint.safetensors"
 _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
-"""What an optimizer keeps of a parameter, by whether it is Muon."""
+"""State per parameter of an optimizer, by whether it is Muon."""
 
 
 @dataclass
-class Progress:
-    """How far a run has come: `step` updates are done; the best validation's loss so far.
+class TrainingProgress:
+    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss.
 
-    `best` holds the encoder's and decoder's tensors at that validation.
+    `best` holds the tensors of encoder and decoder at that validation.
     """
 
     step: int = 0
@@ -40,56 +40,57 @@ class Progress:
 
 
 @dataclass(frozen=True, eq=False)
-class State:
-    """All tensors that a run's steps depend on and change."""
+class TrainingState:
+    """All tensors that the steps of a run read and change."""
 
-    parts: Parts
+    setup: TrainingSetup
     optimizers: list[torch.optim.Optimizer]
     average: AveragedModel | None
 
     def tensors(self) -> dict[str, Tensor]:
-        """Copies of all of them by name."""
-        found = tensors_of(self.parts)
+        """Return copies of all tensors by name."""
+        tensors = tensors_of(self.setup)
         if self.average is not None:
-            found |= {f"average.{k}": _copied(v) for k, v in self.average.state_dict().items()}
+            tensors |= {f"average.{k}": _copied(v) for k, v in self.average.state_dict().items()}
         for number, optimizer in enumerate(self.optimizers):
             for index, entry in optimizer.state_dict()["state"].items():
                 for key, value in entry.items():
                     name = f"optimizer.{number}.{index}.{key}"
-                    found[name] = _copied(torch.as_tensor(value))
-        return found
+                    tensors[name] = _copied(torch.as_tensor(value))
+        return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """The reverse of `tensors`; KeyError, RuntimeError or ValueError if they are another's."""
-        set_tensors(self.parts, tensors)
+        """Load the tensors of `tensors()`; KeyError, RuntimeError or ValueError if they belong to
+        another network."""
+        set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
         for number, optimizer in enumerate(self.optimizers):
             _set_optimizer(optimizer, _below(f"optimizer.{number}.", tensors))
 
 
-def _other_settings_digest(settings: Settings) -> str:
-    """The digest of all settings but `train.steps`: a run may be given more of these."""
+def _other_settings_digest(settings: RunSettings) -> str:
+    """Return the digest of all settings except `train.steps`, which may be increased."""
     return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
-def tensors_of(parts: Parts) -> dict[str, Tensor]:
-    """Copies of the parameters of encoder and decoder, by name."""
+def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
+    """Return copies of the parameters of encoder and decoder, by name."""
     return {
         f"{name}.{key}": _copied(value)
-        for name, module in (("encoder", parts.encoder), ("decoder", parts.decoder))
+        for name, module in (("encoder", setup.encoder), ("decoder", setup.decoder))
         for key, value in module.state_dict().items()
     }
 
 
-def set_tensors(parts: Parts, tensors: dict[str, Tensor]) -> None:
-    """The reverse of `tensors_of`; KeyError or RuntimeError where they are another network's."""
-    parts.encoder.load_state_dict(_below("encoder.", tensors))
-    parts.decoder.load_state_dict(_below("decoder.", tensors))
+def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
+    """Load the tensors of `tensors_of`; KeyError or RuntimeError if they belong to another network."""
+    setup.encoder.load_state_dict(_below("encoder.", tensors))
+    setup.decoder.load_state_dict(_below("decoder.", tensors))
 
 
-def packed(state: State, scenes: Scenes, progress: Progress) -> bytes:
-    """The checkpoint as bytes."""
+def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> bytes:
+    """Return the checkpoint as bytes."""
     from safetensors.torch import save
 
     tensors = state.tensors()
@@ -98,21 +99,21 @@ def packed(state: State, scenes: Scenes, progress: Progress) -> bytes:
         "step": progress.step,
         "best_loss": repr(progress.best_loss),
         "best_step": progress.best_step,
-        "config_sha256": config_digest(state.parts.settings),
-        "steps": state.parts.settings.train.steps,
-        "other_settings_sha256": _other_settings_digest(state.parts.settings),
-        "files": _file_digests(state.parts),
+        "config_sha256": config_digest(state.setup.settings),
+        "steps": state.setup.settings.train.steps,
+        "other_settings_sha256": _other_settings_digest(state.setup.settings),
+        "files": _file_digests(state.setup),
         "split_sha256": split_digest(scenes),
     }
-    # One entry: several would be written in an order of the moment.
+    # A single metadata entry: the order of several entries is not deterministic.
     return save(tensors, metadata={"nscc": json.dumps(about)})
 
 
-def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
-    """Set everything to a checkpoint.
+def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress:
+    """Load a checkpoint into `state`, and return its progress.
 
-    The run may have more steps than the checkpoint's. Rejected (NS0816) if the checkpoint is
-    damaged, of another run, or one that has seen other scenes.
+    The run may have more steps than the checkpoint. Rejected (NS0816) for a checkpoint that is
+    damaged, or of another configuration or other scenes.
     """
     from safetensors import safe_open
 
@@ -121,16 +122,18 @@ def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
         with safe_open(str(path), framework="pt", device="cpu") as file:
             about = dict(json.loads(file.metadata()["nscc"]))
             tensors = {key: file.get_tensor(key) for key in file.keys()}  # noqa: SIM118
-        found = Progress(int(about["step"]), float(about["best_loss"]), int(about["best_step"]))
+        progress = TrainingProgress(
+            int(about["step"]), float(about["best_loss"]), int(about["best_step"])
+        )
     except Exception as error:  # safetensors raises its own type and several others
         raise _refused(path, f"it cannot be read: {' '.join(str(error).split())[:100]}") from error
-    settings = state.parts.settings
+    settings = state.setup.settings
     if about.get("config_sha256") != config_digest(settings) and not (
         about.get("other_settings_sha256") == _other_settings_digest(settings)
         and about.get("steps", np.inf) < settings.train.steps
     ):
         raise _refused(path, "it was made with another configuration")
-    changed = [name for name, digest in _file_digests(state.parts).items()
+    changed = [name for name, digest in _file_digests(state.setup).items()
                if about.get("files", {}).get(name) != digest]  # fmt: skip
     if changed:
         names = " and the ".join(changed)
@@ -141,12 +144,12 @@ def unpack(path: Path, state: State, scenes: Scenes) -> Progress:
     try:
         best = _below("best.", tensors)
         if best:
-            set_tensors(state.parts, best)
+            set_tensors(state.setup, best)
         state.set(tensors)
     except (KeyError, RuntimeError, ValueError) as error:
         raise _refused(path, f"it lacks something: {' '.join(str(error).split())[:100]}") from error
-    found.best = best or None
-    return found
+    progress.best = best or None
+    return progress
 
 
 def _copied(value: Tensor) -> Tensor:
@@ -154,12 +157,12 @@ def _copied(value: Tensor) -> Tensor:
 
 
 def _below(start: str, tensors: dict[str, Tensor]) -> dict[str, Tensor]:
-    """Those whose names begin so, by the rest of their names."""
+    """Return the tensors whose names begin with `start`, by the rest of their names."""
     return {k.removeprefix(start): v for k, v in tensors.items() if k.startswith(start)}
 
 
-def _file_digests(parts: Parts) -> dict[str, str]:
-    return {name: sha256(data).hexdigest() for name, data in sorted(parts.files.items())}
+def _file_digests(setup: TrainingSetup) -> dict[str, str]:
+    return {name: sha256(data).hexdigest() for name, data in sorted(setup.files.items())}
 
 
 def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor]) -> None:
@@ -167,16 +170,16 @@ def _set_optimizer(optimizer: torch.optim.Optimizer, tensors: dict[str, Tensor])
     for name, value in tensors.items():
         index, _, key = name.partition(".")
         state.setdefault(int(index), {})[key] = value
-    kept = _KEPT[isinstance(optimizer, Muon)]
-    if any(set(entry) != kept for entry in state.values()):
+    expected_keys = _KEPT[isinstance(optimizer, Muon)]
+    if any(set(entry) != expected_keys for entry in state.values()):
         raise ValueError("the moments of a parameter")
     optimizer.load_state_dict({**optimizer.state_dict(), "state": state})
     # A checkpoint keeps values, not the order in memory that a parameter has; fused updates go
     # through memory, parameter and state alike.
-    for parameter, held in optimizer.state.items():
-        for key, value in held.items():
+    for parameter, moments in optimizer.state.items():
+        for key, value in moments.items():
             if value.shape == parameter.shape:
-                held[key] = torch.empty_like(parameter).copy_(value)
+                moments[key] = torch.empty_like(parameter).copy_(value)
 
 
 def _refused(path: Path, reason: str) -> Exception:

@@ -1,4 +1,4 @@
-"""The loop itself: batches in, a run folder out, and at any time the way back into it."""
+"""The training loop: from batches to a run folder, resumable at any time."""
 
 from __future__ import annotations
 
@@ -31,39 +31,45 @@ from nscc_training.loop.log import METRICS, Log
 from nscc_training.loop.optimizers import optimizers_of, set_rates
 from nscc_training.loop.ranks import Ranks
 from nscc_training.loop.searching import search, within
-from nscc_training.loop.setup import Parts, make_parts
-from nscc_training.loop.state import CHECKPOINT, Progress, State, packed, set_tensors, tensors_of
+from nscc_training.loop.setup import TrainingSetup, make_setup
+from nscc_training.loop.state import (
+    CHECKPOINT,
+    TrainingProgress,
+    TrainingState,
+    packed,
+    set_tensors,
+    tensors_of,
+)
 from nscc_training.loop.state import unpack as unpacked
 from nscc_training.loop.steps import decoded, finite_norm, loss_of, window
 from nscc_training.loop.trials import pull, trial_of
 from nscc_training.loop.validation import validated, validation_scenes
 from nscc_training.programs import TARGET_FILE, compiled, program_of, words_per_slot
-from nscc_training.protocol_scenes.scene import Scene
-from nscc_training.settings import Settings
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
+from nscc_training.settings import RunSettings
 
 
 @dataclass
-class Run:
-    """A run while it goes on: `dataset` has what is drawn for each step, `shown` is what it is
-    validated on."""
+class TrainingRun:
+    """A run in progress: `dataset` holds the draws of each step, `shown` the validation scenes."""
 
-    state: State
+    state: TrainingState
     dataset: Dataset[Any]
     scenes: Scenes
-    shown: list[Scene]
+    shown: list[ProtocolScene]
     ranks: Ranks
-    progress: Progress
+    progress: TrainingProgress
     log: Log
     step_loss: nn.Module
 
     @property
-    def parts(self) -> Parts:
-        """Its encoder, decoder and sensor."""
-        return self.state.parts
+    def setup(self) -> TrainingSetup:
+        """Encoder, decoder and sensor of the run."""
+        return self.state.setup
 
 
 def train(
-    settings: Settings,
+    settings: RunSettings,
     out: Path,
     *,
     resume: str = "auto",
@@ -73,9 +79,9 @@ def train(
 ) -> None:
     """Train, and write the run folder `out`.
 
-    `resume` is auto (go on from a checkpoint in `out` if there is one), never, or a run folder or
-    checkpoint to go on from. `track` draws a bar and `report` is told each validation and the end,
-    both in the process that writes. With `stop_after` the run ends after that step, as if
+    `resume` is auto (continue from a checkpoint in `out` if it has one), never, or a run folder or
+    checkpoint. `track` draws a progress bar, and `report` gets a text for each validation and at
+    the end, both in the writing process. With `stop_after` the run ends after that step, as if
     interrupted, but with a checkpoint.
     """
     is_first = os.environ.get("RANK", "0") == "0"  # of several processes the first writes
@@ -84,7 +90,7 @@ def train(
 
 
 def _train(
-    settings: Settings, out: Path, resume: str, track: Track, report: Callable[[str], None],
+    settings: RunSettings, out: Path, resume: str, track: Track, report: Callable[[str], None],
     stop_after: int | None,
 ) -> None:  # fmt: skip
     ranks = Ranks()
@@ -93,22 +99,22 @@ def _train(
         checkpoint = _checkpoint(out, resume)
         run = start(settings, checkpoint, ranks, out, report)
         if ranks.first:
-            # A checkpoint and a log of another folder become this one's: else what is in it would
-            # be of two runs, or could not be gone on with.
-            own = out / CHECKPOINT
-            brought = checkpoint is not None and checkpoint.resolve() != own.resolve()
+            # Copy checkpoint and log from another folder: else this folder would mix two runs,
+            # or could not be resumed.
+            checkpoint_path = out / CHECKPOINT
+            brought = checkpoint is not None and checkpoint.resolve() != checkpoint_path.resolve()
             out.mkdir(parents=True, exist_ok=True)
             write_together({
                 out / "config.resolved.toml": config_toml(settings).encode(),
                 out / "split.json": lines_of(run.scenes.split()),
-                out / "environment.json": lines_of(environment(run.parts)),
-                **{out / name: data for name, data in run.parts.files.items()},
+                out / "environment.json": lines_of(environment(run.setup)),
+                **{out / name: data for name, data in run.setup.files.items()},
                 **(_so_far(run) if brought else {}),
             })  # fmt: skip
         _steps(run, track if ranks.first else unseen, report, stop_after)
         if ranks.first and run.progress.step >= settings.train.steps:
             _finish(run, out)
-            chip = "" if run.parts.chip.file is None else f" --target {out / TARGET_FILE}"
+            chip = "" if run.setup.chip.file is None else f" --target {out / TARGET_FILE}"
             report(f"{out}: model_card.md says what it is worth; "
                    f"`nscc build {out / 'shutter.nsl'}{chip}` compiles its shutters")  # fmt: skip
         run.log.close()
@@ -118,41 +124,41 @@ def _train(
 
 
 def start(
-    settings: Settings, checkpoint: Path | None, ranks: Ranks, out: Path,
+    settings: RunSettings, checkpoint: Path | None, ranks: Ranks, out: Path,
     report: Callable[[str], None] = lambda _text: None,
-) -> Run:  # fmt: skip
-    """Everything at the first step, or at a checkpoint's."""
-    parts = make_parts(settings)
+) -> TrainingRun:  # fmt: skip
+    """Return a run at its first step, or at that of a checkpoint."""
+    setup = make_setup(settings)
     lessons, data, seed = settings.decoder.lessons, settings.data, settings.train.seed
     tell: Callable[[str], object] = report if ranks.first else str
-    scenes = load_scenes(data, parts.still, parts.slots, seed, pictures=bool(lessons), tell=tell)
+    scenes = load_scenes(data, setup.still, setup.slots, seed, pictures=bool(lessons), tell=tell)
     dataset: Dataset[Any]
     if lessons:
         lights = [scene.light for scene in scenes.train]
-        pictures = lights if parts.still else [shown_picture(light) for light in lights]
+        pictures = lights if setup.still else [shown_picture(light) for light in lights]
         dataset = LessonSet(pictures, settings)
     else:
         dataset = ExposureSet(
-            scenes, data, slots=parts.slots, batch=settings.train.batch, seed=seed
+            scenes, data, slots=setup.slots, batch=settings.train.batch, seed=seed
         )
     if settings.train.compile:
-        parts.decoder.compile()
+        setup.decoder.compile()
     average = None
     if settings.train.average:
         decay = get_ema_multi_avg_fn(settings.train.average)  # type: ignore[no-untyped-call]
-        average = AveragedModel(parts.decoder, multi_avg_fn=decay, use_buffers=True)
-    state = State(parts, optimizers_of(parts), average)
-    progress, log = Progress(), Log(out)
+        average = AveragedModel(setup.decoder, multi_avg_fn=decay, use_buffers=True)
+    state = TrainingState(setup, optimizers_of(setup), average)
+    progress, log = TrainingProgress(), Log(out)
     if checkpoint is not None:
         progress = unpacked(checkpoint, state, scenes)
         log = Log.of_checkpoint(checkpoint.parent, progress.step, out)
-    loss = ranks.parallel(StepLoss(parts, ranks))
-    shown = validation_scenes(parts, scenes) if ranks.first else []
-    return Run(state, dataset, scenes, shown, ranks, progress, log, loss)
+    loss = ranks.parallel(StepLoss(setup, ranks))
+    shown = validation_scenes(setup, scenes) if ranks.first else []
+    return TrainingRun(state, dataset, scenes, shown, ranks, progress, log, loss)
 
 
-def _check_ranks(settings: Settings, ranks: Ranks) -> None:
-    """NS0815 for what several processes cannot share."""
+def _check_ranks(settings: RunSettings, ranks: Ranks) -> None:
+    """Raise Rejected (NS0815) for settings that several processes do not support."""
     if settings.train.batch < ranks.count:
         raise rejected(
             "NS0815",
@@ -162,9 +168,9 @@ def _check_ranks(settings: Settings, ranks: Ranks) -> None:
         )
     searched = settings.shutter.learn and settings.shutter.relaxation == "search"
     if ranks.count > 1 and (searched or settings.decoder.lessons):
-        what = "codes are searched" if searched else "lessons are learned"
+        activity = "codes are searched" if searched else "lessons are learned"
         raise rejected(
-            "NS0815", f"{what} by one process, and here are {ranks.count}",
+            "NS0815", f"{activity} by one process, and here are {ranks.count}",
             helps=("start one: `nscc train` without torchrun",),
         )  # fmt: skip
 
@@ -175,36 +181,38 @@ def _checkpoint(out: Path, resume: str) -> Path | None:
     if resume == "auto":
         return out / CHECKPOINT if (out / CHECKPOINT).is_file() else None
     path = Path(resume)
-    found = path / CHECKPOINT if path.is_dir() else path
-    if not found.is_file():
+    checkpoint = path / CHECKPOINT if path.is_dir() else path
+    if not checkpoint.is_file():
         raise rejected(
             "NS0816",
             f"there is no checkpoint to go on from: '{resume[:200]}'",
             notes=("--resume takes auto, never, a run folder or a checkpoint",),
             helps=("leave --resume out to begin, or to go on in --out",),
         )
-    return found
+    return checkpoint
 
 
-def loader_of(run: Run, first: int, last: int) -> Iterable[Any]:
-    """What is drawn for these steps, in order; by processes of their own if `train.workers` are
-    asked for."""
-    workers, device = run.parts.settings.train.workers, run.parts.device
+def loader_of(run: TrainingRun, first: int, last: int) -> Iterable[Any]:
+    """Return the draws of steps `first` to `last`, in order; made by `train.workers` processes if
+    any."""
+    workers, device = run.setup.settings.train.workers, run.setup.device
     return DataLoader(
         run.dataset, batch_size=None, sampler=range(first, last), num_workers=workers,
         pin_memory=device.type == "cuda", multiprocessing_context="spawn" if workers else None,
     )  # fmt: skip
 
 
-def _steps(run: Run, track: Track, report: Callable[[str], None], stop_after: int | None) -> None:
-    total, every = run.parts.settings.train.steps, run.parts.settings.train.validate_every
+def _steps(
+    run: TrainingRun, track: Track, report: Callable[[str], None], stop_after: int | None
+) -> None:
+    total, validate_every = run.setup.settings.train.steps, run.setup.settings.train.validate_every
     losses: list[Tensor] = []
     first = run.progress.step
     loader = loader_of(run, first, total)
     for step, drawn in enumerate(track(loader, "training", total - first), start=first):
         losses.append(update(run, step, drawn))
         run.progress.step = step + 1
-        due = (step + 1) % every == 0 or step + 1 == total or step + 1 == stop_after
+        due = (step + 1) % validate_every == 0 or step + 1 == total or step + 1 == stop_after
         if due and run.ranks.first:
             _validate(run, float(torch.stack(losses).mean()), report)
             write_together(_so_far(run))
@@ -214,166 +222,168 @@ def _steps(run: Run, track: Track, report: Callable[[str], None], stop_after: in
             return
 
 
-def _so_far(run: Run) -> dict[Path, bytes]:
-    """What a run goes on from: its log and its checkpoint, by their files."""
+def _so_far(run: TrainingRun) -> dict[Path, bytes]:
+    """Return the files that a run resumes from: log and checkpoint."""
     return {
         run.log.out / METRICS: run.log.csv(),
         run.log.out / CHECKPOINT: packed(run.state, run.scenes, run.progress),
     }
 
 
-def batch_of(run: Run, drawn: Exposures) -> Batch:
-    """This process's part of a step's batch, on the run's device."""
-    parts, settings = run.parts, run.parts.settings
-    batch = cut_batch(drawn, settings.data, parts.model.full_e, parts.device)
-    return batch.part(*run.ranks.part(settings.train.batch))
+def batch_of(run: TrainingRun, drawn: Exposures) -> Batch:
+    """Return this process's share of a step's batch, on the run's device."""
+    setup, settings = run.setup, run.setup.settings
+    batch = cut_batch(drawn, settings.data, setup.model.full_e, setup.device)
+    return batch.patches(*run.ranks.batch_range(settings.train.batch))
 
 
-def update(run: Run, step: int, drawn: Any) -> Tensor:
-    """One step; returns its mean loss on this process's part of the batch."""
-    parts, settings = run.parts, run.parts.settings
-    anneal(parts, step)
+def update(run: TrainingRun, step: int, drawn: Any) -> Tensor:
+    """Take one step; return its mean loss on this process's share of the batch."""
+    setup, settings = run.setup, run.setup.settings
+    anneal(setup, step)
     set_rates(run.state.optimizers, settings.train, step)
-    parts.decoder.train()
-    searches = parts.encoder.relaxation == "search"
+    setup.decoder.train()
+    searches = setup.encoder.relaxation == "search"
     learns = codes_learn(settings, step)
     if searches and codes_learn(settings, step - 1) and not learns:
         take_best(run)
     if searches and learns:
-        return torch.tensor(search(parts, batch_of(run, drawn), step))
+        return torch.tensor(search(setup, batch_of(run, drawn), step))
     names = drawn.names
     losses = [_learn(run, loss, names, step) for loss in _losses(run, step, drawn)]
     return torch.stack(losses).mean()
 
 
-def _losses(run: Run, step: int, drawn: Any) -> Iterator[Tensor]:
-    """The losses of a step, each after the update by the one before: one, unless it is a lesson."""
-    parts = run.parts
+def _losses(run: TrainingRun, step: int, drawn: Any) -> Iterator[Tensor]:
+    """Yield the losses of a step, one per update; only lessons have several."""
+    setup = run.setup
     if isinstance(drawn, Lesson):
         on_device = drawn._replace(
-            light=drawn.light.to(parts.device), mask=drawn.mask.to(parts.device)
+            light=drawn.light.to(setup.device), mask=drawn.mask.to(setup.device)
         )
-        seed = parts.settings.train.seed
-        yield from lesson_losses(parts, on_device, generator_of(parts.device, seed, 13, step))
+        seed = setup.settings.train.seed
+        yield from lesson_losses(setup, on_device, generator_of(setup.device, seed, 13, step))
     else:
         yield run.step_loss(batch_of(run, drawn), step)
 
 
-def _learn(run: Run, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
-    """An update by a loss, which is given back."""
-    parts, clip, state = run.parts, run.parts.settings.train.clip, run.state
+def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) -> Tensor:
+    """Update the parameters by a loss, and return the loss."""
+    setup, clip, state = run.setup, run.setup.settings.train.clip, run.state
     for optimizer in state.optimizers:
         optimizer.zero_grad(set_to_none=True)
-    parts.encoder.zero_grad(set_to_none=True)
-    parts.decoder.zero_grad(set_to_none=True)
-    if loss.requires_grad:  # or neither the decoder learns nor, in this step, the codes
+    setup.encoder.zero_grad(set_to_none=True)
+    setup.decoder.zero_grad(set_to_none=True)
+    if loss.requires_grad:  # False if neither decoder nor codes learn in this step
         loss.backward()  # type: ignore[no-untyped-call]
-    norm = finite_norm(loss, parts, names, step)
+    norm = finite_norm(loss, setup, names, step)
     if clip > 0:
-        torch.nn.utils.clip_grads_with_norm_(parts.decoder.parameters(), clip, norm)
+        torch.nn.utils.clip_grads_with_norm_(setup.decoder.parameters(), clip, norm)
     for optimizer in state.optimizers:
         optimizer.step()
-    parts.encoder.project()
+    setup.encoder.project()
     if state.average is not None:
-        state.average.update_parameters(parts.decoder)
-    return loss.detach() / run.ranks.weight(parts.settings.train.batch)
+        state.average.update_parameters(setup.decoder)
+    return loss.detach() / run.ranks.weight(setup.settings.train.batch)
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in a step: shutters, capture, decoder, and the trial of other codes.
+    """The loss of a batch in a step: shutters, capture, decoder, and a trial of codes.
 
-    A module, so that gradients of several processes are averaged as they come.
+    It is a module so that gradients of several processes are averaged.
     """
 
-    def __init__(self, parts: Parts, ranks: Ranks) -> None:
+    def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
-        self.encoder, self.decoder = parts.encoder, parts.decoder
-        self._parts, self._ranks = parts, ranks
+        self.encoder, self.decoder = setup.encoder, setup.decoder
+        self._parts, self._ranks = setup, ranks
 
     def forward(self, batch: Batch, step: int) -> Tensor:
-        parts, settings, rank = self._parts, self._parts.settings, self._ranks.rank
-        seed, device = settings.train.seed, parts.device
+        setup, settings, rank = self._parts, self._parts.settings, self._ranks.rank
+        seed, device = settings.train.seed, setup.device
         rows, cols = batch.light.shape[-2:]
         place = (seed, 7, step)
         trial = None
         learns = codes_learn(settings, step)
-        if learns and parts.encoder.relaxation == "tried":
-            trial = trial_of(parts.encoder, rows, cols, (seed, 6, step, rank), place)
+        if learns and setup.encoder.relaxation == "tried":
+            trial = trial_of(setup.encoder, rows, cols, (seed, 6, step, rank), place)
             shutters = trial.shutters[0]
         elif learns:
-            # The codes' noise is the same in every process, the sensor's is not.
-            tile = parts.encoder(generator_of(device, seed, 6, step))
+            # All processes share the noise of the codes, and draw the sensor's noise independently.
+            tile = setup.encoder(generator_of(device, seed, 6, step))
             shutters = window(tile, rows, cols, place)
         else:
-            shutters = window(parts.encoder.hard(), rows, cols, place)
+            shutters = window(setup.encoder.hard(), rows, cols, place)
         noise = (seed, 10, step, rank)
         prediction = decoded(
-            parts, batch.light, shutters, parts.model, generator_of(device, *noise)
+            setup, batch.light, shutters, setup.model, generator_of(device, *noise)
         )
-        loss = loss_of(parts, prediction, batch, shutters)
+        loss = loss_of(setup, prediction, batch, shutters)
         if trial is not None:
-            loss = loss + pull(parts, batch, trial, prediction, generator_of(device, *noise))
+            loss = loss + pull(setup, batch, trial, prediction, generator_of(device, *noise))
         return loss * self._ranks.weight(settings.train.batch)
 
 
-def codes_learn(settings: Settings, step: int) -> bool:
-    """Whether the codes change in a step: first the decoder may have to know them, and last they
-    may be settled."""
+def codes_learn(settings: RunSettings, step: int) -> bool:
+    """Return whether the codes change in a step, which is neither in `warm_up` nor in `settle`."""
     shutter, steps = settings.shutter, settings.train.steps
     return shutter.learn and shutter.warm_up * steps <= step < (1 - shutter.settle) * steps
 
 
-def anneal(parts: Parts, step: int) -> None:
-    """Temperature and noise of the codes at a step; both rates follow in the optimizer."""
-    settings = parts.settings
-    done = step / max(1, settings.train.steps - 1)
+def anneal(setup: TrainingSetup, step: int) -> None:
+    """Set temperature and noise of the codes at a step."""
+    settings = setup.settings
+    progress_share = step / max(1, settings.train.steps - 1)
     warm, cold = settings.shutter.temperature
-    parts.encoder.temperature = warm * (cold / warm) ** done
-    parts.encoder.noise = settings.shutter.noise * (1 - done)
+    setup.encoder.temperature = warm * (cold / warm) ** progress_share
+    setup.encoder.noise = settings.shutter.noise * (1 - progress_share)
 
 
-def _validate(run: Run, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and remember the best state whose shutters compile.
+def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
+    """Score the hard shutters, log, and keep the best state whose shutters compile.
 
-    With a moving average of the decoder it is this average that is scored and remembered.
+    With a moving average of the decoder, the average is scored and kept.
     """
-    parts, step = run.parts, run.progress.step
-    settings = parts.settings
-    dead = parts.encoder.dead_share() if codes_learn(settings, step - 1) else None
+    setup, step = run.setup, run.progress.step
+    settings = setup.settings
+    dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
     run.log.add(step, "train", loss=loss, dead_share=dead)
     words = None
     with suppress(Rejected):
         words = words_per_slot(compiled(
-            program_of(parts.encoder, parts.chip), parts.chip,
+            program_of(setup.encoder, setup.chip), setup.chip,
             every_code=settings.shutter.codes == "open",
         ))  # fmt: skip
-    learned = tensors_of(parts) if run.state.average is not None else None
+    learned = tensors_of(setup) if run.state.average is not None else None
     if run.state.average is not None:
-        parts.decoder.load_state_dict(run.state.average.module.state_dict())
-    parts.decoder.eval()
-    found = validated(parts, run.shown)
-    run.log.add(step, "val", loss=found.loss, psnr_db=found.psnr_db, ssim=found.ssim,
+        setup.decoder.load_state_dict(run.state.average.module.state_dict())
+    setup.decoder.eval()
+    scores = validated(setup, run.shown)
+    run.log.add(step, "val", loss=scores.loss, psnr_db=scores.psnr_db, ssim=scores.ssim,
                 words_per_slot=words, dead_share=dead)  # fmt: skip
-    report(f"step {step}: loss {found.loss:.5f}, {found.psnr_db:.2f} dB, SSIM {found.ssim:.4f} "
-           f"({parts.protocol.name}, {len(run.shown)} scenes of validation)"
+    report(f"step {step}: loss {scores.loss:.5f}, {scores.psnr_db:.2f} dB, SSIM {scores.ssim:.4f} "
+           f"({setup.protocol.name}, {len(run.shown)} scenes of validation)"
            + (f", {words:.1f} words a slot" if words is not None else ""))  # fmt: skip
     counts = words is not None and within(settings.shutter, words)
-    if counts and found.loss < run.progress.best_loss:
-        run.progress.best_loss, run.progress.best_step = found.loss, step
-        run.progress.best = tensors_of(parts)
+    if counts and scores.loss < run.progress.best_loss:
+        run.progress.best_loss, run.progress.best_step = scores.loss, step
+        run.progress.best = tensors_of(setup)
     if learned is not None:
-        set_tensors(parts, learned)
+        set_tensors(setup, learned)
 
 
-def take_best(run: Run) -> None:
-    """Go back to the best state that was validated. Rejected where there is none: as the compiler,
-    or NS0850 where codes were found that compile, and none within `shutter.most_words`."""
-    parts, most = run.parts, run.parts.settings.shutter.most_words
+def take_best(run: TrainingRun) -> None:
+    """Restore the best validated state.
+
+    Raises Rejected without such a state: as the compiler, or NS0850 if no code within
+    `shutter.most_words` was found.
+    """
+    setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
-        set_tensors(parts, run.progress.best)
+        set_tensors(setup, run.progress.best)
         return
-    words = words_per_slot(compiled(program_of(parts.encoder, parts.chip), parts.chip))
-    if not within(parts.settings.shutter, words):
+    words = words_per_slot(compiled(program_of(setup.encoder, setup.chip), setup.chip))
+    if not within(setup.settings.shutter, words):
         raise rejected(
             "NS0850", f"the search has found no code of at most {most:g} words a slot",
             notes=(f"it stands at {words:.1f} after {run.progress.step} steps; words_per_slot in "
@@ -383,12 +393,12 @@ def take_best(run: Run) -> None:
         )  # fmt: skip
 
 
-def _finish(run: Run, out: Path) -> None:
-    """Take the best state and write what it is worth."""
+def _finish(run: TrainingRun, out: Path) -> None:
+    """Restore the best state, and write the artifacts."""
     progress = run.progress
-    # A run that was interrupted after its last step makes no step that would do this.
-    anneal(run.parts, run.parts.settings.train.steps - 1)
+    # A run interrupted after its last step has no further step that would anneal.
+    anneal(run.setup, run.setup.settings.train.steps - 1)
     take_best(run)
-    run.parts.decoder.eval()
-    made = artifacts(run.parts, run.shown, run.scenes, progress.best_step)
-    write_together({out / name: data for name, data in made.items()})
+    run.setup.decoder.eval()
+    files = artifacts(run.setup, run.shown, run.scenes, progress.best_step)
+    write_together({out / name: data for name, data in files.items()})

@@ -1,14 +1,15 @@
-"""Gradients of codes by trial: what becomes of the loss if pixels open otherwise.
+"""Gradients of codes by trials: the change of the loss when pixels open otherwise.
 
-A gradient through the capture knows what a little more light does to a measurement, but not that a
-pixel which saturates has nothing more to say, nor what its neighbours then miss. A trial does:
-every pixel of a patch moves its code by normal noise of its own, once to one side and once to the
-other, everything else being equal, and is credited with the difference of the losses around it.
-This is the gradient of the loss smoothed by that noise (Nesterov and Spokoiny, Foundations of
-Computational Mathematics 2017), with as many trials a step as there are pixels. The decoder learns
-from the first side, so that it knows codes like those that are tried. That makes regular patterns
-worth less than they are: where it matters, only a share of the pixels moves in a step. What moves,
-and how far, is the encoder's to say (`nscc_training.encoders.trial`).
+A gradient through the capture sees the effect of a little more light on a measurement. It does not
+see that a saturated pixel carries no more information, nor what its neighbours then lack. A trial
+does: every pixel of a patch moves its code by independent normal noise, once to either side,
+everything else being equal, and is credited with the difference of the losses around it. This is
+the gradient of the loss smoothed by that noise (Nesterov and Spokoiny, Foundations of Computational
+Mathematics 2017), with one trial per pixel and step.
+
+The decoder learns from the first side, so that it knows codes like those that are tried. Regular
+patterns then appear worse than they are; if that matters, only a share of the pixels moves in a
+step. The encoder chooses what moves, and how far (`nscc_training.encoders.trial`).
 """
 
 from __future__ import annotations
@@ -19,16 +20,17 @@ from torch.nn import functional
 
 from nscc_training.data import Batch
 from nscc_training.draws import generator_of
-from nscc_training.encoders import Encoder, Trial
-from nscc_training.loop.setup import Parts
+from nscc_training.encoders import CodeTrial, Encoder
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.loop.steps import changes_of, compared, decoded, window
 from nscc_training.sensor_model import laid
 
 
 def trial_of(
     encoder: Encoder, rows: int, cols: int, seed: tuple[int, ...], place: tuple[int, ...]
-) -> Trial:
-    """A trial for patches of that size; `place` is what `window` draws a part of free codes by."""
+) -> CodeTrial:
+    """Return a trial for patches of rows x cols; `place` seeds the part that `window` draws of free
+    codes."""
 
     def over(tile: Tensor) -> Tensor:
         return laid(window(tile, rows, cols, place), rows, cols)
@@ -37,26 +39,27 @@ def trial_of(
 
 
 def pull(
-    parts: Parts, batch: Batch, trial: Trial, prediction: Tensor, noise: torch.Generator
+    setup: TrainingSetup, batch: Batch, trial: CodeTrial, prediction: Tensor, noise: torch.Generator
 ) -> Tensor:
-    """A scalar 0 whose gradient is that of the loss in the codes.
+    """Return a scalar 0 whose gradient is that of the loss with respect to the codes.
 
-    `prediction` is the decoder's of the trial's first side; `noise` is drawn from as for it.
+    `prediction` is the decoder's for the first side of the trial; `noise` must be in the state that
+    it had for that prediction.
     """
     with torch.no_grad():
-        other = decoded(parts, batch.light, trial.shutters[1], parts.model, noise)
-    sides = [prediction.detach().requires_grad_(), other.requires_grad_()]
-    losses = torch.stack([parts.loss(*compared(made, batch)) for made in sides])
-    # What a loss gains at a pixel, also where it is no sum over pixels: by the trapezoidal rule
-    # between both sides, exact for squared errors.
-    one, two = torch.autograd.grad(losses.sum(), sides)
+        other_prediction = decoded(setup, batch.light, trial.shutters[1], setup.model, noise)
+    sides = [prediction.detach().requires_grad_(), other_prediction.requires_grad_()]
+    losses = torch.stack([setup.loss(*compared(estimate, batch)) for estimate in sides])
+    # The difference of the losses, distributed over pixels by the trapezoidal rule
+    # between both sides; exact for squared errors.
+    gradient, other_gradient = torch.autograd.grad(losses.sum(), sides)
     with torch.no_grad():
-        gain = (one + two) / 2 * (sides[0] - sides[1])
+        gain = (gradient + other_gradient) / 2 * (sides[0] - sides[1])
         gain = gain.sum(dim=tuple(range(gain.ndim - 2)))
         side = 2 * trial.reach + 1
         around = side**2 * functional.avg_pool2d(gain[None], side, 1, trial.reach)
-        if weight := parts.settings.shutter.words_weight:
-            # A pixel's words are its own.
+        if weight := setup.settings.shutter.words_weight:
+            # Words are credited to the pixel itself.
             first, second = map(changes_of, trial.shutters)
             around += weight * (first - second) / first.numel()
         slope = trial.moved * around / (2 * trial.spread**2 * trial.share)

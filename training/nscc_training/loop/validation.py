@@ -1,4 +1,4 @@
-"""What a run is worth on the scenes that it is chosen by, as `nscc evaluate` scores scenes."""
+"""Scores of a run on its validation scenes, computed as `nscc evaluate` does."""
 
 from __future__ import annotations
 
@@ -15,39 +15,40 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.sensor import Sensor
 from nscc_training.data import Scenes
 from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
-from nscc_training.loop.setup import Parts
+from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import number
 from nscc_training.protocol_scenes.made import exposed_arrays
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel
 from nscc_training.statistics import summary
 
 Decode = Callable[[NDArray[Any], int], tuple[NDArray[np.float64], float]]
-"""Captures and decodes light in electrons, which is the scene of that number; and the seconds."""
+"""Captures and decodes light in electrons of a scene with that number; returns electrons and
+seconds."""
 
 
 @dataclass(frozen=True)
 class Validation:
-    """The loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
+    """Loss, and means over scenes of the protocol's PSNR in dB and SSIM."""
 
     loss: float
     psnr_db: float
     ssim: float
 
 
-def validation_scenes(parts: Parts, scenes: Scenes) -> list[Scene]:
-    """Return the validation scenes as the run's protocol exposes them, at most `val_items`.
+def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
+    """Return at most `val_items` validation scenes, exposed by the run's protocol.
 
     Clips have as many frames as the run has slots. Rejected (NS0811) if no scene can be exposed.
     """
-    protocol: Protocol = parts.protocol
-    key = "crop_size" if parts.still else "size"
-    side = min(int(protocol[key]), parts.target.rows, parts.target.cols)
-    protocol = protocol.changed(**{key: side} | ({} if parts.still else {"frames": parts.slots}))
+    protocol: Protocol = setup.protocol
+    key = "crop_size" if setup.still else "size"
+    side = min(int(protocol[key]), setup.target.rows, setup.target.cols)
+    protocol = protocol.changed(**{key: side} | ({} if setup.still else {"frames": setup.slots}))
     lights = [(scene.name, scene.light) for scene in scenes.val]
-    srgb = parts.settings.data.transfer != "linear"
-    shown = exposed_arrays(lights, srgb, protocol, parts.settings.data.val_items)
+    srgb = setup.settings.data.transfer != "linear"
+    shown = exposed_arrays(lights, srgb, protocol, setup.settings.data.val_items)
     if not shown:
         raise rejected(
             "NS0811",
@@ -59,55 +60,65 @@ def validation_scenes(parts: Parts, scenes: Scenes) -> list[Scene]:
 
 
 def validated(
-    parts: Parts, shown: Sequence[Scene], decode: Decode | None = None, exposure: float = 1.0
+    setup: TrainingSetup,
+    shown: Sequence[ProtocolScene],
+    decode: Decode | None = None,
+    exposure: float = 1.0,
 ) -> Validation:
-    """Score the decoder on scenes; without `decode` as the run was trained, see `as_trained`.
+    """Score the decoder on scenes; by default under the effects of training (`as_trained`).
 
-    `exposure` makes all light so many times brighter than the decoder expects; the scores count
-    what comes of it as if it had not. The scores are those that `nscc evaluate` has of the scenes.
+    `exposure` is a factor on the light that the decoder does not know; the result is divided by it.
+    The scores equal those of `nscc evaluate`.
     """
-    decode = decode or as_trained(parts)
+    decode = decode or as_trained(setup)
     losses, scores, similar = [], [], []
     for index, scene in enumerate(shown):
         result_e = decode(scene.light_e * exposure, index)[0] / exposure
-        found = scene.scores(result_e)
-        scores.append(number(found["psnr_db"]))
-        similar.append(found["ssim"])
-        losses.append(_loss(parts, scene, result_e))
+        scene_scores = scene.scores(result_e)
+        scores.append(number(scene_scores["psnr_db"]))
+        similar.append(scene_scores["ssim"])
+        losses.append(_loss(setup, scene, result_e))
     mean = summary(scores, ["scene"] * len(scores))["mean"]
     psnr_db = float("inf") if mean is None else mean
     return Validation(float(np.mean(losses)), psnr_db, float(np.mean(similar)))
 
 
-def as_trained(parts: Parts, sensor: Sensor | None = None, seed: int = 0) -> Decode:
-    """Return what captures and decodes under the run's effects, by the chip, or else by the model.
+def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
+    """Return a function that captures and decodes under the run's effects: by the chip, or else by
+    the model.
 
     `sensor` is the chip's, by default the run's.
     """
-    effects = parts.settings.sensor.effects
-    return by_chip(parts, effects, sensor, seed) if effects else by_model(parts, seed=seed)
+    effects = setup.settings.sensor.effects
+    return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
 
 
 def by_model(
-    parts: Parts, tile: Tensor | None = None, model: SensorModel | None = None, seed: int = 0
+    setup: TrainingSetup,
+    tile: Tensor | None = None,
+    model: SensorModel | None = None,
+    seed: int = 0,
 ) -> Decode:
-    """Return what captures with the model of the sensor: with other shutters, or another model."""
-    return lambda light_e, index: scene_by_model(parts, light_e, 1000 * seed + index, tile, model)
+    """Return a function that captures by the sensor model, optionally with other shutters or
+    another model."""
+    return lambda light_e, index: scene_by_model(setup, light_e, 1000 * seed + index, tile, model)
 
 
-def by_chip(parts: Parts, effects: str, sensor: Sensor | None = None, seed: int = 0) -> Decode:
-    """Return what captures with the emulated chip, each scene with noise of its own."""
-    container, used = container_of(parts), parts.sensor if sensor is None else sensor
+def by_chip(
+    setup: TrainingSetup, effects: str, sensor: Sensor | None = None, seed: int = 0
+) -> Decode:
+    """Return a function that captures by the emulated chip, with independent noise per scene."""
+    container, used = container_of(setup), setup.sensor if sensor is None else sensor
     return lambda light_e, index: scene_by_chip(
-        parts, container, used, light_e, effects, (1000 * seed + index, seed)
+        setup, container, used, light_e, effects, (1000 * seed + index, seed)
     )
 
 
-def _loss(parts: Parts, scene: Scene, result_e: NDArray[Any]) -> float:
-    """Return the loss of a reconstruction; light above the peak counts as the peak."""
+def _loss(setup: TrainingSetup, scene: ProtocolScene, result_e: NDArray[Any]) -> float:
+    """Return the loss of a reconstruction, with light above the peak clipped."""
     truth, result = (
-        torch.from_numpy(np.asarray(each / scene.peak_e, np.float32))[None]
-        for each in (scene.light_e, result_e)
+        torch.from_numpy(np.asarray(light_e / scene.peak_e, np.float32))[None]
+        for light_e in (scene.light_e, result_e)
     )
     result = torch.where(truth >= 1, result.clamp(max=1), result)
-    return float(parts.loss(result, truth.clamp(max=1)))
+    return float(setup.loss(result, truth.clamp(max=1)))

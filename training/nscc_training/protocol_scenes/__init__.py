@@ -1,1 +1,1 @@
-"""Scenes as protocols expose them, each with the protocol's metrics of a reconstruction."""
+"""Scenes exposed as protocols say, with the protocols' metrics."""

@@ -1,4 +1,4 @@
-"""Protocol deblur-v1: panoramas while the camera turns, and a sharp picture of one slot."""
+"""Protocol deblur-v1: panoramas under a turning camera, and a sharp picture of one slot."""
 
 from __future__ import annotations
 
@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 from nscc_training import metrics
 from nscc_training.measures import decibels, frame_scores
 from nscc_training.protocol_scenes.hdr import light_of
-from nscc_training.protocol_scenes.scene import Scene, Unusable, on_unit_range
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, on_unit_range
 from nscc_training.protocols import Protocol
 from nscc_training.turning_camera import turned
 
 Picture = NDArray[np.float64]
 
 
-class Moment(Scene):
-    """A view of a panorama: its truth is the light of one slot, as if it lasted a whole frame."""
+class DeblurMoment(ProtocolScene):
+    """A view of a panorama. Its truth is the light of one slot, scaled to a whole frame."""
 
     @property
     def truth_e(self) -> Picture:
@@ -41,8 +41,9 @@ class Moment(Scene):
         return {**frame_scores(*pair, 1.0), "mu_psnr_db": decibels(mu_db)}
 
 
-def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[Moment | Unusable]:
-    """Yield the views of panoramas, in order; the numbers of panorama and view fix a motion."""
+def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[DeblurMoment | Unusable]:
+    """Yield the views of panoramas, in order; the numbers of panorama and view determine the
+    motion."""
     slots, size = int(protocol["frames"]), int(protocol["size"])
     for index, path in enumerate(files):
         light = light_of(path, protocol)
@@ -56,11 +57,13 @@ def moments(files: Sequence[Path], protocol: Protocol) -> Iterator[Moment | Unus
             yield exposed_moment(path, number, clip, protocol)
 
 
-def exposed_moment(path: Path, number: int, clip: Picture, protocol: Protocol) -> Moment | Unusable:
+def exposed_moment(
+    path: Path, number: int, clip: Picture, protocol: Protocol
+) -> DeblurMoment | Unusable:
     """Return the clip scaled so that the median of its all-open sum is the protocol's mid grey."""
     grey = float(np.median(clip.sum(axis=0)))
     if not (np.isfinite(clip).all() and grey > 0):
         return Unusable(path.name, {"view": number}, "half of it is dark")
     wanted_e = protocol.mid_grey_e
     assert wanted_e is not None
-    return Moment(path, None, number, clip * (wanted_e / grey), protocol)
+    return DeblurMoment(path, None, number, clip * (wanted_e / grey), protocol)

@@ -1,4 +1,4 @@
-"""Protocol hdr-v1: crops of panoramas, exposed so that a given share of their pixels saturates."""
+"""Protocol hdr-v1: crops of panoramas, of which a given fraction of the pixels saturates."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ from nscc_runtime.scenes.picture_files import read_picture
 from nscc_training import metrics
 from nscc_training.measures import decibels, frame_scores
 from nscc_training.metrics import mean_square_error, psnr_of_mse
-from nscc_training.protocol_scenes.scene import Scene, Unusable, on_unit_range
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable, on_unit_range
 from nscc_training.protocols import Protocol
 
 Picture = NDArray[np.float64]
 ENDINGS = (".hdr", ".exr", ".pfm")
 
 
-class Crop(Scene):
+class Crop(ProtocolScene):
     """A crop of a panorama."""
 
     @property
@@ -32,19 +32,23 @@ class Crop(Scene):
         truth_e, protocol = self.light_e, self.protocol
         truth, result = on_unit_range(truth_e, result_e, self.peak_e)
         well_e = float(protocol["full_well_e"])
-        found: dict[str, Any] = {
+        values: dict[str, Any] = {
             **frame_scores(truth, result, 1.0),
             "mu_psnr_db": decibels(metrics.mu_psnr(truth, result, 1.0, protocol["mu"])),
             "pu21_psnr_db": decibels(metrics.pu21_psnr(truth, result, 1.0, protocol["pu21_nits"])),
         }
-        for name, where in (
+        for name, region_mask in (
             ("saturated", truth_e >= well_e),
             ("dark", truth_e < float(protocol["dark_fraction"]) * well_e),
         ):
-            error = mean_square_error(truth[where], result[where]) if where.any() else None
-            found[f"{name}_share"] = float(where.mean())
-            found[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
-        return found
+            error = (
+                mean_square_error(truth[region_mask], result[region_mask])
+                if region_mask.any()
+                else None
+            )
+            values[f"{name}_share"] = float(region_mask.mean())
+            values[f"{name}_psnr_db"] = None if error is None else decibels(psnr_of_mse(error, 1.0))
+        return values
 
 
 def light_of(path: Path, protocol: Protocol) -> Picture:
@@ -72,10 +76,10 @@ def crops_of(
 ) -> Iterator[Crop | Unusable]:
     """Yield the crops of one picture's light: its middle rows, from left to right."""
     size = min(int(protocol["crop_size"]), *light.shape)
-    top = (light.shape[0] - size) // 2
-    for left in range(0, light.shape[1] - size + 1, size):
-        part = light[top : top + size, left : left + size]
-        yield exposed_crop(path, (top, left), part, protocol, fraction)
+    first_row = (light.shape[0] - size) // 2
+    for first_col in range(0, light.shape[1] - size + 1, size):
+        region = light[first_row : first_row + size, first_col : first_col + size]
+        yield exposed_crop(path, (first_row, first_col), region, protocol, fraction)
 
 
 def exposed_crop(

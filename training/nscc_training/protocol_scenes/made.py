@@ -1,4 +1,4 @@
-"""Scenes that no file holds: those that are made of a seed, and light that is given as arrays."""
+"""Scenes without files: procedural scenes, and light given as arrays."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from numpy.typing import NDArray
 from nscc_training import made_scenes
 from nscc_training.protocol_scenes.deblur import exposed_moment
 from nscc_training.protocol_scenes.hdr import crops_of, exposed_crop
-from nscc_training.protocol_scenes.scene import Scene, Unusable
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.video import exposed_window, windows_of
 from nscc_training.protocols import Protocol
 
 _MADE = 3
-"""Apart from the made scenes that runs learn from (1) and are chosen by (2)."""
+"""Random-stream index of these scenes; 1 and 2 are those of training and validation."""
 
 
-def made_scene(index: int, protocol: Protocol, seed: int) -> Scene | Unusable:
-    """Return a still or a clip that is made of a seed, exposed as hdr-v1 or video-v1 says."""
+def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unusable:
+    """Return a procedural still or clip, exposed as hdr-v1 or video-v1 says."""
     generator, name = np.random.default_rng([seed, _MADE, index]), Path(f"made-{index}")
     if protocol.still:
         still = made_scenes.still(generator, protocol["crop_size"]).astype(np.float64)
@@ -33,26 +33,26 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> Scene | Unusable:
 
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
-) -> list[Scene]:
-    """Return at most `count` scenes of light by name, as many of one array as of another.
+) -> list[ProtocolScene]:
+    """Return at most `count` scenes of the given light, taking the arrays in turn.
 
-    `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` says in which encoding
-    errors of clips are counted.
+    `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` selects the encoding in
+    which errors of clips are measured.
     """
-    every = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
-    turns = (scene for turn in zip_longest(*every) for scene in turn)
-    found: list[Scene] = []
+    scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
+    turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
+    scenes: list[ProtocolScene] = []
     for scene in turns:
-        if isinstance(scene, Scene):
-            found.append(scene)
-        if len(found) == count:
+        if isinstance(scene, ProtocolScene):
+            scenes.append(scene)
+        if len(scenes) == count:
             break
-    return found
+    return scenes
 
 
 def _of_array(
     name: Path, light: NDArray[Any], srgb: bool, protocol: Protocol
-) -> Iterator[Scene | Unusable]:
+) -> Iterator[ProtocolScene | Unusable]:
     """Yield the scenes of one array, of the protocol's size or as large as the array is."""
     if light.ndim == 2:
         yield from crops_of(name, light.astype(np.float64), protocol)

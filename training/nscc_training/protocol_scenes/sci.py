@@ -14,19 +14,19 @@ from nscc.diagnostics.rejection import rejected
 from nscc_runtime.scenes.mat_files import mat_arrays
 from nscc_training.measures import frame_scores
 from nscc_training.metrics import WINDOW
-from nscc_training.problems import said
-from nscc_training.protocol_scenes.scene import Item, Scene
+from nscc_training.problems import one_line
+from nscc_training.protocol_scenes.protocol_scene import Item, ProtocolScene
 from nscc_training.protocols import Protocol
 
 Clip = NDArray[np.float32]
 
 
 @dataclass(frozen=True, eq=False)
-class SciClip(Scene):
+class SciClip(ProtocolScene):
     """A clip of the benchmark on 0..1 (8, rows, cols), whose frames are scored one by one.
 
     `mask` (8, rows, cols) and `measurement` (rows, cols), in units of the full scale of one frame,
-    come with it.
+    come from the file.
     """
 
     mask: Clip
@@ -65,14 +65,14 @@ def sci_scenes(files: Sequence[Path], protocol: Protocol) -> Iterator[SciClip]:
 def read_sci_clip(path: Path, protocol: Protocol) -> SciClip:
     """Return the clip in a `.mat` file; Rejected (NS0809) if it is not one of the benchmark's."""
     try:
-        found = mat_arrays(path, ["orig", "mask", "meas"])
+        arrays = mat_arrays(path, ["orig", "mask", "meas"])
     except FileNotFoundError:
         raise _unusable(path, "there is no such file") from None
     except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
-        raise _unusable(path, said(error)) from error
+        raise _unusable(path, one_line(error)) from error
     frames = int(protocol["frames"])
     try:
-        orig, mask, meas = (np.asarray(found[key]) for key in ("orig", "mask", "meas"))
+        orig, mask, meas = (np.asarray(arrays[key]) for key in ("orig", "mask", "meas"))
     except KeyError as error:
         raise _unusable(path, f"it has no array {error}") from None
     meas = meas[..., None] if meas.ndim == 2 else meas

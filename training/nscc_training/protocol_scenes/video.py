@@ -1,4 +1,5 @@
-"""Protocol video-v1: windows of sixteen frames, at the source's own rate, cut from the centre."""
+"""Protocol video-v1: windows of sixteen frames at the frame rate of the source, cut from the
+centre."""
 
 from __future__ import annotations
 
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from nscc_training import curves, metrics
 from nscc_training.measures import decibels
 from nscc_training.metrics import mean_square_error
-from nscc_training.protocol_scenes.scene import Scene, Unusable
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocols import Protocol
 from nscc_training.scene_files import frames_in, light_in
 
@@ -22,10 +23,10 @@ Clip = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Window(Scene):
-    """A window of a clip: `scale_e` electrons a slot are 1 in the source's light.
+class ClipWindow(ProtocolScene):
+    """A window of a clip: `scale_e` electrons per slot are 1 in the light of the source.
 
-    `srgb` says whether errors are counted in display encoding.
+    `srgb`: errors are measured in display encoding.
     """
 
     scale_e: float
@@ -38,31 +39,31 @@ class Window(Scene):
     def scores(self, result_e: Clip) -> dict[str, Any]:
         truth, result = (encoded(x / self.scale_e, self.srgb) for x in (self.light_e, result_e))
         errors = [mean_square_error(a, b) for a, b in zip(truth, result, strict=True)]
-        found = metrics.frame_scores(errors, 1.0)
+        frame_summary = metrics.frame_scores(errors, 1.0)
         return {
-            "psnr_db": decibels(found.mean),
-            "psnr_of_mean_mse_db": decibels(found.of_mean_mse),
-            "infinite_frames": found.infinite,
+            "psnr_db": decibels(frame_summary.mean),
+            "psnr_of_mean_mse_db": decibels(frame_summary.of_mean_mse),
+            "infinite_frames": frame_summary.infinite,
             "ssim": metrics.ssim(truth, result, 1.0),
             "temporal_error": metrics.temporal_error(truth, result, 1.0),
         }
 
 
-def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[Window | Unusable]:
-    """Yield the windows of clips, in order; what cannot be used as `Unusable`."""
+def windows(files: Sequence[Path], protocol: Protocol) -> Iterator[ClipWindow | Unusable]:
+    """Yield the windows of clips, in order; those that cannot be used as `Unusable`."""
     for path in files:
         known = protocol["transfer"]
         srgb = known.get(path.suffix.lower().lstrip("."), known["other"]) == "srgb"
         size = int(protocol["size"])
         frames: Iterable[NDArray[Any]] = frames_in(path)
         lights = (light_in(_centre(f, size), "srgb" if srgb else "linear") for f in frames)
-        every = windows_of(path, lights, srgb, protocol)
-        yield from islice(every, protocol.values.get("windows"))
+        clip_windows = windows_of(path, lights, srgb, protocol)
+        yield from islice(clip_windows, protocol.values.get("windows"))
 
 
 def windows_of(
     path: Path, lights: Iterable[NDArray[Any]], srgb: bool, protocol: Protocol
-) -> Iterator[Window | Unusable]:
+) -> Iterator[ClipWindow | Unusable]:
     """Yield the windows of one clip's light, frame by frame."""
     size, count, start = int(protocol["size"]), int(protocol["frames"]), {"frame": 0}
     window: list[NDArray[Any]] = []
@@ -83,23 +84,23 @@ def windows_of(
 
 def exposed_window(
     path: Path, first: int, light: Clip, srgb: bool, protocol: Protocol
-) -> Window | Unusable:
+) -> ClipWindow | Unusable:
     """Return the window scaled so that the percentile of its all-open sum is a full well."""
     level = float(np.percentile(light.sum(axis=0), protocol["full_well_percentile"]))
     if level <= 0:
         return Unusable(path.name, {"frame": first}, "it is dark where it should fill a well")
-    # Of a film of several coded frames, each frame on average fills a well.
+    # In a film of several coded frames, each frame fills a well on average.
     scale_e = float(protocol["full_well_e"]) / level * int(protocol.values.get("film", 1))
-    return Window(path, None, first, light * scale_e, protocol, scale_e, srgb)
+    return ClipWindow(path, None, first, light * scale_e, protocol, scale_e, srgb)
 
 
 def encoded(light: Clip, srgb: bool) -> Clip:
-    """Return light in the encoding that errors are counted in, clipped to 0..1."""
+    """Return light in the encoding in which errors are measured, clipped to 0..1."""
     clipped = np.clip(light, 0.0, 1.0)
     return curves.srgb(clipped) if srgb else clipped
 
 
 def _centre(frame: NDArray[Any], size: int) -> NDArray[Any]:
     """Return the middle of a frame; all of it where it is smaller."""
-    top, left = (max(0, side - size) // 2 for side in frame.shape[:2])
-    return frame[top : top + size, left : left + size]
+    first_row, first_col = (max(0, side - size) // 2 for side in frame.shape[:2])
+    return frame[first_row : first_row + size, first_col : first_col + size]

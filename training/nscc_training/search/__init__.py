@@ -1,9 +1,9 @@
-"""Codes found by moving many places together: a closed form proposes, a decoder judges.
+"""Search of codes: many places move together, a closed form proposes, a decoder judges.
 
-An edge of one place alone changes next to nothing, and a pattern such as two phases of 2 x 2 lies
-many such steps away. `moves` changes blocks of a tile at once, `expected` says in milliseconds what
-a code should tell of moving light, and `nscc_training.loop.searching` has the run's decoder judge
-the few that are expected to be best.
+Moving an edge of one place changes almost nothing, and a pattern such as two phases of 2 x 2 is
+many such steps away. `moves` changes blocks of a tile at once, `expected` estimates in milliseconds
+how well a code captures moving light, and in `nscc_training.loop.searching` the run's decoder
+judges the most promising codes.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
-"""A code for clips, chosen by how things move: the one of which most is expected within its words.
+"""Choose a code for clips by the motion of the scene, within a limit of words per slot.
 
-No code is best for all scenes. What stands still wants long exposures, what flies past short ones
-at many moments; what a frame then tells is worked out in closed form (`nscc_training.search`).
+No code is best for all scenes: still parts need long exposures, fast parts short exposures at many
+moments. The information in a frame is computed in closed form (`nscc_training.search`).
 """
 
 from __future__ import annotations
@@ -35,17 +35,18 @@ SPEEDS: dict[str, tuple[float, ...]] = {"slow": (1.0, 4.0, 8.0), "fast": (16.0, 
 _TILE = (4, 4)
 _STARTS = ("quad", "two-phase", "staggered", "cyclic")
 _PARTS_OPEN = (2, 4, 8)
-"""Bumps are open for a half, a quarter or an eighth of the frame."""
+"""Bumps are open for one half, one quarter or one eighth of the frame."""
 _SEARCHED = ShutterSpec("e", 16, (8, 8))
-"""What was searched: free bits. Codes for frames of other lengths were not."""
+"""The searched code: free bits for 16 slots. No codes were searched for other lengths."""
 _BRIGHT = 0.35
-"""Of a full well, light as films have it in the mean, where no scene is named."""
+"""Mean light without a scene, in full wells, as in films."""
 _YARDSTICK = "quad, 1/4 of the frame"
 
 
 @dataclass(frozen=True, eq=False)
 class MotionDesign(Design):
-    """One for clips: its `name`, and `expected`, decibels by code, of all that were looked at."""
+    """A design for clips: the `name` of its code, and `expected` decibels by name of all codes
+    tried."""
 
     name: str
     expected: dict[str, float]
@@ -55,12 +56,25 @@ def design_motion(
     kind: Kind, scenes: Sequence[NDArray[np.floating]] = (), frame: Frame | None = None,
     most_words: float = 4.0,
 ) -> MotionDesign:  # fmt: skip
-    """The program of bumps in a 4 x 4 tile, or for 16 slots of searched bits, that tells most of
-    light that moves as `kind` says, or as the `scenes` do: light (N or fewer parts, rows, cols),
-    electrons in each.
+    """Design shutters for moving light.
 
-    Codes of more than `most_words` a slot are passed over. Raises Rejected: NS0843 where no code is
-    left, or `scene` names none, and as the compiler.
+    The candidates are bumps in a 4 x 4 tile and, for 16 slots, searched bits.
+
+    Parameters
+    ----------
+    kind : {"slow", "fast", "scene"}
+        The speed of the light, or that of `scenes`.
+    scenes : sequence of array
+        Light in electrons, (N or fewer parts, rows, cols).
+    frame : Frame, optional
+        16 slots by default.
+    most_words : float
+        Codes of more words per slot are skipped.
+
+    Raises
+    ------
+    Rejected
+        NS0843 if no code is left or "scene" has no scenes; otherwise as the compiler.
     """
     frame = frame or Frame(slots=16)
     if kind == "scene" and not scenes:
@@ -74,19 +88,19 @@ def design_motion(
     }
     passed: list[str] = []
     refused: Rejected | None = None
-    for name in sorted(expected, key=lambda each: -expected[each]):
+    for name in sorted(expected, key=lambda code_name: -expected[code_name]):
         try:
-            text, made = _compiled(encoders[name], frame, _remark(kind, name))
+            text, program = _compiled(encoders[name], frame, _remark(kind, name))
         except Rejected as error:
             refused = error
             passed.append(f"{name} (does not fit)")
             continue
-        if (words := words_per_slot(made)) <= most_words:
+        if (words := words_per_slot(program)) <= most_words:
             lines = _lines(name, expected, motions, passed)
-            return MotionDesign(text, made, lines, name, expected)
+            return MotionDesign(text, program, lines, name, expected)
         passed.append(f"{name} ({words:.1f} words a slot)")
-    if refused and all(each.endswith("(does not fit)") for each in passed):
-        raise refused  # the compiler's own words say more
+    if refused and all(code_name.endswith("(does not fit)") for code_name in passed):
+        raise refused  # the compiler's message says more
     raise rejected(
         "NS0843", f"no code for clips takes at most {most_words:g} words a slot here",
         notes=(f"passed over: {'; '.join(passed)}",),
@@ -95,34 +109,34 @@ def design_motion(
 
 
 def _motion(kind: Kind, scene: NDArray[np.floating] | None, chip: Chip) -> Motion:
-    """What moves, seen with the chip's noise."""
+    """Return the motion of the light, with the chip's noise."""
     mean_e = _BRIGHT * chip.full_e if scene is None else float(scene.sum(axis=0).mean())
     if mean_e <= 0:
         raise rejected("NS0824", "a scene has no light: there is nothing to design shutters for",
                        helps=("name a scene with light; --exposure says how much of it a frame "
                               "gets",))  # fmt: skip
     dark_e = float(chip.exposed_sd_e(np.zeros(1))[0])
-    found = Motion(SPEEDS.get(kind, (0.0,)), noise=(dark_e / mean_e) ** 2, counts=1 / mean_e)
+    motion = Motion(SPEEDS.get(kind, (0.0,)), noise=(dark_e / mean_e) ** 2, counts=1 / mean_e)
     if scene is None:
-        return found
+        return motion
     length, contrast = texture_of(scene.mean(axis=0))
-    speeds = speeds_of(scene) if kind == "scene" else found.speeds
-    return replace(found, speeds=speeds, length=length, contrast=contrast)
+    speeds = speeds_of(scene) if kind == "scene" else motion.speeds
+    return replace(motion, speeds=speeds, length=length, contrast=contrast)
 
 
 def _encoders(slots: int) -> dict[str, Encoder]:
-    """Codes by what people call them."""
-    found = {}
-    for part in _PARTS_OPEN:
-        length = -(-slots // part)
+    """Return candidate codes by name."""
+    encoders = {}
+    for divisor in _PARTS_OPEN:
+        length = -(-slots // divisor)
         for start in _STARTS:
             kind = "codebook" if start == "cyclic" else "c"
             spec = ShutterSpec(kind, slots, _TILE, length, 16 if kind == "codebook" else None)
-            found[f"{start}, 1/{part} of the frame"] = make_encoder(spec, start)
+            encoders[f"{start}, 1/{divisor} of the frame"] = make_encoder(spec, start)
     if slots == _SEARCHED.slots:
-        found["searched"] = make_encoder(_SEARCHED)
-        found["searched"].load_codes(load_codes(searched_codes()))
-    return found
+        encoders["searched"] = make_encoder(_SEARCHED)
+        encoders["searched"].load_codes(load_codes(searched_codes()))
+    return encoders
 
 
 def _compiled(encoder: Encoder, frame: Frame, remark: str) -> tuple[str, Compiled]:
@@ -143,7 +157,7 @@ def _lines(
     lines = [
         ("code", name),
         ("motion", f"{min(speeds):.3g} to {max(speeds):.3g} pixels over the frame"),
-        ("expected", f"{expected[name]:.1f} dB below the light's variance; the 2 x 2 pattern "
+        ("expected", f"{expected[name]:.1f} dB below the light's variance; the 2 x 2 tile "
                      f"{expected[_YARDSTICK]:.1f} dB"),
     ]  # fmt: skip
     if passed:

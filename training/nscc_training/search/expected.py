@@ -1,9 +1,9 @@
-"""What a code is expected to tell of moving light, in closed form: a filter, not a judge.
+"""Expected information of a code about moving light, in closed form: it preselects codes.
 
-Light is taken for a texture that moves evenly: normal, its correlation falling as exp(-d / L) with
-the distance that is left once the motion is taken back. A frame then says of it what linear least
-squares say (Wiener), with the sensor's noise, to a decoder that knows how fast things move, but
-not where to. The decibels of several speeds are averaged as those of clips are.
+The light is modelled as a normal texture that moves evenly; its correlation falls as exp(-d / L)
+with the distance d left after the motion is undone. The estimate of the light from a frame is the
+linear least-squares (Wiener) estimate under the sensor's noise, for a decoder that knows the speed
+but not the direction. The decibels of several speeds are averaged, as those of clips are.
 """
 
 from __future__ import annotations
@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 _WINDOW, _STEP = 8, 4
-"""Measurements count that lie in windows of 8 x 8 places, and light in the middle 4 x 4 of them."""
+"""Side of the windows of measurements, and of their middle whose light is estimated, in places."""
 _MOST_WINDOWS = 4
 _MOST_SLOTS = 16
-"""Longer frames are counted in so many parts: of each slot its part's mean."""
+"""Most time steps; longer frames are averaged to this number."""
 _HEADINGS = 0.3 + np.arange(8) * np.pi / 4
-"""Radians: along no axis or diagonal, at which patterns would look alike by accident."""
+"""Directions of motion in radians, along no axis or diagonal, where patterns would coincide."""
 
 Opened = NDArray[np.floating]
 Values = NDArray[np.float64]
@@ -29,11 +29,11 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Motion:
-    """Moving light: `speeds` in pixels over the whole frame, each as likely; `length` L in pixels;
-    `contrast`, its standard deviation over its mean.
+    """Moving light.
 
-    `noise` is the variance of a frame's value and `counts` what it gains with the light, both over
-    the square of the mean light of all slots.
+    `speeds` in pixels over the whole frame, equally likely; `length` L in pixels; `contrast`,
+    standard deviation over mean. `noise` is the variance of a frame's value and `counts` its
+    increase per unit of light, both over the square of the mean light of all slots.
     """
 
     speeds: tuple[float, ...]
@@ -44,62 +44,69 @@ class Motion:
 
 
 def told_db(opened: Opened, motion: Motion) -> float:
-    """How well a tile of shutters (N, rows, cols), 0..1, tells such light: the mean of the decibels
-    by which the error of a slot's light at a place is below its variance."""
+    """Return the mean decibels by which a frame reduces the uncertainty of the light.
+
+    `opened` is a tile of shutters (N, rows, cols), 0..1. Compared are the error of a slot's light
+    at a place and its variance.
+    """
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
-    found = []
+    decibels = []
     for speed in motion.speeds:
         alike = _alike(len(windows[0]), speed, motion.length)
-        left = np.mean([_left(window, alike, motion) for window in windows])
-        found.append(-10 * np.log10(left))
-    return float(np.mean(found))
+        unknown_share = np.mean([_unknown_share(window, alike, motion) for window in windows])
+        decibels.append(-10 * np.log10(unknown_share))
+    return float(np.mean(decibels))
 
 
-def _left(opened: Values, alike: Values, motion: Motion) -> float:
-    """The part of the variance of the light in the middle of a window (N, places) that a frame
-    leaves unknown."""
-    # How light and measurements vary together (slot, place, measurement), and measurements.
-    seen = np.einsum("tspq,sq->tpq", alike, opened)
-    frame = np.einsum("tp,tpq->pq", opened, seen)
+def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
+    """Return the fraction of the variance of the light in the middle of a window (N, places) that
+    remains unknown."""
+    # Covariance of light and measurements (slot, place, measurement), and of measurements.
+    covariance = np.einsum("tspq,sq->tpq", alike, opened)
+    frame = np.einsum("tp,tpq->pq", opened, covariance)
     slots = len(opened)
     # All over the square of a slot's mean light, times its contrast.
     noise = motion.noise + motion.counts * opened.sum(axis=0) / slots
-    told = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
-    middle = seen[:, _MIDDLE].reshape(-1, len(told))
-    return float(1 - np.einsum("aq,aq->a", middle @ told, middle).mean())
+    inverse = np.linalg.inv(frame + np.diag(noise * (slots / motion.contrast) ** 2 + 1e-9))
+    middle = covariance[:, _MIDDLE].reshape(-1, len(inverse))
+    return float(1 - np.einsum("aq,aq->a", middle @ inverse, middle).mean())
 
 
 @cache
 def _alike(slots: int, speed: float, length: float) -> Values:
-    """The correlation (N, N, places, places) of light at two slots and places of a window, the mean
-    over headings of a motion of `speed` pixels a frame."""
+    """Return the correlation (N, N, places, places) of light at two slots and places of a window.
+
+    It is the mean over directions of a motion of `speed` pixels per frame.
+    """
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)
-    found = np.zeros((slots, slots, _WINDOW**2, _WINDOW**2))
+    correlation = np.zeros((slots, slots, _WINDOW**2, _WINDOW**2))
     for down, right in speed * np.stack([np.sin(_HEADINGS), np.cos(_HEADINGS)], axis=1):
-        found += np.exp(-np.hypot(away_y - down * lag, away_x - right * lag) / length)
-    return found / len(_HEADINGS)
+        correlation += np.exp(-np.hypot(away_y - down * lag, away_x - right * lag) / length)
+    return correlation / len(_HEADINGS)
 
 
 def _in_parts(opened: Values) -> Values:
-    """Shutters (parts, rows, cols) of at most so many parts of the frame, the mean of each."""
-    return np.stack([part.mean(axis=0) for part in np.array_split(opened, _parts(len(opened)))])
+    """Return shutters (time steps, rows, cols), averaged over at most `_MOST_SLOTS` time steps."""
+    return np.stack(
+        [slot_group.mean(axis=0) for slot_group in np.array_split(opened, _part_count(len(opened)))]
+    )
 
 
-def _parts(slots: int) -> int:
+def _part_count(slots: int) -> int:
     return min(slots, _MOST_SLOTS)
 
 
 def _windows(opened: Values) -> Sequence[Values]:
-    """Windows (N, places) whose middles are spread over the tile, which repeats."""
+    """Return windows (N, places) with middles spread over the repeating tile."""
     _, rows, cols = opened.shape
     origins = [(y, x) for y in range(0, rows, _STEP) for x in range(0, cols, _STEP)]
-    every = -(-len(origins) // _MOST_WINDOWS)
+    stride = -(-len(origins) // _MOST_WINDOWS)
     side = np.arange(_WINDOW)
     return [
         opened[:, (y + side[:, None]) % rows, (x + side) % cols].reshape(len(opened), -1)
-        for y, x in origins[::every]
+        for y, x in origins[::stride]
     ]
 
 

@@ -1,4 +1,4 @@
-"""Moves of a tile's codes that many places make together."""
+"""Moves: changes of a tile's codes at many places together."""
 
 from __future__ import annotations
 
@@ -16,31 +16,32 @@ Values = NDArray[np.int64]
 _PERIODS = (1, 2, 4, 8)
 _MOST_AT_ONCE = 4
 _REPEATED = 0.25
-"""The part of the draws that begin by making the tile anew of a block of it."""
+"""Probability that a move starts by repeating a block of the tile."""
 
 
 def moved(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """Codes one to four moves away, in the form of `Encoder.codes`, of a codebook with its `book`.
+    """Return codes one to four moves away, in the form of `Encoder.codes`; a codebook has its
+    `book`.
 
-    A move is of one place, of a rectangle, of all places that are alike modulo a period down and
-    across, or of every other block. Their shutters open at another time, are open for longer or for
-    less, or become those of places beside them, in exchange or as copies. Before that the tile may
-    become copies of a block of its own, later by so much from block to block. Codes stay legal for
-    the class; a move may find nothing to change.
+    The places that move are one place, a rectangle, all places congruent modulo a period down and
+    across, or every other block. Their shutters shift in time, lengthen, shorten, or take the codes
+    of neighbouring places, as copies or in exchange. Before that the tile may become copies of one
+    of its blocks, each later than the one before. Codes stay legal for the class; a move may change
+    nothing.
     """
-    found = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
+    changed_codes = repeated(spec, codes, generator) if generator.random() < _REPEATED else codes
     for _ in range(int(generator.integers(1, _MOST_AT_ONCE + 1))):
-        where = _somewhere(spec.tile, generator)
+        places = _somewhere(spec.tile, generator)
         kind = generator.random()
         if kind < 0.5:
-            found = MOVING[spec.kind](spec, found, where, generator)
+            changed_codes = MOVING[spec.kind](spec, changed_codes, places, generator)
         else:
-            found = _from_beside(found, where, generator, exchange=kind < 0.75)
-    return found
+            changed_codes = _from_beside(changed_codes, places, generator, exchange=kind < 0.75)
+    return changed_codes
 
 
 def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
-    """Which places (rows, cols) of a tile move together."""
+    """Return which places (rows, cols) of a tile move together."""
     y, x = np.mgrid[: tile[0], : tile[1]]
     kind = generator.integers(4)
     if kind == 0:
@@ -57,62 +58,63 @@ def _somewhere(tile: tuple[int, int], generator: Generator) -> Where:
     return np.asarray((y // down + x // across) % 2 == generator.integers(2))
 
 
-def _from_beside(codes: Codes, where: Where, generator: Generator, *, exchange: bool) -> Codes:
-    """Places take the codes of places somewhere beside them, which may get theirs."""
-    step = tuple(int(each) for each in generator.integers(-2, 3, 2))
+def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange: bool) -> Codes:
+    """Give places the codes of neighbouring places, which may get theirs in exchange."""
+    step = tuple(int(value) for value in generator.integers(-2, 3, 2))
     back = (-step[0], -step[1])
-    given = np.roll(where, step, axis=(0, 1)) & ~where
-    found = dict(codes)
+    exchanged = np.roll(places, step, axis=(0, 1)) & ~places
+    changed_codes = dict(codes)
     for name, values in codes.items():
         if name == "book":
             continue
-        changed = np.where(where, np.roll(values, back, axis=(0, 1)), values)
+        changed = np.where(places, np.roll(values, back, axis=(0, 1)), values)
         if exchange:
-            changed = np.where(given, np.roll(values, step, axis=(0, 1)), changed)
-        found[name] = changed
-    return found
+            changed = np.where(exchanged, np.roll(values, step, axis=(0, 1)), changed)
+        changed_codes[name] = changed
+    return changed_codes
 
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
-    """The tile as copies of a block of it, each later by so much than the one above and the one to
-    its left.
+    """Return the tile as copies of one of its blocks, each later than those above and to the left.
 
-    Of one place it makes shutters that open one after the other, of a pattern its phases: tiles
-    that small steps do not come to.
+    From one place this makes shutters that open in sequence, from a pattern its phases: tiles that
+    small steps do not reach.
     """
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
-    top, left = (int(generator.integers(side)) for side in spec.tile)
-    down, right = (int(each) for each in generator.integers(0, spec.slots, 2))
+    first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
+    down, right = (int(value) for value in generator.integers(0, spec.slots, 2))
     y, x = np.mgrid[: spec.tile[0], : spec.tile[1]]
-    source = (top + y % high) % spec.tile[0], (left + x % wide) % spec.tile[1]
-    taken = {name: values if name == "book" else values[source] for name, values in codes.items()}
-    return _LATER[spec.kind](spec, taken, down * (y // high) + right * (x // wide))
+    source = (first_row + y % high) % spec.tile[0], (first_col + x % wide) % spec.tile[1]
+    block_codes = {
+        name: values if name == "book" else values[source] for name, values in codes.items()
+    }
+    return _LATER[spec.kind](spec, block_codes, down * (y // high) + right * (x // wide))
 
 
 def _by(slots: int, generator: Generator) -> int:
-    """Slots, few or many, to either side."""
+    """Return a random number of slots, few or many, of either sign."""
     most = max(1, slots // 2)
     return int(generator.choice((-1, 1)) * np.rint(most ** generator.random()))
 
 
-def _stops(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
-    """Exposures grow or shrink by the same ratio, a slot at least."""
+def _stops(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
+    """Scale exposures by a common ratio, by at least one slot."""
     stop = codes["stop"]
     ratio = 2.0 ** (generator.choice((-1, 1)) * generator.uniform(0.1, 2))
-    made = np.rint(stop * ratio)
-    made = np.where(made == stop, stop + np.sign(ratio - 1), made)
-    return {"stop": _clipped(np.where(where, made, stop), 1, spec.slots)}
+    stops = np.rint(stop * ratio)
+    stops = np.where(stops == stop, stop + np.sign(ratio - 1), stops)
+    return {"stop": _clipped(np.where(places, stops, stop), 1, spec.slots)}
 
 
-def _starts(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+def _starts(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     assert spec.length is not None
-    start = codes["start"] + where * _by(spec.slots, generator)
+    start = codes["start"] + places * _by(spec.slots, generator)
     return {"start": _clipped(start, 0, spec.slots - spec.length)}
 
 
-def _edges(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+def _edges(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     start, stop = codes["start"], codes["stop"]
-    by = where * _by(spec.slots, generator)
+    by = places * _by(spec.slots, generator)
     kind = generator.integers(3)
     if kind == 0:
         by = np.clip(by, -start, spec.slots - stop)
@@ -124,20 +126,19 @@ def _edges(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) 
     return {"start": np.asarray(start, np.int64), "stop": np.asarray(stop, np.int64)}
 
 
-def _bits(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
+def _bits(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
     n = np.arange(spec.slots, dtype=np.int64).reshape(-1, 1, 1)
     opened = _reshaped((codes["bits"][None] >> n) & 1 == 1, generator)
     bits = np.einsum("n,nrc->rc", np.int64(1) << n[:, 0, 0], opened.astype(np.int64))
-    return {"bits": np.where(where, bits, codes["bits"])}
+    return {"bits": np.where(places, bits, codes["bits"])}
 
 
-def _rows(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -> Codes:
-    """Places take one row of the book, or a row becomes another shape, or all rows become one's
-    shape at moments around the frame."""
+def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) -> Codes:
+    """Change the choice of rows, the shape of a row, or all rows to shifted copies of one shape."""
     book = codes["book"]
     row, kind = int(generator.integers(len(book))), generator.random()
     if kind < 0.45:
-        return {"id": np.where(where, row, codes["id"]), "book": book}
+        return {"id": np.where(places, row, codes["id"]), "book": book}
     if kind > 0.9:
         moments = np.arange(len(book)) * spec.slots // len(book)
         return {"id": codes["id"], "book": np.stack([np.roll(book[row], k) for k in moments])}
@@ -147,27 +148,29 @@ def _rows(spec: ShutterSpec, codes: Codes, where: Where, generator: Generator) -
 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
-    """Shutters (N, rows, cols) later or earlier around the frame, longer or shorter, or otherwise
-    in one slot; what would never open stays as it is."""
+    """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
+
+    Shutters that would never open stay unchanged.
+    """
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:
-        made = np.roll(opened, _by(len(opened), generator), axis=0)
+        reshaped = np.roll(opened, _by(len(opened), generator), axis=0)
     elif kind == 1:
-        made = opened | beside
+        reshaped = opened | beside
     elif kind == 2:
-        made = opened & beside
+        reshaped = opened & beside
     else:
-        made = opened.copy()
-        made[generator.integers(len(opened))] ^= True
-    return np.asarray(np.where(made.any(axis=0), made, opened))
+        reshaped = opened.copy()
+        reshaped[generator.integers(len(opened))] ^= True
+    return np.asarray(np.where(reshaped.any(axis=0), reshaped, opened))
 
 
 def _shorter(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Exposures halved so often; after one slot comes the longest."""
+    """Halve exposures `lag` times; after one slot follows the longest."""
     octaves = np.log2(spec.slots)
-    made = 2.0 ** ((np.log2(codes["stop"]) - lag) % (octaves + 1))
-    return {"stop": _clipped(np.rint(made), 1, spec.slots)}
+    stops = 2.0 ** ((np.log2(codes["stop"]) - lag) % (octaves + 1))
+    return {"stop": _clipped(np.rint(stops), 1, spec.slots)}
 
 
 def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
@@ -176,7 +179,7 @@ def _starts_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 
 def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """Bumps go on past the frame's end, which cuts them, and come in again at its begin."""
+    """Shift bumps around the frame; a bump that wraps around its end is cut."""
     before = codes["stop"] - codes["start"] - 1
     start = (codes["start"] + before + lag) % (spec.slots + before) - before
     stop = start + before + 1
@@ -185,12 +188,12 @@ def _edges_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
 
 def _bits_later(spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
     lag = lag % spec.slots
-    bits, every = codes["bits"], (1 << spec.slots) - 1
-    return {"bits": (bits << lag & every) | bits >> (spec.slots - lag)}
+    bits, all_bits = codes["bits"], (1 << spec.slots) - 1
+    return {"bits": (bits << lag & all_bits) | bits >> (spec.slots - lag)}
 
 
 def _rows_later(_spec: ShutterSpec, codes: Codes, lag: Values) -> Codes:
-    """The shapes of a codebook one after the other, in whatever order they are."""
+    """Advance the choice of shapes by `lag` rows."""
     return {"id": (codes["id"] + lag) % len(codes["book"]), "book": codes["book"]}
 
 
@@ -201,10 +204,10 @@ def _clipped(values: NDArray[np.number], low: int, high: int) -> Values:
 MOVING: dict[str, Callable[[ShutterSpec, Codes, Where, Generator], Codes]] = {
     "b": _stops, "c": _starts, "d": _edges, "e": _bits, "codebook": _rows,
 }  # fmt: skip
-"""How the shutters of some places change together, by class."""
+"""Changes of shutters at some places, by class."""
 
 _LATER: dict[str, Callable[[ShutterSpec, Codes, Values], Codes]] = {
     "b": _shorter, "c": _starts_later, "d": _edges_later, "e": _bits_later,
     "codebook": _rows_later,
 }  # fmt: skip
-"""Shutters later around the frame, by class; for stills, shorter."""
+"""Shifts of shutters around the frame, by class; for stills, shorter exposures."""

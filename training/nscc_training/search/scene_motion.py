@@ -1,4 +1,4 @@
-"""How the light of a clip moves: what the closed form has to know of it."""
+"""Motion and texture of a clip's light, for the closed form."""
 
 from __future__ import annotations
 
@@ -12,17 +12,18 @@ Clip = NDArray[np.floating]
 
 _BLOCK = 32
 _LEAST_CONTRAST = 0.02
-"""Blocks with less, standard deviation over mean, say nothing of motion."""
+"""Minimum contrast (standard deviation over mean) of blocks that are measured."""
 _SEEN = 4.0
-"""Pixels that phases tell well, of blocks of this size."""
+"""Displacement in pixels that phase correlation measures well in such blocks."""
 _SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
-"""Speeds that stand for all: those that so much of the contrast stays below."""
+"""Quantiles of the speeds, weighted by contrast, that represent the distribution."""
 
 
 def speeds_of(clip: Clip) -> tuple[float, ...]:
-    """Five speeds in pixels over the whole clip (T, rows, cols) that stand for those of its blocks,
-    from their phases. Zeros for one frame, or none that
-    has any contrast."""
+    """Return five speeds, in pixels over the whole clip (T, rows, cols), that represent its blocks.
+
+    They are measured by phase correlation. Zeros for one frame, or without contrast.
+    """
     import cv2
 
     _, rows, cols = clip.shape
@@ -45,7 +46,7 @@ def speeds_of(clip: Clip) -> tuple[float, ...]:
 
 
 def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
-    """The length in pixels over which light (rows, cols) is alike, and its contrast: standard
+    """Return the correlation length of light (rows, cols) in pixels, and its contrast: standard
     deviation over mean."""
     spread = float(picture.var())
     contrast = spread**0.5 / max(float(picture.mean()), 1e-30)
@@ -57,13 +58,15 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
 
 
 def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
-    """How far a block (T, rows, cols) moves from frame to frame, in pixels: the median over its
-    frames; of what hardly moves, over as many of them as it takes to see it."""
+    """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames.
+
+    For slow motion, frames further apart are compared.
+    """
 
     def median(gap: int) -> float:
         shifts = [
-            np.hypot(*cv2.phaseCorrelate(one, other, window)[0])
-            for one, other in zip(block[:-gap], block[gap:], strict=True)
+            np.hypot(*cv2.phaseCorrelate(earlier, later, window)[0])
+            for earlier, later in zip(block[:-gap], block[gap:], strict=True)
         ]
         return float(np.median(shifts)) / gap
 

@@ -1,6 +1,6 @@
-"""Grids of points: what to compute in which combinations, on one machine or on many.
+"""Sweeps over grids of points, on one machine or on many.
 
-`grid` reads what is asked for, `kinds` says what a point can be, `keys` by what a result is known,
-`store` keeps results, `work` and `cluster` compute them, `table`, `report` and the pictures tell
-them, and `run` is the whole of it. Nothing here needs torch, nor Dask, before a point does.
+`grid` reads grids, `kinds` lists the kinds of points and computes their keys, `store` keeps
+results, `work` and `cluster` compute them, `result_table`, `sweep_report` and the pictures show
+them, and `run_sweep` runs all of it. Torch and Dask are imported only when a point needs them.
 """

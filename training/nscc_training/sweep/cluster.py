@@ -1,4 +1,4 @@
-"""Points on many processes: Dask's workers on this machine, or those of a scheduler."""
+"""Compute points on many processes: Dask workers on this machine, or those of a scheduler."""
 
 from __future__ import annotations
 
@@ -12,31 +12,32 @@ from signal import SIG_BLOCK, SIG_SETMASK, SIGINT, pthread_sigmask
 from typing import TYPE_CHECKING
 
 from nscc.diagnostics.rejection import rejected
-from nscc_training.sweep.work import Done, Task, failure, work
+from nscc_training.sweep.work import Done, PointTask, failure, work
 
 if TYPE_CHECKING:
     from distributed import Client, Future
 
-Executor = Callable[[Iterable[Task]], Iterator[Done]]
+Executor = Callable[[Iterable[PointTask]], Iterator[Done]]
 """Computes tasks, in any order."""
 
 _TRIES = 2
 _POOLS = ("OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENBLAS_NUM_THREADS", "NUMBA_NUM_THREADS")
-"""What tells libraries how many threads to start, before they are imported."""
+"""Environment variables for the number of threads of libraries; they are read at import."""
 _PATIENCE_S = 10
 _AHEAD = 2
-"""Points for each worker that are sent to the scheduler ahead."""
+"""Points per worker that are submitted ahead."""
 
 
 @contextmanager
-def here(workers: int, threads: int) -> Iterator[Executor]:
-    """So many processes on this machine, of so many threads each, to the end of the block."""
+def local_workers(workers: int, threads: int) -> Iterator[Executor]:
+    """Start `workers` processes of `threads` threads each on this machine, until the end of the
+    block."""
     import dask
     from distributed import Client, LocalCluster
 
     settings = {
         "distributed.nanny.pre-spawn-environ": dict.fromkeys(_POOLS, threads),
-        # A worker that dies takes one point with it, which is tried once more.
+        # A worker that dies loses one point, which is tried once more.
         "distributed.scheduler.worker-saturation": 1.0,
         "distributed.scheduler.allowed-failures": 0,
         # Compiling holds the interpreter for longer than a worker may be silent by default.
@@ -44,8 +45,8 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
         "distributed.admin.tick.limit": "1h",
     }
     with dask.config.set(settings):
-        # A terminal interrupts workers, too: they leave that to the main thread, which ends them.
-        # Whoever starts Python's tracker of resources is open to interrupts after it.
+        # A terminal interrupts workers too: they ignore it, and the main thread ends them.
+        # Starting Python's resource tracker unblocks interrupts, so it is started before.
         resource_tracker.ensure_running()
         before = pthread_sigmask(SIG_BLOCK, {SIGINT})
         try:
@@ -60,35 +61,36 @@ def here(workers: int, threads: int) -> Iterator[Executor]:
 
 
 @contextmanager
-def at(scheduler: str) -> Iterator[Executor]:
-    """The workers of a scheduler, which must see the same files under the same paths.
+def scheduler_workers(scheduler: str) -> Iterator[Executor]:
+    """Use the workers of a scheduler, which must see the same files under the same paths.
 
-    Rejected (NS0835) where none answers.
+    Raises Rejected (NS0835) if it does not answer.
     """
     from distributed import Client
 
     try:
         client = Client(scheduler, timeout=_PATIENCE_S)
     except (OSError, ValueError, TimeoutError) as error:
-        said = " ".join(str(error).split())[:200]
+        reason = " ".join(str(error).split())[:200]
         raise rejected(
             "NS0835",
             f"no scheduler answers at '{scheduler[:100]}'",
-            notes=(said,) if said else (),
+            notes=(reason,) if reason else (),
             helps=("`dask scheduler` prints its address, tcp://HOST:PORT",),
         ) from None
     with client:
         yield lambda tasks: _computed(client, tasks)
 
 
-def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
-    """Every task, as it is done; one that fails, or whose worker dies, is tried once more."""
+def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
+    """Yield the result of every task when it is done; a task that fails, or whose worker dies, is
+    tried twice."""
     from distributed import as_completed
 
     tries: Counter[str] = Counter()
-    running: dict[Future, Task] = {}
+    running: dict[Future, PointTask] = {}
 
-    def start(task: Task) -> Future:
+    def start(task: PointTask) -> Future:
         tries[task.key] += 1
         name = f"point-{task.key}-{tries[task.key]}"
         future = client.submit(work, task, key=name, pure=False)
@@ -101,22 +103,25 @@ def _computed(client: Client, tasks: Iterable[Task]) -> Iterator[Done]:
     queue = as_completed([start(task) for task in islice(waiting, at_once)], loop=client.loop)
     for future in queue:
         task = running.pop(future)
-        done = _done(future, task)
+        finished = _finished(future, task)
         future.release()
-        if done.failed and tries[task.key] < _TRIES:
+        if finished.failed and tries[task.key] < _TRIES:
             queue.add(start(task))
         else:
-            yield done
+            yield finished
             for following in islice(waiting, 1):
                 queue.add(start(following))
 
 
-def _done(future: Future, task: Task) -> Done:
-    """What came of a task; a failure where its worker did not live to say it. ModuleNotFoundError
-    where a package is missing: no other point of its kind would fare better."""
+def _finished(future: Future, task: PointTask) -> Done:
+    """Return the result of a task, or a failure if its worker died.
+
+    Raises ModuleNotFoundError if a package is missing, because other points of the kind would fail
+    too.
+    """
     if future.status == "finished":
-        found: Done = future.result()
-        return found
+        result: Done = future.result()
+        return result
     error = future.exception()
     if isinstance(error, ModuleNotFoundError):
         raise error

@@ -1,4 +1,4 @@
-"""Points of kind compile: what a program costs; and of kind limits: how large a class may be."""
+"""Points of kind compile, the costs of a program, and of kind limits, the largest size of a class."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from nscc.limits.survey import limit_of
 from nscc.pipeline import Compiled, Options
 from nscc.toml.kinds import Integer, Text
 from nscc.toml.schema import Key
-from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import (
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
     program_fault,
@@ -28,22 +28,24 @@ from nscc_training.sweep.programs import (
 
 
 def _compile(values: Values, _place: Place) -> Figures:
-    found = compiled_of(values)
-    assert found.proof is not None
-    if found.sending is not None:  # a chip without logic: no words, and nothing to count of them
-        told = stream_report(found.sending, found.proof)
-        return _common(found, told)
-    assert found.choice is not None
-    told = report(found.choice, found.proof)
-    logic = told["logic"]
+    compiled_program = compiled_of(values)
+    assert compiled_program.proof is not None
+    if (
+        compiled_program.sending is not None
+    ):  # a chip without logic: no words, and nothing to count of them
+        build_report = stream_report(compiled_program.sending, compiled_program.proof)
+        return _common(compiled_program, build_report)
+    assert compiled_program.choice is not None
+    build_report = report(compiled_program.choice, compiled_program.proof)
+    logic = build_report["logic"]
     return {
-        **_common(found, told),
+        **_common(compiled_program, build_report),
         "encoding": logic["encoding"],
-        "registers": len(told["digital_registers"]),
-        "words_total": told["words_total"],
-        "words_a_slot": round(told["words_per_slot"]["mean"], 6),
-        "largest_slot_words": told["words_per_slot"]["max"],
-        "words_stored": told["words_stored"],
+        "registers": len(build_report["digital_registers"]),
+        "words_total": build_report["words_total"],
+        "words_a_slot": round(build_report["words_per_slot"]["mean"], 6),
+        "largest_slot_words": build_report["words_per_slot"]["max"],
+        "words_stored": build_report["words_stored"],
         "logic_ops": logic["ops"],
         "logic_words": logic["words"],
         "logic_bound": logic["bound"],
@@ -51,19 +53,19 @@ def _compile(values: Values, _place: Place) -> Figures:
     }
 
 
-def _common(found: Compiled, told: Mapping[str, Any]) -> Figures:
-    """What the reports of all chips tell."""
+def _common(compiled_program: Compiled, build_report: Mapping[str, Any]) -> Figures:
+    """Return the figures that the reports of all chips have."""
     return {
-        "program_class": told["class"],
-        "shutters": told["codes"]["shutters"],
-        "lowered": told["lowering"],
-        "shortest_slot_us": told["shortest_slot_us"],
-        "frame_us": told["frame_us"],
-        "program_sha256": sha256(found.program.source.text.encode()).hexdigest()[:12],
+        "program_class": build_report["class"],
+        "shutters": build_report["codes"]["shutters"],
+        "lowered": build_report["lowering"],
+        "shortest_slot_us": build_report["shortest_slot_us"],
+        "frame_us": build_report["frame_us"],
+        "program_sha256": sha256(compiled_program.program.source.text.encode()).hexdigest()[:12],
     }
 
 
-def _compile_fault(values: Values, named: Collection[str]) -> Fault | None:
+def _compile_fault(values: Values, named: Collection[str]) -> PointFault | None:
     chosen = () if "class" in values else ("seed",)
     return program_fault(values, named) or silent(named, chosen, "codes of its own")
 
@@ -86,11 +88,15 @@ def _limit_keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _limit_fault(values: Values, _named: Collection[str]) -> Fault | None:
+def _limit_fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if "family" not in values:
-        return Fault("", "the key family is missing: a class at every size", 'add family = "d"')
+        return PointFault(
+            "", "the key family is missing: a class at every size", 'add family = "d"'
+        )
     if not values["target"]:
-        return Fault("", "limits are those of a chip, and none is named", 'add target = "scamp5"')
+        return PointFault(
+            "", "limits are those of a chip, and none is named", 'add target = "scamp5"'
+        )
     return target_fault(values)
 
 

@@ -1,4 +1,4 @@
-"""Points of kind design: programs made for scenes."""
+"""Points of kind design: programs designed for scenes."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from nscc.files import write_whole
 from nscc.toml.kinds import Integer, Number, Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.light import light_files, scene_keys, scene_of, sensor_keys, sensor_of
-from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import axis
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import axis
 
 _TILE = "sve-risk"
 _CRITERIA = ("mu", "linear", "log", _TILE)
@@ -31,15 +31,15 @@ def _keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _fault(values: Values, _named: Collection[str]) -> Fault | None:
+def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if "scene" not in values:
-        return Fault("", "a point is designed for a scene", 'add scene = "builtin:hdr"')
+        return PointFault("", "a point is designed for a scene", 'add scene = "builtin:hdr"')
     if (values["criterion"] == _TILE) == ("looks" in values):
         message = "a point has looks, or else the criterion sve-risk"
-        return Fault("looks" if "looks" in values else "", message, "for instance looks = 5")
+        return PointFault("looks" if "looks" in values else "", message, "for instance looks = 5")
     if values.get("looks", 0) > values["slots"]:
         message = f"{values['looks']} exposures end at as many of {values['slots']} boundaries"
-        return Fault("looks", message, "ask for fewer looks, or for more slots")
+        return PointFault("looks", message, "ask for fewer looks, or for more slots")
     return None
 
 
@@ -55,21 +55,21 @@ def _design(values: Values, place: Place) -> Figures:
 
     target = load_target(values["target"], Path())
     slots, slot_us = values["slots"], values["slot_us"]
-    [laid] = scene_of(values).laid([slot_us] * slots, target, lambda _told: None, unseen)
-    seen = [laid.where.cut(laid.light.total_e())]
+    [laid] = scene_of(values).laid([slot_us] * slots, target, lambda _diagnostic: None, unseen)
+    scene_light = [laid.placement.cut(laid.light.total_e())]
     frame = Frame(slots, slot_us, values["target"], sensor_of(values, target), values["level"])
     figures: Figures
-    made: Design
+    design: Design
     if values["criterion"] == _TILE:
-        tile = design_tile(seen, frame)
-        made, figures = tile, {"stops": " ".join(map(str, tile.tile.stops))}
+        tile = design_tile(scene_light, frame)
+        design, figures = tile, {"stops": " ".join(map(str, tile.tile.stops))}
         errors = {"mu": tile.tile.risk}
     else:
-        looking = design_looks(seen, values["looks"], frame, values["criterion"])
-        made, figures = looking, {"at": " ".join(map(str, looking.schedule.at))}
+        looking = design_looks(scene_light, values["looks"], frame, values["criterion"])
+        design, figures = looking, {"at": " ".join(map(str, looking.schedule.at))}
         errors = {str(curve): error for curve, error in looking.expected.errors.items()}
-    write_whole(place.files, made.text.encode())
-    lowered = made.compiled.lowered
+    write_whole(place.files, design.text.encode())
+    lowered = design.compiled.lowered
     assert lowered is not None
     expected = {
         f"expected_{curve}_db": psnr_of_mse(error, 1.0)

@@ -1,4 +1,4 @@
-"""Points of kind emulate: what the emulated chip captures, and what can be made of it."""
+"""Points of kind emulate: captures of the emulated chip, and scores of reconstructions."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ from nscc_training.sweep.light import (
     sensor_keys,
     sensor_of,
 )
-from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import (
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import (
     axis,
     compiled_of,
     program_fault,
@@ -37,7 +37,7 @@ _SILENT = {
     "bench": ("slot_us", "max_words", "exposure", "transfer", "tolerance", "fidelity", "audit",
               "device_seed"),
 }  # fmt: skip
-"""Keys that say nothing of points with a scene, and with a bench."""
+"""Keys that do not apply to points with a scene, and with a bench."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -59,26 +59,32 @@ def _keys() -> tuple[Key, ...]:
     )  # fmt: skip
 
 
-def _fault(values: Values, named: Collection[str]) -> Fault | None:
+def _fault(values: Values, named: Collection[str]) -> PointFault | None:
     if ("scene" in values) == ("bench" in values):
-        return Fault(
-            "bench" if "bench" in values else "", "a point exposes a scene, or else a bench",
+        return PointFault(
+            "bench" if "bench" in values else "",
+            "a point exposes a scene, or else a bench",
             'for instance scene = "builtin:hdr", or bench = "clips"',
-        )  # fmt: skip
+        )
     if "bench" in values and "class" not in values:
-        return Fault("bench", "a bench exposes a class, and here is none", 'add class = "d"')
+        return PointFault("bench", "a bench exposes a class, and here is none", 'add class = "d"')
     if values.get("bench") == "clips" and values["frames"] % values["slots"]:
-        return Fault("frames", f"{values['slots']} slots do not divide {values['frames']} frames",
-                     "name a multiple of every number of slots")  # fmt: skip
+        return PointFault(
+            "frames",
+            f"{values['slots']} slots do not divide {values['frames']} frames",
+            "name a multiple of every number of slots",
+        )
     if values.get("bench") == "stills" and values["class"] != "b":
-        return Fault("bench", "a bench of stills exposes class b", 'write class = "b"')
+        return PointFault("bench", "a bench of stills exposes class b", 'write class = "b"')
     if "bench" in values and not values["target"]:
-        return Fault("bench", "a bench names the chip", 'add target = "scamp5"')
+        return PointFault("bench", "a bench names the chip", 'add target = "scamp5"')
     changed = next((name for name in values if name.startswith("chip.")), None)
     if "bench" in values and changed:
-        return Fault(changed, "a bench takes the chip as it is", "name a target's file instead")
-    other = "bench" if "bench" in values else "scene"
-    return silent(named, _SILENT[other], f"a {other}") or program_fault(values, named)
+        return PointFault(
+            changed, "a bench takes the chip as it is", "name a target's file instead"
+        )
+    source = "bench" if "bench" in values else "scene"
+    return silent(named, _SILENT[source], f"a {source}") or program_fault(values, named)
 
 
 def _reads(values: Values) -> Sequence[Path]:
@@ -100,12 +106,17 @@ def _capture(values: Values, threads: int) -> Figures:
     container = with_pixels(compiled.container, "the program")
     plans = values["effects"] != "none" and values["fidelity"] == "planned"
     shot = capture(
-        container, scene_of(values), sensor=sensor_of(values, converter_of(container)),
+        container,
+        scene_of(values),
+        sensor=sensor_of(values, converter_of(container)),
         effects=values["effects"],
         tolerance=values["tolerance"] if plans else None,
-        fidelity=values["fidelity"], audit=values["audit"], seed=values["seed"],
-        device_seed=values["device_seed"], threads=threads,
-    )  # fmt: skip
+        fidelity=values["fidelity"],
+        audit=values["audit"],
+        seed=values["seed"],
+        device_seed=values["device_seed"],
+        threads=threads,
+    )
     plan, audit = shot.plan, shot.audit
     return {
         "shortest_slot_us": round(compiled.shortest_slot_us, 6),
@@ -137,12 +148,12 @@ def _bench(values: Values) -> Figures:
         changes=sensor_changes(values), tile=values["tile"], init=values["init"],
         length=values["length"], rows=values["rows"],
     )  # fmt: skip
-    found = measure(settings)
-    if found.refused:
+    study = measure(settings)
+    if study.refused:
         from nscc.diagnostics.diagnostic import Rejected
 
-        raise Rejected(Diagnostic(found.refused[0].code, found.refused[0].reason))
-    [point] = found.points
+        raise Rejected(Diagnostic(study.refused[0].code, study.refused[0].reason))
+    [point] = study.points
     return {"psnr_db": point.error, "shortest_slot_us": round(point.time_ms * 1e3, 6)}
 
 

@@ -12,11 +12,11 @@ from nscc.toml.schema import Key
 from nscc_training.protocols import NAMES
 from nscc_training.scene_files import folders_of
 from nscc_training.sweep.light import sensor_changes, sensor_keys
-from nscc_training.sweep.point import Fault, Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import axis
+from nscc_training.sweep.point import Figures, Place, PointFault, PointKind, Values
+from nscc_training.sweep.point_programs import axis
 
 RUN = "run"
-"""The key that names parts of kind train: each of their points is evaluated."""
+"""The key that names a part of kind train; each of its runs is evaluated."""
 
 
 def _keys() -> tuple[Key, ...]:
@@ -35,12 +35,16 @@ def _keys() -> tuple[Key, ...]:
     )
 
 
-def _fault(values: Values, _named: Collection[str]) -> Fault | None:
+def _fault(values: Values, _named: Collection[str]) -> PointFault | None:
     if (RUN in values) == ("subject" in values):
         message = "a point evaluates a run of this grid, or else a subject"
-        return Fault("subject" if RUN in values else "", message, 'for instance subject = "quad"')
+        return PointFault(
+            "subject" if RUN in values else "", message, 'for instance subject = "quad"'
+        )
     if "data" not in values:
-        return Fault("", "the key data is missing: the folder of scenes", 'add data = "scenes"')
+        return PointFault(
+            "", "the key data is missing: the folder of scenes", 'add data = "scenes"'
+        )
     return None
 
 
@@ -55,23 +59,25 @@ def _evaluate(values: Values, place: Place) -> Figures:
     from nscc_training.evaluation.result_text import result_json
 
     torch.set_num_threads(place.threads)
-    found = _result(values)
-    write_whole(place.files, result_json(found).encode())
-    items = found["items"]
-    low, high = found["ci95"] or (None, None)
+    result = _result(values)
+    write_whole(place.files, result_json(result).encode())
+    items = result["items"]
+    low, high = result["ci95"] or (None, None)
     return {
-        "method": found["method"],
+        "method": result["method"],
         "items": len(items),
         **means_of(items),
         "ci95_low": low,
         "ci95_high": high,
-        "parameters": found["parameters"],
+        "parameters": result["parameters"],
     }
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it, which not
-    all do: a crop without dark pixels has no score of dark pixels."""
+    """Return the mean of each score over the items that have it.
+
+    Some items lack a score: a crop without dark pixels has no score of dark pixels.
+    """
     from nscc_training.statistics import summary
 
     means = {}
@@ -87,14 +93,14 @@ def _result(values: Values) -> dict[str, Any]:
     from nscc_training.evaluation.baselines import evaluate_sci8
     from nscc_training.evaluation.methods import CLIPS
     from nscc_training.evaluation.subjects import evaluate
-    from nscc_training.protocol_scenes.files import files_of
+    from nscc_training.protocol_scenes.file_scenes import files_of
     from nscc_training.protocols import load_protocol
 
     data, subject = Path(values["data"]), values.get("subject", "")
     if values["protocol"] == "sci8" and subject in CLIPS:
         count, weight = values["iterations"], values["weight"]
         return evaluate_sci8(files_of(load_protocol("sci8"), data), subject, count, weight)[0]
-    # A run of this grid executes the code that its configuration names.
+    # Runs of this grid may execute the code that their configuration names.
     chosen = {
         "trust_code": RUN in values, "skip_seen": values["skip_seen"],
         "codes": values["shutter"], "effects": values["effects"],

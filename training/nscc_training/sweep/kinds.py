@@ -1,4 +1,4 @@
-"""What a point of a grid can be, and what its result is known by: a digest of all that decides."""
+"""The kinds of points, and the key of a point: a digest of all inputs of its result."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc_training.sweep.compiling import COMPILE, LIMITS
 from nscc_training.sweep.designing import DESIGN
 from nscc_training.sweep.emulating import EMULATE
 from nscc_training.sweep.evaluating import EVALUATE
-from nscc_training.sweep.point import Point, PointKind
+from nscc_training.sweep.point import GridPoint, PointKind
 from nscc_training.sweep.training import TRAIN
 
 KINDS: Mapping[str, PointKind] = {
@@ -23,26 +23,26 @@ KINDS: Mapping[str, PointKind] = {
 _SCHEMA = "nscc-point-1"
 
 
-def key_of(point: Point, threads: int) -> str:
-    """The key of a point: 64 hexadecimal digits. Paths are relative to the current folder.
+def key_of(point: GridPoint, threads: int) -> str:
+    """Return the key of a point: 64 hexadecimal digits. Paths are relative to the current folder.
 
-    Its values count, the content of every file that they name, the sources of the packages that
-    compute it, and the versions of those that do it for them. Where torch computes, the number of
-    `threads` counts as well: sums of floats depend on it. Raises Rejected for a program that cannot
+    The key depends on the values, the content of every file that they name, the sources of the
+    packages that compute the point, and the versions of their dependencies. If torch computes, it
+    also depends on `threads`, because sums of floats do. Raises Rejected for a program that cannot
     be read.
     """
     kind = KINDS[point.kind]
-    after = [key_of(each, threads) for each in point.after]
-    given = {name: kind_plain(value) for name, value in sorted(point.values.items())}
+    after = [key_of(run_point, threads) for run_point in point.after]
+    plain_values = {name: kind_plain(value) for name, value in sorted(point.values.items())}
     return digest((
-        _SCHEMA, kind.name, given, [content(path) for path in kind.reads(point.values)],
+        _SCHEMA, kind.name, plain_values, [content(path) for path in kind.reads(point.values)],
         versions(kind.packages, kind.distributions),
         threads if "torch" in kind.distributions else 0, *after,
     ))  # fmt: skip
 
 
 def kind_plain(value: object) -> object:
-    """A value as it counts: 1 and 1.0 are the same number."""
+    """Return a value in canonical form: 1 and 1.0 are the same number."""
     if isinstance(value, float) and value.is_integer():
         return int(value)
     return value
@@ -50,9 +50,14 @@ def kind_plain(value: object) -> object:
 
 @cache
 def versions(packages: Sequence[str], distributions: Sequence[str]) -> tuple[str, ...]:
-    """What computes: the digests of our own packages, then the versions of others."""
-    own = (version_digest() if name == "nscc" else package_digest(name) for name in packages)
-    return (*(each or __version__ for each in own), *map(_version, distributions))
+    """Return the digests of nscc's packages and the versions of distributions."""
+    package_versions = (
+        version_digest() if name == "nscc" else package_digest(name) for name in packages
+    )
+    return (
+        *(version or __version__ for version in package_versions),
+        *map(_version, distributions),
+    )
 
 
 def _version(distribution: str) -> str:

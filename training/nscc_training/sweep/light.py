@@ -10,7 +10,7 @@ from nscc.chips.target import Target
 from nscc.toml.kinds import Text
 from nscc.toml.schema import Key
 from nscc_training.sweep.point import Values
-from nscc_training.sweep.programs import axis
+from nscc_training.sweep.point_programs import axis
 
 if TYPE_CHECKING:
     from nscc_runtime.scenes import Scene
@@ -20,7 +20,7 @@ _SENSOR, _FILE = "sensor.", "sensor.file"
 
 
 def scene_keys() -> tuple[Key, ...]:
-    """What falls on the array."""
+    """Return the keys of scenes."""
     return (
         axis("scene", Text(), "a scene, as nscc run takes it"),
         axis("exposure", Text(), "electrons over the frame, as --exposure; empty: the scene's", ""),
@@ -29,7 +29,7 @@ def scene_keys() -> tuple[Key, ...]:
 
 
 def sensor_keys() -> tuple[Key, ...]:
-    """The sensor's file, and each of its numbers as `sensor.KEY`."""
+    """Return the keys of sensors: the file, and each value as `sensor.KEY`."""
     from nscc_runtime.sensor.file import schema
 
     numbers = (axis(_SENSOR + key.name, key.kind, key.meaning) for key in schema().keys)
@@ -37,13 +37,13 @@ def sensor_keys() -> tuple[Key, ...]:
 
 
 def light_files(values: Values) -> Sequence[Path]:
-    """The files of the scene and of the sensor."""
+    """Return the files of scene and sensor."""
     named = values[_FILE], values.get("scene", "")
     return [Path(name) for name in named if name and not name.startswith("builtin:")]
 
 
 def scene_of(values: Values) -> Scene:
-    """The scene that a point names."""
+    """Return the scene of a point."""
     from nscc_runtime.scenes import Scene
 
     return Scene(
@@ -52,18 +52,18 @@ def scene_of(values: Values) -> Scene:
 
 
 def sensor_file(values: Values) -> Path | None:
-    """The file of a point's sensor."""
+    """Return the sensor file of a point, or None."""
     return Path(values[_FILE]) if values[_FILE] else None
 
 
 def sensor_changes(values: Values) -> tuple[str, ...]:
-    """The numbers of a sensor that a point changes, as --sensor-set takes them."""
+    """Return the sensor values that a point changes, in the form of --sensor-set."""
     changed = [name for name in values if name.startswith(_SENSOR) and name != _FILE]
     return tuple(f"{name.removeprefix(_SENSOR)}={values[name]!r}" for name in changed)
 
 
 def sensor_of(values: Values, target: Target) -> Sensor:
-    """The sensor of a point, on this chip."""
+    """Return the sensor of a point, for a chip."""
     from nscc_runtime.sensor import load_sensor
 
     return load_sensor(target, sensor_file(values), sensor_changes(values))

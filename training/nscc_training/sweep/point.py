@@ -1,4 +1,4 @@
-"""A point of a grid, what kinds there are of them, and what comes of one."""
+"""Points of a grid, their kinds, and their results."""
 
 from __future__ import annotations
 
@@ -10,18 +10,18 @@ from typing import Any
 from nscc.toml.schema import Key
 
 Values = Mapping[str, Any]
-"""A point's values by the names of its kind's keys; what has no value and no default is absent."""
+"""A point's values by key; keys without value and default are absent."""
 
 OF_RUN = "run:"
-"""Begins a value that names the run of another point of the grid."""
+"""Prefix of a value that names the run of another point of the grid."""
 
 Figures = dict[str, Any]
-"""What was found, by names: text, numbers, true, false or None."""
+"""Results by name: text, numbers, true, false or None."""
 
 
 @dataclass(frozen=True)
-class Fault:
-    """What is wrong with values that are right one by one: at which key, why, what to do."""
+class PointFault:
+    """An invalid combination of values: the key, the reason, and the remedy."""
 
     key: str
     message: str
@@ -30,10 +30,7 @@ class Fault:
 
 @dataclass(frozen=True)
 class Place:
-    """Where a point is computed: files that it leaves begin with the path `files`.
-
-    `threads` are what it may use.
-    """
+    """Paths and resources of a point: its files begin with the path `files`; it may use `threads`."""
 
     files: Path
     threads: int
@@ -41,46 +38,57 @@ class Place:
 
 @dataclass(frozen=True)
 class PointKind:
-    """What a point can be.
+    """A kind of point.
 
-    `takes()` are the keys of a part of a grid, in no section. `fault` looks at one point's values
-    together, and at which of their keys the grid names. `reads` names the files and folders whose
-    content decides the result; `packages` and `distributions` compute it. `compute` gives the
-    figures; Rejected says why there are none. Of the figures `drawn` a table's first is, unless a
-    grid asks for others. `leaves` is the ending of what a point leaves in `Place.files`, None where
-    that is nothing.
+    Attributes
+    ----------
+    name, summary : str
+    takes : callable
+        Returns the keys of a part of a grid.
+    compute : callable
+        Returns the figures of a point; raises Rejected with the reason if it has none.
+    drawn : tuple of str
+        Figures for diagrams: the first one that a table has is drawn by default.
+    reads : callable
+        Returns the files and folders whose content the result depends on.
+    fault : callable
+        Returns the fault of a combination of values, given the keys that the grid names.
+    packages, distributions : tuple of str
+        Packages of nscc and other distributions that compute the point.
+    leaves : str or None
+        The ending of the file or folder that a point writes at `Place.files`.
     """
 
     name: str
-    what: str
+    summary: str
     takes: Callable[[], tuple[Key, ...]]
     compute: Callable[[Values, Place], Figures]
     drawn: tuple[str, ...]
     reads: Callable[[Values], Sequence[Path]]
-    fault: Callable[[Values, Collection[str]], Fault | None] = lambda _values, _named: None
+    fault: Callable[[Values, Collection[str]], PointFault | None] = lambda _values, _named: None
     packages: tuple[str, ...] = ("nscc",)
     distributions: tuple[str, ...] = ("lark", "networkx")
     leaves: str | None = None
 
 
 @dataclass(frozen=True)
-class Point:
+class GridPoint:
     """One combination of a part's values.
 
-    `name` tells it apart from the others of its grid. `after` are the points whose runs its values
-    name: `run:NAME` stands for a run's folder.
+    `name` is unique in the grid. `after` are the points whose runs the values name: `run:NAME`
+    stands for the folder of a run.
     """
 
-    part: str
+    grid_part: str
     kind: str
     name: str
     values: Values = field(hash=False)
-    after: tuple[Point, ...] = ()
+    after: tuple[GridPoint, ...] = ()
 
 
 @dataclass(frozen=True)
-class Row:
-    """What came of a point: `figures`, or the `code` and text of the message that says why not."""
+class PointRow:
+    """The result of a point: `figures`, or `code` and text of the message instead of them."""
 
     key: str
     figures: Figures = field(default_factory=dict, hash=False)

@@ -1,4 +1,4 @@
-"""The rows of a sweep in its experiment store, and how long each took."""
+"""Rows of a sweep in its experiment store, and the time of each."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
 from nscc.experiment_store import STORE, ExperimentStore
-from nscc_training.sweep.point import Row
+from nscc_training.sweep.point import PointRow
 
 TIMES = "times.csv"
 POINTS = "points"
-"""The experiment that a point's row belongs to: its key says everything else."""
+"""The experiment of all rows; the key identifies the point."""
 
 
 def store_in(folder: Path) -> ExperimentStore:
@@ -29,27 +29,27 @@ def store_in(folder: Path) -> ExperimentStore:
     return ExperimentStore(folder / STORE)
 
 
-def rows_in(store: ExperimentStore) -> dict[str, Row]:
+def rows_in(store: ExperimentStore) -> dict[str, PointRow]:
     """Return all rows by key."""
-    return {key: Row(key, **value) for key, value in store.values(POINTS).items()}
+    return {key: PointRow(key, **value) for key, value in store.values(POINTS).items()}
 
 
-def put_row(store: ExperimentStore, row: Row, name: str, seconds: float, worker: str) -> None:
-    """Keep a row, which took a worker so many seconds; it is on the disk when this returns."""
+def put_row(store: ExperimentStore, row: PointRow, name: str, seconds: float, worker: str) -> None:
+    """Store a row with the seconds that a worker took; it is on the disk on return."""
     value = {"figures": row.figures, "code": row.code, "error": row.error}
     store.put(POINTS, row.key, value, label=name, seconds=seconds, worker=worker)
 
 
 def times_csv(store: ExperimentStore) -> str:
-    """Return how long each point took, and where; the first one began at 0 s."""
+    """Return the time and the worker of each point as CSV; the first point began at 0 s."""
     timings = store.timings(POINTS)
-    begin = min((each.ended - each.seconds for each in timings), default=0.0)
+    begin = min((timing.ended - timing.seconds for timing in timings), default=0.0)
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow(("key", "name", "seconds", "ended_s", "worker"))
     writer.writerows(
-        (each.name[:12], each.label, f"{each.seconds:.3f}", f"{each.ended - begin:.3f}",
-         each.worker)
-        for each in timings
+        (timing.name[:12], timing.label, f"{timing.seconds:.3f}", f"{timing.ended - begin:.3f}",
+         timing.worker)
+        for timing in timings
     )  # fmt: skip
     return text.getvalue()

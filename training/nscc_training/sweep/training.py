@@ -1,4 +1,4 @@
-"""Points of kind train: runs, each in a folder of its own."""
+"""Points of kind train: runs, each in its own folder."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from nscc_training.config import load_config, settings_of
 from nscc_training.import_paths import is_import_path
 from nscc_training.run_files import run_path
 from nscc_training.scene_files import folders_of
-from nscc_training.settings import SCHEMA, Settings
+from nscc_training.settings import SCHEMA, RunSettings
 from nscc_training.sweep.point import Figures, Place, PointKind, Values
-from nscc_training.sweep.programs import axis, text_files
+from nscc_training.sweep.point_programs import axis, text_files
 
 _CONFIG = "config"
 _STAGES = ("soft", "hard", "compiled", "emulated")
@@ -28,7 +28,7 @@ def _keys() -> tuple[Key, ...]:
     return (axis(_CONFIG, Text(), "a configuration of nscc train, else its defaults"), *settings)
 
 
-def _settings(values: Values) -> Settings:
+def _settings(values: Values) -> RunSettings:
     """Return the settings of the configuration, or the defaults, as the point changes them.
 
     Raises Rejected as `load_config`.
@@ -43,7 +43,8 @@ def _settings(values: Values) -> Settings:
 
 
 def _reads(values: Values) -> Sequence[Path]:
-    """The configuration, the data and what else it names. Of code of one's own the module."""
+    """Return the configuration, the data and all other files that it names; of the user's code the
+    module."""
     settings = _settings(values)
     named = [
         settings.shutter.target, settings.sensor.file, settings.decoder.name,
@@ -67,13 +68,14 @@ def _reads(values: Values) -> Sequence[Path]:
 
 
 def _begun_with(path: Path) -> Sequence[Path]:
-    """What a run begins with: a run's folder, codes, or a program and the files that it names."""
+    """Return the files of a run's start: a run folder, codes, or a program and the files that it
+    names."""
     is_program = path.suffix.lower() == ".nsl" and path.is_file()
     return text_files(path) if is_program else [path]
 
 
 def _train(values: Values, place: Place) -> Figures:
-    """Goes on from a checkpoint where the point was begun before."""
+    """Train, resuming from the checkpoint of an earlier attempt."""
     import json
 
     import torch

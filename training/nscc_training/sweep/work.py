@@ -1,4 +1,4 @@
-"""Computing points: one here, or one after the other."""
+"""Compute points in this process."""
 
 from __future__ import annotations
 
@@ -15,23 +15,25 @@ from time import perf_counter
 
 from nscc.diagnostics.diagnostic import Rejected, Severity
 from nscc_training.sweep.kinds import KINDS, key_of
-from nscc_training.sweep.point import Figures, Place, Point, Row
+from nscc_training.sweep.point import Figures, GridPoint, Place, PointRow
 
 FAILED = "NS0833"
-"""The code of a point that failed, which says nothing of its values."""
+"""The code of a failed point; it does not depend on the values."""
 
 
 _ONE = Lock()
-"""Folder, warnings and torch's threads are the process's: a worker of several threads computes one
-point at a time."""
+"""Current folder, warnings and torch's threads belong to the process, so a worker of several
+threads computes one point at a time."""
 
 
 @dataclass(frozen=True)
-class Task:
-    """A point to compute: paths that it names are relative to `folder`, and what it leaves begins
-    with `files`. `runs` are the run folders that its values name, by the value."""
+class PointTask:
+    """A point to compute: its paths are relative to `folder`, and its output begins with `files`.
 
-    point: Point
+    `runs` are the run folders that its values name, by value.
+    """
+
+    point: GridPoint
     key: str
     folder: Path
     files: Path
@@ -41,43 +43,47 @@ class Task:
 
 @dataclass(frozen=True)
 class Done:
-    """A task's row, where and how long it was worked at. `failed`: it may be tried again.
-    `other_key`, if any, is what its point is known by where it was to be computed."""
+    """The row of a task, its time and worker.
 
-    task: Task
-    row: Row
+    `failed`: it may be tried again. `other_key`: the key computed by the worker, if it differs.
+    """
+
+    task: PointTask
+    row: PointRow
     seconds: float
     worker: str
     failed: bool = False
     other_key: str = ""
 
 
-def serially(tasks: Iterable[Task]) -> Iterator[Done]:
-    """All of them in this process; one that fails is tried once more."""
+def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
+    """Compute all tasks in this process; a task that fails is tried once more."""
     for task in tasks:
-        done = work(task)
-        yield work(task) if done.failed else done
+        result = work(task)
+        yield work(task) if result.failed else result
 
 
-def work(task: Task) -> Done:
-    """One of them, in this process. What goes wrong is in the row, whatever it is but a package
-    that is missing (ModuleNotFoundError)."""
+def work(task: PointTask) -> Done:
+    """Compute a task in this process.
+
+    Errors become part of the row, except ModuleNotFoundError for a missing package.
+    """
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what compilers and scenes say of a point
-        here = key_of(task.point, task.threads)
+        current_key = key_of(task.point, task.threads)
         begin = perf_counter()
-        if here != task.key:
-            return Done(task, Row(task.key), 0.0, _worker(), other_key=here)
+        if current_key != task.key:
+            return Done(task, PointRow(task.key), 0.0, _worker(), other_key=current_key)
         row, failed = _row(task)
     return Done(task, row, perf_counter() - begin, _worker(), failed)
 
 
-def failure(task: Task, why: str) -> Row:
-    """The row of a point that failed."""
-    return Row(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
+def failure(task: PointTask, why: str) -> PointRow:
+    """Return the row of a failed point."""
+    return PointRow(task.key, code=FAILED, error=_anywhere(" ".join(why.split())[:400], task))
 
 
-def _row(task: Task) -> tuple[Row, bool]:
+def _row(task: PointTask) -> tuple[PointRow, bool]:
     kind = KINDS[task.point.kind]
     place = Place(task.files, task.threads)
     values = {
@@ -85,27 +91,27 @@ def _row(task: Task) -> tuple[Row, bool]:
         for name, value in task.point.values.items()
     }
     try:
-        found = kind.compute(values, place)
+        figures = kind.compute(values, place)
     except Rejected as rejected:
         errors = [d for d in rejected.diagnostics if d.severity is Severity.ERROR]
         first = next((d for d in errors if d.data.get("proved")), errors[0])
-        return Row(task.key, code=first.code, error=_anywhere(first.message, task)), False
+        return PointRow(task.key, code=first.code, error=_anywhere(first.message, task)), False
     except ModuleNotFoundError:
         raise
     except Exception as error:  # a point must not end the others, whatever it raises
         return failure(task, f"{type(error).__name__}: {error}"), True
-    return Row(task.key, {name: _stored(found[name]) for name in found}), False
+    return PointRow(task.key, {name: _stored(figures[name]) for name in figures}), False
 
 
-def _anywhere(text: str, task: Task) -> str:
-    """A message without the folders that only this machine has."""
+def _anywhere(text: str, task: PointTask) -> str:
+    """Return a message without the folders of this machine."""
     for folder in (task.files.parents[1], task.folder):
         text = text.replace(f"{folder}{os.sep}", "")
     return text
 
 
 def _stored(value: Figures) -> object:
-    """A figure as JSON has it: numbers that are none as text."""
+    """Return a figure in JSON form: infinities and NaN as text."""
     if isinstance(value, float) and not math.isfinite(value):
         return "nan" if math.isnan(value) else "inf" if value > 0 else "-inf"
     return value

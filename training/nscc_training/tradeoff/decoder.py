@@ -20,12 +20,12 @@ from nscc.tradeoff.stopwatch import Stopwatch
 from nscc_training.decoders.blocks import BlockNet
 from nscc_training.decoders.declared import DECODERS
 from nscc_training.encoders import ShutterSpec, make_encoder
-from nscc_training.evaluation.captured import Captured, captured
+from nscc_training.evaluation.captured import CapturedScene, captured
 from nscc_training.evaluation.methods import CLIPS, STILLS, Light
 from nscc_training.evaluation.runs import check_unseen
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
-from nscc_training.protocol_scenes.files import (
+from nscc_training.protocol_scenes.file_scenes import (
     KINDS,
     Kind,
     files_of,
@@ -69,7 +69,7 @@ class Way:
 
     method: str
     setting: str
-    run: Callable[[Captured], Light]
+    run: Callable[[CapturedScene], Light]
     device: str = ""
     loads: str = ""
 
@@ -79,7 +79,7 @@ class Case:
     """Captures with one code, and the decoders that they are for."""
 
     name: str
-    captures: tuple[Captured, ...]
+    captures: tuple[CapturedScene, ...]
     ways: tuple[Way, ...]
 
 
@@ -95,7 +95,7 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
     run with two buckets: the methods beside it take one.
     """
     for run in runs:
-        if run.parts.buckets > 1:
+        if run.setup.buckets > 1:
             raise rejected(
                 "NS0821",
                 f"'{run.path}' was trained with two buckets, and methods beside it take one",
@@ -106,8 +106,8 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
         return [_fixed(kind, settings) for kind in kinds]
     by_code: dict[Any, list[RunFolder]] = {}
     for run in runs:
-        tile = run.parts.encoder.hard().cpu()
-        key = (run.parts.still, run.parts.model, tuple(tile.shape), tile.numpy().tobytes())
+        tile = run.setup.encoder.hard().cpu()
+        key = (run.setup.still, run.setup.model, tuple(tile.shape), tile.numpy().tobytes())
         by_code.setdefault(key, []).append(run)
     # The shortest names that tell folders apart.
     paths = [together[0].path for together in by_code.values()]
@@ -187,7 +187,7 @@ def ways_of(kind: Kind) -> list[Way]:
 
 def networks(folder: RunFolder, name: str) -> list[Way]:
     """Return a run's decoder in both number formats, FC-net also with fewer blocks."""
-    parts = folder.parts
+    parts = folder.setup
     method = f"{parts.settings.decoder.name} {parts.settings.decoder.sized}{name}"
     device = torch.cuda.get_device_name(parts.device) if parts.device.type == "cuda" else ""
     found = []
@@ -204,11 +204,13 @@ def networks(folder: RunFolder, name: str) -> list[Way]:
     return found
 
 
-def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[Captured], Light]:
-    parts = folder.parts
+def _network(
+    folder: RunFolder, net: torch.nn.Module, dtype: str
+) -> Callable[[CapturedScene], Light]:
+    parts = folder.setup
 
     @torch.no_grad()
-    def run(frames: Captured) -> Light:
+    def run(frames: CapturedScene) -> Light:
         frame = parts.model.relative(torch.from_numpy(frames.codes))
         shutters = torch.from_numpy(np.ascontiguousarray(frames.masks[0]))
         with torch.autocast(parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
@@ -220,7 +222,7 @@ def _network(folder: RunFolder, net: torch.nn.Module, dtype: str) -> Callable[[C
 
 def names_of(folders: Sequence[RunFolder]) -> list[str]:
     """Return what tells runs apart whose decoders have one name and size: their folders' names."""
-    kinds = [(f.parts.settings.decoder.name, f.parts.settings.decoder.sized) for f in folders]
+    kinds = [(f.setup.settings.decoder.name, f.setup.settings.decoder.sized) for f in folders]
     return [
         f" ({folder.path.resolve().name})" if kinds.count(kind) > 1 else ""
         for folder, kind in zip(folders, kinds, strict=True)
@@ -239,7 +241,7 @@ def _fixed(kind: Kind, settings: Settings) -> Case:
 
 
 def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
-    parts = runs[0].parts
+    parts = runs[0].setup
     kind: Kind = "stills" if parts.still else "clips"
     protocol = protocol_of(kind, settings.size, parts.slots)
     if settings.data is not None:
@@ -253,7 +255,7 @@ def _learned(runs: Sequence[RunFolder], name: str, settings: Settings) -> Case:
 
 def _captures(
     protocol: Protocol, tile: torch.Tensor, model: SensorModel, settings: Settings
-) -> tuple[Captured, ...]:
+) -> tuple[CapturedScene, ...]:
     """Return the scenes behind a tile of shutters (N, r, c), with the noise of the sensor."""
     scenes = some_scenes(protocol, settings.data, settings.count, settings.seed)
     return tuple(
@@ -263,8 +265,8 @@ def _captures(
 
 def not_measured(folders: Sequence[RunFolder]) -> list[str]:
     """Return a line for the networks that no run was named of: untrained, they decode nothing."""
-    have = {folder.parts.settings.decoder.name for folder in folders}
-    names = [name for name in DECODERS if name not in have and not DECODERS[name].given]
+    have = {folder.setup.settings.decoder.name for folder in folders}
+    names = [name for name in DECODERS if name not in have and not DECODERS[name].fixed_channels]
     if not names:
         return []
     return [f"not measured: {', '.join(names)}; an untrained network decodes nothing, so name a "

@@ -163,14 +163,14 @@ def _of_run(
     rows, cols = part
     codes, full = frame.frame[0, rows, cols], frame.saturated[0, rows, cols]
     share = None if opened is None else (opened[0] / bench.container.slots).astype(np.float32)
-    chosen = folder.parts.settings.decoder
+    chosen = folder.setup.settings.decoder
 
     def run(dtype: str) -> Values:
-        with torch.autocast(folder.parts.device.type, torch.bfloat16, enabled=dtype == "bf16"):
+        with torch.autocast(folder.setup.device.type, torch.bfloat16, enabled=dtype == "bf16"):
             made = decoded_frame(
-                folder.parts, codes, full, share, (rows.start or 0, cols.start or 0)
+                folder.setup, codes, full, share, (rows.start or 0, cols.start or 0)
             )
-        return made[None] if folder.parts.still else made
+        return made[None] if folder.setup.still else made
 
     for dtype in ("f32", "bf16"):
         yield _Way(f"{chosen.name} {chosen.sized}", dtype, partial(run, dtype), truth, dtype)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.precision import Guide, Panel, Reading, precision_diagram
+from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -32,7 +32,7 @@ def decoder_diagram(points: Sequence[Point], repeats: int, device: str) -> Figur
     return precision_diagram(
         panels, "What decoding time buys",
         f"more is better; hollow: dominated; time of one scene, {times}, on {device}",
-        Reading("time of one scene, ms", linear=True),
+        PointReading("time of one scene, ms", linear=True),
     )  # fmt: skip
 
 
@@ -56,7 +56,7 @@ def sensor_diagram(found: Measured, slot_us: float | None) -> Figure:
         panels, "What the shortest slot costs",
         f"captured by the emulated {found.target} at {slots} (numbers: slots of a frame, exposures "
         "of pixels that look; hollow: dominated), decoded without training",
-        Reading(
+        PointReading(
             "shortest slot, us", 1e3, lambda point: names(point)[1],
             lambda point: point.method.partition("-")[2] or point.setting.split()[0], linear=True,
         ),
@@ -83,7 +83,7 @@ def joint_diagram(joint: Joint, repeats: int, device: str) -> Figure:
         "compile, lowering, slots: the chip's frame against the light that fell; effects: against "
         "the reference; decoder: against the scene's light (names: the advised setting; hollow: "
         f"dominated within its stage; pointing down: no error); {times} on {device}",
-        Reading(
+        PointReading(
             "time, s", 1e-3, lambda point: names[point.case],
             lambda point: "advised" if id(point) in advised else "",
         ),

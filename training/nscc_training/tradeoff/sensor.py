@@ -33,15 +33,15 @@ from nscc_training.design.scene import histogram
 from nscc_training.design.text import looking_text
 from nscc_training.encoders import ShutterSpec, make_encoder
 from nscc_training.encoders.base import Encoder
-from nscc_training.evaluation.captured import Captured
-from nscc_training.evaluation.looks import ROWS as LOOKING_ROWS
-from nscc_training.evaluation.looks import SLOTS, looked_light, row_of
+from nscc_training.evaluation.captured import CapturedScene
+from nscc_training.evaluation.looks_rows import ROWS as LOOKING_ROWS
+from nscc_training.evaluation.looks_rows import SLOTS, looked_light, row_of
 from nscc_training.evaluation.methods import CLIPS, STILLS
 from nscc_training.measures import number
 from nscc_training.metrics import finite_mean
 from nscc_training.programs import Chip, program_of
-from nscc_training.protocol_scenes.files import Kind, kinds_in, protocol_of, some_scenes
-from nscc_training.protocol_scenes.scene import Scene
+from nscc_training.protocol_scenes.file_scenes import Kind, kinds_in, protocol_of, some_scenes
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.sensor_model import SensorModel
 
 _LONG_US = 1000.0
@@ -222,7 +222,7 @@ def _encoder(each: Configuration, settings: Settings) -> Encoder:
 class Bench:
     """Scenes of one kind in front of one sensor; `known` are scores of captures seen before."""
 
-    scenes: tuple[Scene, ...]
+    scenes: tuple[ProtocolScene, ...]
     target: Target
     sensor: Sensor
     model: SensorModel
@@ -261,18 +261,20 @@ class Bench:
             score(container, scene, (1000 * seed + k, seed)) for k, scene in enumerate(self.scenes)
         )
 
-    def _looked_db(self, container: Container, scene: Scene, seeds: tuple[int, int]) -> float:
+    def _looked_db(
+        self, container: Container, scene: ProtocolScene, seeds: tuple[int, int]
+    ) -> float:
         light = looked_light(container, scene.light_e, self.sensor, self.settings.effects, seeds)
         return number(scene.scores(light)["psnr_db"])
 
     def _decoded_db(
-        self, encoder: Encoder, container: Container, scene: Scene, seeds: tuple[int, int]
+        self, encoder: Encoder, container: Container, scene: ProtocolScene, seeds: tuple[int, int]
     ) -> float:
         request = Request.of(effects=self.settings.effects, seed=seeds[0], device_seed=seeds[1])
         shot = simulate(container, _light(scene, encoder.spec.slots), self.sensor, request).frame
         codes = (shot.frame[:1] - self.model.adc_offset_lsb).astype(np.float32)
         tile = encoder.hard().numpy()[None]
-        frames = Captured(scene, codes, tile, shot.saturated[:1], self.model)
+        frames = CapturedScene(scene, codes, tile, shot.saturated[:1], self.model)
         # The words of open and of fixed codes often give the same frame.
         digest = sha256(b"".join(a.tobytes() for a in (codes, frames.saturated, tile))).digest()
         if digest not in self.known:
@@ -286,7 +288,7 @@ class Bench:
         return self.known[digest]
 
 
-def _light(scene: Scene, slots: int) -> Light:
+def _light(scene: ProtocolScene, slots: int) -> Light:
     """Return a scene's light in so many slots, which last as long as all of its frames."""
     if scene.light_e.ndim == 2:
         return Light.of_still(scene.light_e.astype(np.float32), np.full(slots, 1.0 / slots))

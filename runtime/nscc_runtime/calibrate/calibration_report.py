@@ -1,0 +1,147 @@
+"""A calibration in words: the sensor file, JSON, a table, and what the user must be told."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+from nscc.columns import columns
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc_runtime.calibrate.estimate import Calibration, Quantity
+from nscc_runtime.calibrate.levels import LevelMoments
+from nscc_runtime.calibrate.sensor_parameters import ParameterChoice, sensor_of
+from nscc_runtime.sensor import sensor_toml
+
+SCHEMA = "nscc-calibration-1"
+_BENT = 0.01
+"""A curve whose levels are further off than this part is worth a warning."""
+
+
+def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
+    """A complete file for `--sensor`, every value with its standard error or its source."""
+    flats, darks = calibration.flats, calibration.darks
+    linear = calibration.quantities["linearity_error"]
+    heading = [
+        f"Calibrated by photon transfer (EMVA 1288) from {sum(m.frames for m in flats)} flats of "
+        f"{len(flats)} levels and {sum(m.frames for m in darks)} darks of {len(darks)}, "
+        f"{calibration.shape[0]} x {calibration.shape[1]} pixels, "
+        f"{calibration.defects} of them left out as defects.",
+        f"linearity error: not measured: {linear.remark}"
+        if linear.value is None
+        else f"linearity error: {linear.value:.3g} +- {linear.se:.2g} %",
+    ]
+    sources = {name: _source(choice) for name, choice in chosen.items()}
+    return sensor_toml(sensor_of(chosen), sources, heading)
+
+
+def _source(choice: ParameterChoice) -> str:
+    if choice.status == "measured" and choice.se is not None:
+        return f"measured {choice.value:.6g} +- {choice.se:.2g}: {choice.remark}"
+    return f"measured: {choice.remark}" if choice.status == "measured" else choice.remark
+
+
+def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
+    """The same for programs, with the points of the photon transfer curve."""
+    curve = calibration.curve
+    reasons = {id(level): reason for level, reason in curve.left_out}
+
+    def points(levels: tuple[LevelMoments, ...]) -> list[dict[str, Any]]:
+        return [
+            {
+                "exposure_s": level.exposure_s,
+                "frames": level.frames,
+                "mean_lsb": level.mean,
+                "variance_lsb2": level.variance,
+                "neighbour_covariance_lsb2": level.neighbours,
+                "share_at_zero": level.share_at_zero,
+                "share_at_top": level.share_at_top,
+                "used": level in curve.used,
+                "left_out": reasons.get(id(level)),
+            }
+            for level in levels
+        ]
+
+    def plain(value: Quantity | ParameterChoice) -> dict[str, Any]:
+        return {
+            "standard_error" if k == "se" else k: field_value
+            for k, field_value in asdict(value).items()
+        }
+
+    return json.dumps(
+        {
+            "schema": SCHEMA,
+            "frames": calibration.frames,
+            "pixels": calibration.pixels,
+            "defects": calibration.defects,
+            "quantities": {name: plain(figure) for name, figure in calibration.quantities.items()},
+            "fit": {
+                "chi2": curve.fit.misfit,
+                "degrees_of_freedom": curve.fit.freedom,
+                "probability": curve.fit.chance,
+            },
+            "parameters": {name: plain(figure) for name, figure in chosen.items()},
+            "flats": points(calibration.flats),
+            "darks": points(calibration.darks),
+        },
+        indent=2,
+        allow_nan=False,
+    )
+
+
+def as_table(calibration: Calibration) -> str:
+    """A line a quantity."""
+    rows = []
+    for q in calibration.quantities.values():
+        error = "" if q.se is None else f" +- {q.se:.2g}"
+        bound = "" if q.known == "measured" else f"{q.known} "
+        value = "not measured"
+        if q.value is not None:
+            value = f"{bound}{q.value:.6g}{error} {q.unit if q.unit != '1' else ''}".rstrip()
+        rows.append((q.title, value, q.remark))
+    return columns(rows)
+
+
+def messages(calibration: Calibration) -> list[Diagnostic]:
+    """What could not be determined (a note), and a curve that is no line (a warning)."""
+    diagnostics: list[Diagnostic] = []
+    unknown: dict[str, list[str]] = {}
+    for quantity in calibration.quantities.values():
+        if quantity.value is None:
+            unknown.setdefault(quantity.remark, []).append(quantity.title)
+    if unknown:
+        count = sum(len(titles) for titles in unknown.values())
+        diagnostics.append(
+            Diagnostic(
+                "NS0791",
+                f"these frames leave {count} of {len(calibration.quantities)} figures open",
+                severity=Severity.NOTE,
+                notes=tuple(
+                    f"{', '.join(dict.fromkeys(titles))}: {why}" for why, titles in unknown.items()
+                ),
+                helps=("the sensor file has the defaults there, and says so",),
+                data={"open": [n for n, q in calibration.quantities.items() if q.value is None]},
+            )
+        )
+    fit = calibration.curve.fit
+    if fit.excess > 1:
+        bent = fit.apart > _BENT
+        diagnostics.append(
+            Diagnostic(
+                "NS0792",
+                f"the noise does not rise with the mean along a line: levels are {fit.apart:.2%} "
+                f"off, {fit.excess**0.5:.2g} times as much as their errors",
+                severity=Severity.WARNING if bent else Severity.NOTE,
+                notes=(
+                    f"chi squared is {fit.misfit:.3g} for {fit.freedom} degrees of freedom; the "
+                    "errors of gain and noise were made larger by that factor",
+                    "levels near saturation, light that flickers within a frame, memories that "
+                    "leak and noise that grows with the signal bend the line",
+                ),
+                helps=("look at the levels with --json, and leave out what is off",)
+                if bent
+                else (),
+            )
+        )
+    return diagnostics

@@ -1,0 +1,106 @@
+"""Darks: the code without charge and the dark current, pixel by pixel."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import hypot, sqrt
+
+import numpy as np
+
+from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
+
+
+@dataclass(frozen=True, eq=False)
+class DarkFit:
+    """What the darks say, in codes.
+
+    `offset` is the mean code without charge, `offset_se` what the frames' noise leaves uncertain
+    of it, `offset_spread_se` with the pixels' own spread: of a chip's mean, and of the mean of all
+    such pixels. `current` in codes a second, its error as the latter; None where all times are the
+    same or unknown: then `offset` includes the dark charge of these frames. `offsets` and
+    `currents` (2, rows, cols) are maps from the even and from the odd frames.
+    """
+
+    offset: float
+    offset_se: float
+    offset_spread_se: float
+    offsets: Map
+    current: float | None
+    current_se: float | None
+    currents: Map | None
+    times_s: tuple[float, ...]
+
+    def at(self, exposure_s: float | None) -> Map:
+        """The codes of a frame without light, from the even and from the odd frames."""
+        if self.currents is None or exposure_s is None:
+            return self.offsets
+        return self.offsets + self.currents * exposure_s
+
+    def mean_at(self, exposure_s: float | None) -> float:
+        """Their mean over the good pixels."""
+        return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
+
+
+def dark_of(
+    levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
+) -> DarkFit | None:
+    """The line of codes over time through darks that are not cut off; None if there are none."""
+    usable = [
+        (level, moments)
+        for level, moments in zip(levels, level_moments, strict=True)
+        if not (moments.cut_at_zero or moments.cut_at_top)
+    ]
+    if not usable:
+        return None
+    usable_levels = [level for level, _ in usable]
+    known = [level.exposure_s for level in usable_levels if level.exposure_s is not None]
+    pixels = int(np.count_nonzero(good_mask))
+    if len(known) < len(usable_levels) or len(set(known)) < 2:
+        # Without times the darkest frames are the nearest to no charge.
+        level, moments = min(usable, key=lambda pair: pair[1].mean)
+        times = () if level.exposure_s is None else (level.exposure_s,)
+        same = [
+            usable_level for usable_level in usable_levels if usable_level.exposure_s in times
+        ] or [level]
+        weight = _frames(same)
+        halves = _combined(same, weight / weight.sum())
+        mean, spread = _mean(halves, good_mask)
+        both = hypot(spread / sqrt(pixels), moments.mean_rounding)
+        return DarkFit(mean, moments.mean_se, both, halves, None, None, None, times)
+    time, weight = np.array(known), _frames(usable_levels)
+    centre = float((weight * time).sum() / weight.sum())
+    moment = float((weight * (time - centre) ** 2).sum())
+    slopes = weight * (time - centre) / moment
+    starts = weight / weight.sum() - centre * slopes
+    currents, offsets = _combined(usable_levels, slopes), _combined(usable_levels, starts)
+    offset, offset_spread = _mean(offsets, good_mask)
+    current, current_spread = _mean(currents, good_mask)
+    errors = np.array([moments.mean_se for _, moments in usable])
+    rounding = np.array([moments.mean_rounding for _, moments in usable])
+    offset_se = hypot(offset_spread / sqrt(pixels), _size(starts * rounding))
+    current_se = hypot(current_spread / sqrt(pixels), _size(slopes * rounding))
+    return DarkFit(
+        offset, _size(starts * errors), offset_se, offsets, current, current_se, currents,
+        tuple(sorted(set(known))),
+    )  # fmt: skip
+
+
+def _frames(levels: Sequence[Level]) -> np.ndarray:
+    return np.array([level.frames for level in levels], np.float64)
+
+
+def _size(terms: np.ndarray) -> float:
+    return sqrt(float((terms**2).sum()))
+
+
+def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
+    """The weighted sums of the levels' halves."""
+    terms = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
+    return sum(terms, start=np.zeros_like(levels[0].halves))
+
+
+def _mean(halves: Map, good_mask: Mask) -> tuple[float, float]:
+    """Mean over the good pixels, and how much these differ."""
+    both = (halves[0][good_mask] + halves[1][good_mask]) / 2
+    return float(both.mean()), float(both.std())

@@ -1,0 +1,305 @@
+"""The frames of a calibration: frame files of our own, arrays, pictures and folders of them.
+
+Each file or folder is one level: frames of the same light and exposure time. An exposure time is
+taken, in this order, from the name as given (PATH@TIME, TIME a number with s, ms or us), from the
+key `exposure_us` of an .npz or .mat file, and from the `meta` of a frame file.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+from math import prod
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.files import reads
+from nscc.npy import npz_arrays
+from nscc_runtime.frame_arrays import checked_meta, frame_meta
+from nscc_runtime.scenes.errors import size
+from nscc_runtime.scenes.light_arrays import NPY_HEADERS
+from nscc_runtime.scenes.mat_files import mat_arrays, mat_shapes
+
+Codes = NDArray[np.uint16]
+
+TIME_KEY = "exposure_us"
+KEYS = ("frame", "frames")
+_SECONDS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
+_TIMED = re.compile(r"(.+)@([0-9.]+(?:e[+-]?[0-9]+)?)(s|ms|us)")
+_MOST_PIXELS, _MOST_BYTES = 1 << 24, 1 << 30
+_no_frames = partial(rejected, "NS0757")
+_SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed")
+
+
+@dataclass(frozen=True, eq=False)
+class Stack:
+    """Frames of one light and one exposure time.
+
+    `codes` uint16 (K, rows, cols), what the ADC gave; `valid` bool (rows, cols); `exposure_s` None
+    where nobody says. `origin` tells frame files of the same run apart from others, None for
+    frames that do not say where they come from.
+    """
+
+    name: str
+    codes: Codes
+    valid: NDArray[np.bool_]
+    exposure_s: float | None = None
+    origin: str | None = None
+
+
+def load_stack(source: str, top_code: int) -> Stack:
+    """The frames of PATH or PATH@TIME, every code in 0..`top_code`.
+
+    Raises Rejected, status 2: NS0757 for what is no such frames, NS0732, NS0734, NS0735 for
+    pictures that cannot be read.
+    """
+    path, time_s = _timed(source)
+    name = str(path)
+    if not path.exists():
+        raise _no_frames(
+            f"the frames '{name[:200]}' cannot be read: there is no such file",
+            helps=(
+                "name a frame file, an array (.npz, .npy, .mat), a picture or a folder of them",
+            ),
+        )
+    origin, valid = None, None
+    if path.suffix.lower() in (".npz", ".npy", ".mat") and path.is_file():
+        arrays = _arrays(path)
+        key, values = _chosen(name, arrays)
+        meta = frame_meta(arrays)
+        if meta is not None:
+            values, from_meta = _ours(name, values, meta)
+            origin = json.dumps([meta.get(key) for key in _SAME_PROGRAM])
+            time_s = from_meta if time_s is None else time_s
+            valid = _valid(arrays, values.shape)
+        elif path.suffix.lower() == ".mat" and values.ndim == 3:
+            values = np.moveaxis(values, 2, 0)
+        if time_s is None and TIME_KEY in arrays:
+            time_s = _time_of_key(name, arrays[TIME_KEY])
+    else:
+        key, values = "the picture", _pictures(path)
+    codes = _codes(name, key, values, top_code)
+    if valid is None:
+        valid = np.ones(codes.shape[1:], np.bool_)
+    if time_s is not None:
+        time_s = float(f"{time_s:.9g}")  # sums of slots differ in their last bits
+    return Stack(name, codes, valid, time_s, origin)
+
+
+def grouped(stacks: Iterable[Stack]) -> list[Stack]:
+    """The same with frame files of one run (other seeds, same light) made one stack."""
+    stacks_by_run: dict[object, Stack] = {}
+    for stack in stacks:
+        run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
+        key = len(stacks_by_run) if stack.origin is None else run
+        if key in stacks_by_run:
+            earlier = stacks_by_run[key]
+            codes = np.concatenate([earlier.codes, stack.codes])
+            stack = replace(earlier, codes=codes, valid=earlier.valid & stack.valid)
+        stacks_by_run[key] = stack
+    return [*stacks_by_run.values()]
+
+
+def _timed(source: str) -> tuple[Path, float | None]:
+    """The path and the time of PATH@TIME; a file of the whole name wins."""
+    match = _TIMED.fullmatch(source)
+    if match is None or Path(source).exists():
+        return Path(source), None
+    try:
+        seconds = float(match[2]) * _SECONDS[match[3]]
+    except ValueError:
+        return Path(source), None
+    if not _is_time(seconds * 1e6):
+        raise _wrong_time(source, f"{match[2]}{match[3]}")
+    return Path(match[1]), seconds
+
+
+def _time_of_key(name: str, value: NDArray[Any]) -> float:
+    with suppress(ValueError, TypeError):
+        seconds = float(np.asarray(value, np.float64).reshape(())) * 1e-6
+        if _is_time(seconds * 1e6):
+            return seconds
+    raise _wrong_time(name, f"`{TIME_KEY}`")
+
+
+def _is_time(us: float) -> bool:
+    """Whether pixels can be open so long: not at all, or from a picosecond to thirty years."""
+    return us == 0 or 1e-6 <= us <= 1e15
+
+
+def _wrong_time(name: str, text: str) -> Rejected:
+    return _no_frames(
+        f"the exposure time of '{name[:200]}' is no time: {text}",
+        helps=("write PATH@TIME with TIME such as 2ms, 500us or 0.1s",),
+    )
+
+
+def _arrays(path: Path) -> dict[str, NDArray[Any]]:
+    """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
+    reads(path)
+    try:
+        if path.suffix.lower() == ".mat":
+            for key, shape in mat_shapes(path).items():
+                _check_size(path, key, shape, shape[:2], 1)
+            return mat_arrays(path)
+        if path.suffix.lower() == ".npy":
+            with open(path, "rb") as file:
+                _check_header(path, KEYS[0], file)
+            return {KEYS[0]: np.load(path, allow_pickle=False)}
+        with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
+            names = set(archive.files)
+            if "meta" in names:  # the exposures in electrons are what a chip does not give
+                names &= {KEYS[0], "valid", "meta", TIME_KEY}
+            for key in sorted(names):
+                with archive.zip.open(f"{key}.npy") as entry:
+                    _check_header(path, key, entry)
+        arrays, _ = npz_arrays(path, names.__contains__)
+        if frame_meta(arrays) is not None:
+            checked_meta(arrays)
+        return arrays
+    except Rejected:
+        raise
+    except Exception as error:  # numpy, zipfile and scipy.io raise a dozen types
+        raise _no_frames(
+            f"the frames '{path}' cannot be read: {' '.join(str(error).split())[:200]}",
+            helps=("check that the file is whole and that its ending says what it is",),
+        ) from error
+
+
+def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
+    """Refuse an array by what the beginning of its .npy says, before it is read."""
+    version = np.lib.format.read_magic(file)
+    if version in NPY_HEADERS:  # of other versions numpy has its own opinion
+        shape, _, dtype = NPY_HEADERS[version](file)
+        _check_size(path, key, shape, shape[-2:], dtype.itemsize)
+
+
+def _check_size(
+    path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
+) -> None:
+    """NS0757 for frames larger than any chip, and for more of them than memory should be asked for.
+
+    `frame` are the axes of `shape` that a frame has.
+    """
+    if prod(frame) > _MOST_PIXELS:
+        raise _no_frames(
+            f"'{key}' in '{path}' is {size(shape)}: a frame has at most {_MOST_PIXELS:,} pixels",
+            helps=("cut out a part of the array: photon transfer needs some thousand pixels",),
+        )
+    if prod(shape) * itemsize > _MOST_BYTES:
+        raise _no_frames(
+            f"'{key}' in '{path}' is {size(shape)}: {prod(shape) * itemsize / 2**30:.3g} GiB",
+            notes=(f"frames of one level take at most {_MOST_BYTES >> 30} GiB",),
+            helps=("a few hundred frames a level are plenty; save codes as uint8 or uint16",),
+        )
+
+
+def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray[Any]]:
+    for key in KEYS:
+        if key in arrays:
+            return key, arrays[key]
+    other_keys = [key for key in arrays if key != TIME_KEY]
+    if len(other_keys) == 1:
+        return other_keys[0], arrays[other_keys[0]]
+    shown = ", ".join(repr(key[:40]) for key in other_keys[:12]) or "nothing"
+    raise _no_frames(
+        f"'{name}' has no array 'frame'",
+        notes=(f"it holds {shown}",),
+        helps=("save the codes under that name: np.savez(file, frame=a), (K, rows, cols)",),
+    )
+
+
+def _ours(
+    name: str, values: NDArray[Any], meta: Mapping[str, Any]
+) -> tuple[NDArray[Any], float | None]:
+    """(K, rows, cols) of a frame file, and how long its pixels were open."""
+    shaped = values[None] if values.ndim == 3 else values
+    if shaped.ndim != 4 or shaped.shape[1] != 1:
+        raise _no_frames(
+            f"the frame file '{name}' has {size(values.shape)} codes: more than one bucket",
+            helps=("expose flats and darks with a program of one bucket: `open when n < N`",),
+        )
+    if "open_us" not in meta:
+        return shaped[:, 0], None
+    times = meta["open_us"]
+    if not isinstance(times, list) or len(times) != 1 or not isinstance(times[0], int | float):
+        raise _no_frames(
+            f"the pixels of '{name}' were not open for the same time",
+            notes=("photon transfer compares pixels of one light and one exposure time",),
+            helps=("expose flats and darks with a program without codes: `open when n < N`",),
+        )
+    if isinstance(times[0], bool) or not _is_time(times[0]):
+        raise _wrong_time(name, f"`open_us` of its meta is {times[0]}"[:80])
+    return shaped[:, 0], times[0] * 1e-6
+
+
+def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
+    """Pixels that are valid in every frame of the file."""
+    valid = arrays.get("valid")
+    if valid is None or valid.size != np.prod(shape):
+        return None
+    return np.asarray(valid.reshape(shape).astype(np.bool_).all(axis=0))
+
+
+def _pictures(path: Path) -> NDArray[Any]:
+    """(K, rows, cols) of a picture or a folder of pictures, grey, as stored."""
+    from nscc_runtime.scenes import picture_files
+
+    if path.is_dir():
+        # Frames of one kind have no order: a gap in their numbers is none in time.
+        pictures = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
+    elif path.suffix.lower() in picture_files.PICTURES:
+        pictures = list(picture_files.open_pages(path).read())
+    else:
+        raise _no_frames(
+            f"'{path}' does not end like frames",
+            notes=(f"frames end in .npz, .npy, .mat, {', '.join(picture_files.PICTURES)}",),
+            helps=("give the file the ending of its format",),
+        )
+    for picture in pictures:
+        if picture.ndim == 3 and np.any(picture != picture[..., :1]):
+            raise _no_frames(
+                f"'{path}' is in colour",
+                notes=("photon transfer takes the codes of the ADC, one a pixel",),
+                helps=("save the frames as grey pictures or arrays",),
+            )
+    return np.stack([p[..., 0] if p.ndim == 3 else p for p in pictures])
+
+
+def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
+    """Codes (K, rows, cols); NS0757 where the values are no codes of the ADC."""
+    if values.ndim == 2:
+        values = values[None]
+    if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:
+        raise _no_frames(
+            f"'{key}' in '{name}' is {size(values.shape)}, not frames",
+            notes=("a frame is (rows, cols), frames of one level (K, rows, cols)",),
+            helps=("in a .mat file frames are (rows, cols, K)",),
+        )
+    if values.dtype.kind not in "uif":
+        raise _no_frames(
+            f"'{key}' in '{name}' is of type {values.dtype}, not codes of the ADC",
+            helps=("save the codes as integers: a.astype(np.uint8)",),
+        )
+    low, high = float(values.min()), float(values.max())
+    integral = values.dtype.kind in "ui" or bool(np.all(values == np.rint(values)))
+    if not (integral and low >= 0 and high <= top_code):
+        problem = f"values from {low:g} to {high:g}" if integral else "values that are not whole"
+        raise _no_frames(
+            f"'{key}' in '{name}' has {problem}: no codes of an ADC that ends at {top_code}",
+            notes=("averages and electrons have lost what photon transfer measures: the noise",),
+            helps=(
+                "give the frames as the ADC gave them, one by one",
+                "an ADC of more bits is a key of the target (adc_bits): --target FILE.toml",
+            ),
+        )
+    return values.astype(np.uint16)

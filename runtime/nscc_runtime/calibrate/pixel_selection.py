@@ -1,0 +1,101 @@
+"""Which pixels count: defects are left out, flats must be flat."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.calibrate.levels import Level, Mask, moments
+from nscc_runtime.calibrate.line_fit import robust_scale, surface
+from nscc_runtime.scenes.errors import size
+
+OUTLIER = 12.0
+"""Robust standard deviations beyond which a pixel is a defect; the tail of a lognormal dark
+current of 50 % spread reaches that far in one pixel of a hundred thousand."""
+_LEAST_SCALE = 0.3
+"""In codes: about the rounding of the ADC, where all pixels are alike."""
+LEAST_PIXELS = 64
+"""Surfaces, medians and standard errors over fewer mean nothing."""
+MOST_DEFECTS = 0.01
+MOST_UNEVEN = 0.2
+"""Flats may fall off by this part of their mean from the brightest to the darkest place."""
+
+
+def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
+    """Pixels that are valid everywhere and no outliers in darks or flats.
+
+    NS0757 for levels of different sizes or too few pixels; NS0759 where more than 1 % of the
+    pixels are outliers.
+    """
+    first = darks[0]
+    for level in (*flats, *darks):
+        if level.variance.shape != first.variance.shape:
+            raise rejected(
+                "NS0757",
+                f"'{level.name}' is {size(level.variance.shape)}, '{first.name}' is "
+                f"{size(first.variance.shape)}",
+                notes=("sizes are rows x columns",),
+                helps=("give frames of one array, all of the same size",),
+            )
+    good_mask = valid_pixels((*flats, *darks))
+    start = int(np.count_nonzero(good_mask))
+    if start < LEAST_PIXELS:
+        raise rejected(
+            "NS0757",
+            f"{start} pixels are valid in all frames, photon transfer needs {LEAST_PIXELS} or more",
+            notes=(f"the frames are {size(first.variance.shape)}",),
+            helps=("give frames of the whole array; `valid` in frame files says which count",),
+            data={"required": LEAST_PIXELS, "available": start},
+        )
+    for level in darks:
+        good_mask &= ~_outliers(level, good_mask, flat=False)
+    for level in flats:
+        if not moments(level, good_mask).share_at_top > MOST_DEFECTS:
+            good_mask &= ~_outliers(level, good_mask, flat=True)
+    defect_count = start - int(np.count_nonzero(good_mask))
+    if defect_count > max(MOST_DEFECTS * start, 2):
+        raise rejected(
+            "NS0759",
+            f"{defect_count} of {start} pixels are far off the others: the frames are not flat",
+            notes=(f"a pixel counts as far off beyond {OUTLIER:g} standard deviations",),
+            helps=(
+                "take flats of an evenly lit white surface, out of focus; darks with the cap on",
+            ),
+        )
+    return good_mask
+
+
+def valid_pixels(levels: Sequence[Level]) -> Mask:
+    """Pixels that are valid in every frame."""
+    return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
+
+
+def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
+    """NS0759 for a flat whose light falls off too much over the array."""
+    for level in flats:
+        smooth = surface(level.mean_map, good_mask)
+        light = float(level.mean_map[good_mask].mean()) - zero
+        fall = float(np.ptp(smooth[good_mask]))
+        if light > 0 and fall > MOST_UNEVEN * light:
+            raise rejected(
+                "NS0759",
+                f"'{level.name}' is not flat: its light falls from code "
+                f"{smooth[good_mask].max():.4g} to {smooth[good_mask].min():.4g} over the array",
+                notes=(
+                    f"up to {MOST_UNEVEN:.0%} of the mean is taken, as a smooth surface that is "
+                    "subtracted; EMVA 1288 asks for 3 %",
+                ),
+                helps=("light the array evenly, or cut the frames to their even part",),
+            )
+
+
+def _outliers(level: Level, good_mask: Mask, flat: bool) -> Mask:
+    values = level.mean_map
+    if flat:
+        values = values - surface(values, good_mask)
+    middle, scale = robust_scale(values[good_mask])
+    noise = float(np.sqrt(level.variance[good_mask].mean() / level.frames))
+    far: Mask = np.abs(values - middle) > OUTLIER * max(scale, noise, _LEAST_SCALE)
+    return np.asarray(far & good_mask)

@@ -1,0 +1,181 @@
+"""The parameters of a sensor file from what photon transfer found.
+
+Photon transfer sees a whole frame, not the parts that the sensor model takes it from. So noise of
+reads, resets, words and ADC comes as one (`read_noise_e`), gain of words and ADC as another
+(`electrons_per_lsb`); what such a sum contains is set to nothing, lest it count twice.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import sqrt
+from typing import Literal
+
+from nscc.chips.target import Target
+from nscc_runtime.calibrate.chain import Chain
+from nscc_runtime.calibrate.estimate import Calibration, Quantity
+from nscc_runtime.sensor import Sensor, completed, schema
+
+Status = Literal["measured", "bound", "given", "contained", "default"]
+_NO_PART = 1e-9
+
+_TAKEN = {
+    "electrons_per_lsb": "conversion_gain", "crosstalk_fraction": "crosstalk",
+    "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
+    "dark_spread_fraction": "dark_spread",
+}  # fmt: skip
+"""Parameters that are a figure as it was found."""
+_SOURCES = _TAKEN | {
+    "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
+    "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
+    "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
+}  # fmt: skip
+"""The figure that tells of a parameter."""
+
+
+@dataclass(frozen=True)
+class ParameterChoice:
+    """The value of one parameter: `measured` with its standard error, taken from a `bound`,
+    `given` by the user, `contained` in another parameter, or the `default`; `remark` says why."""
+
+    value: float
+    se: float | None
+    status: Status
+    remark: str
+
+
+def parameters(
+    calibration: Calibration, target: Target, chain: Chain
+) -> dict[str, ParameterChoice]:
+    """A value for every parameter of the sensor file, in the schema's order."""
+    quantity = calibration.quantities
+    chosen: dict[str, ParameterChoice] = {}
+    _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
+    for name, source in _TAKEN.items():
+        _take(chosen, name, quantity[source])
+    _noise(chosen, quantity["dark_noise_e"], chain)
+    _pattern(chosen, quantity, chain)
+    _range(chosen, quantity["full_well"], target)
+
+    plain = completed({name: choice.value for name, choice in chosen.items()}, target)
+    for name, row in schema().by_path.items():
+        if name not in chosen:
+            reason = _unknown(name, quantity)
+            remark = f"not measured: {reason}; {row.source}"
+            chosen[name] = ParameterChoice(getattr(plain, name), None, "default", remark)
+    return {name: _rounded(chosen[name]) for name in schema().by_path}
+
+
+def sensor_of(chosen: Mapping[str, ParameterChoice]) -> Sensor:
+    """The sensor of these parameters."""
+    return Sensor({name: choice.value for name, choice in chosen.items()})
+
+
+def _take(chosen: dict[str, ParameterChoice], name: str, quantity: Quantity) -> None:
+    kinds: dict[str, Status] = {"measured": "measured", "at most": "bound", "given": "given"}
+    if quantity.value is not None and quantity.known in kinds:
+        prefix = "" if quantity.known == "measured" else f"{quantity.known}: "
+        status = kinds[quantity.known]
+        chosen[name] = ParameterChoice(
+            quantity.value, quantity.se, status, prefix + quantity.remark
+        )
+
+
+def _contain(
+    chosen: dict[str, ParameterChoice], name: str, value: float, sum_parameter: str
+) -> None:
+    chosen[name] = ParameterChoice(
+        value, None, "contained", f"part of {sum_parameter}: frames show only the sum"
+    )
+
+
+def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
+    """Everything that differs between dark frames, as noise of the reads."""
+    if noise.value is None or chain.reads < _NO_PART:
+        return
+    read_factor = sqrt(chain.reads)
+    text = noise.remark if chain.reads == 1 else f"{noise.remark}; {chain.reads:.4g} reads a frame"
+    if noise.known == "measured" and noise.se is not None:
+        chosen["read_noise_e"] = ParameterChoice(
+            noise.value / read_factor, noise.se / read_factor, "measured", text
+        )
+    else:
+        chosen["read_noise_e"] = ParameterChoice(
+            noise.value / read_factor, None, "bound", f"at most: {text}"
+        )
+    if chain.resets > _NO_PART:
+        _contain(chosen, "reset_noise_e", 0.0, "read_noise_e")
+    _contain(chosen, "analog_noise_lsb", 0.0, "read_noise_e")
+    _contain(chosen, "adc_noise_lsb", 0.0, "read_noise_e")
+    _contain(chosen, "spread_noise_lsb", 0.0, "read_noise_e")
+
+
+def _pattern(
+    chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
+) -> None:
+    """The code without charge: whole codes in the ADC's offset, which adds after rounding; the
+    rest and the pattern of the pixels as errors of the words."""
+    offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
+    if offset.value is None or pattern.value is None:
+        return
+    words = abs(chain.word_sum)
+    text = "" if words == 1 else f"; words that add up to {chain.word_sum:.4g}"
+    if words < _NO_PART:
+        remark = f"{offset.remark}; the program's words cancel what is not whole codes"
+        chosen["adc_offset_lsb"] = ParameterChoice(offset.value, offset.se, "measured", remark)
+        return
+    whole_codes = float(round(offset.value))
+    chosen["adc_offset_lsb"] = ParameterChoice(
+        whole_codes, None, "measured", f"whole codes of {_shown(offset)}, {offset.remark}"
+    )
+    se = None if offset.se is None else offset.se / words
+    bias = (offset.value - whole_codes) / chain.word_sum
+    chosen["analog_bias_lsb"] = ParameterChoice(
+        bias, se, "measured", f"what adc_offset_lsb leaves of {_shown(offset)}{text}"
+    )
+    se = None if pattern.se is None else pattern.se / words
+    chosen["analog_pattern_lsb"] = ParameterChoice(
+        pattern.value / words, se, "measured", f"DSNU {_shown(pattern)}, {pattern.remark}{text}"
+    )
+
+
+def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
+    """The full well, and registers that hold it: words of a frame pass it through them."""
+    if full.value is None:
+        return
+    if full.known == "measured":
+        _take(chosen, "full_well_e", full)
+    elif full.value > target.full_well_e:
+        remark = f"at least: {full.remark}"
+        chosen["full_well_e"] = ParameterChoice(full.value, None, "bound", remark)
+    remark = "at least: frames hold as much"
+    if full.value > target.register_max_e:
+        chosen["register_max_e"] = ParameterChoice(full.value, None, "bound", remark)
+    if full.value > -target.register_min_e:
+        chosen["register_min_e"] = ParameterChoice(-full.value, None, "bound", remark)
+
+
+def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
+    """Why a parameter keeps its default."""
+    quantity = quantities.get(_SOURCES.get(name, ""))
+    if quantity is None:
+        return "photon transfer does not tell"
+    if quantity.known in ("at least", "at most") and quantity.value is not None:
+        return f"{quantity.known} {quantity.value:.4g} {quantity.unit}, {quantity.remark}"
+    if quantity.known == "measured":
+        return "the program's words cancel it"
+    return quantity.remark
+
+
+def _shown(quantity: Quantity) -> str:
+    error = "" if quantity.se is None else f" +- {quantity.se:.2g}"
+    return f"{quantity.value:.6g}{error} {quantity.unit}"
+
+
+def _rounded(choice: ParameterChoice) -> ParameterChoice:
+    """To six digits: beyond the errors, and the same on every machine."""
+    if choice.status == "default":
+        return choice
+    se = None if choice.se is None else float(f"{choice.se:.3g}")
+    return ParameterChoice(float(f"{choice.value:.6g}"), se, choice.status, choice.remark)

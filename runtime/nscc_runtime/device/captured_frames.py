@@ -1,0 +1,112 @@
+"""Frames that a device exposed: their meta has the keys of the emulator's, without its physics."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from datetime import UTC, datetime
+from itertools import count, islice
+from pathlib import Path
+from time import monotonic, sleep
+from typing import Any
+
+from nscc.chips.load import load_target, target_names
+from nscc.chips.target import Target
+from nscc.diagnostics.rejection import rejected
+from nscc.files import write_whole
+from nscc.words.container import Container
+from nscc.words.readout import converter_of
+from nscc_runtime.decode_table import with_table
+from nscc_runtime.device.device_chip import DeviceChip
+from nscc_runtime.device.objects import target_digest
+from nscc_runtime.device.trouble import wrong_target
+from nscc_runtime.frame_file import Frame, FrameFile, Provenance, meta, stacked
+from nscc_runtime.light import Light
+from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.sensor import Sensor, default_sensor
+
+
+def exposed(
+    chip: DeviceChip,
+    container: Container,
+    light: Light | None = None,
+    repeat: int | None = None,
+    progress: Progress = unseen,
+) -> tuple[Frame, dict[str, Any]]:
+    """The frame that `chip` exposes with a program, or `repeat` of them, and its meta.
+
+    `light`: the scene before it, where that is known. Raises Rejected (status 3) where it fails.
+    """
+    chip.upload(container)
+    most = repeat or 1
+    shots = (chip.capture(container) for _ in range(most))
+    frames = [shot.frame for shot in progress(shots, "exposing", most)]
+    frame = stacked(frames) if repeat else frames[0]
+    sensor = chip.sensor or default_sensor(converter_of(container))
+    return frame, device_meta(chip, frame, sensor, container, light)
+
+
+def device_meta(
+    chip: DeviceChip,
+    frame: Frame,
+    sensor: Sensor,
+    container: Container | None,
+    light: Light | None = None,
+) -> dict[str, Any]:
+    """What a frame file says of a frame that `chip` exposed just now; the rest as `meta`.
+
+    Seeds, plan and audit are None: nothing was simulated here.
+    """
+    info = chip.link.host.info
+    assert info is not None  # a frame came
+    origin = Provenance(chip.label.hex(), sensor, None, None, "device")
+    device = {"target": info.target_name, "loader": info.firmware}
+    return {**meta(container, light, frame, origin), "device": device}
+
+
+def target_of(chip: DeviceChip, named: str | None = None) -> Target:
+    """The chip behind the port: the table of its own name, or the one that the user names.
+
+    Raises Rejected where the device was made for another table.
+    """
+    info = chip.info()
+    name = named or (info.target_name if info.target_name in target_names() else "scamp5")
+    target = load_target(name, Path())
+    if target_digest(target) != info.target:
+        raise wrong_target(chip.link.path, target, info)
+    return target
+
+
+def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
+    """frame-000001.npz and so on in `folder`, each when its time has come; files there are kept.
+
+    At most `most` of them, `every_s` seconds apart. NS0784 where the folder cannot be made.
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise rejected(
+            "NS0784",
+            f"cannot write into '{folder}': {error.strerror}",
+            helps=("name a folder that you may write",),
+        ) from None
+    existing = set(folder.glob("frame-*.npz"))
+    named = (folder / f"frame-{number:06d}.npz" for number in count(1))
+    begin = monotonic()
+    for written, path in enumerate(islice((path for path in named if path not in existing), most)):
+        sleep(max(0.0, begin + written * every_s - monotonic()))
+        yield path
+
+
+def capture_to(
+    path: Path, chip: DeviceChip, target: Target, sensor: Sensor, container: Container | None
+) -> None:
+    """Expose a frame of `container`, or of what the device holds, and write its file.
+
+    `meta` gets `time_utc` and `device_time_us`.
+    """
+    stamp = datetime.now(UTC).isoformat(timespec="microseconds")
+    shot = chip.capture(container) if container else chip.capture_held(target)
+    meta = device_meta(chip, shot.frame, sensor, container)
+    meta |= {"time_utc": stamp, "device_time_us": shot.captured.started_us}
+    file = FrameFile(shot.frame, meta, {}, {})
+    write_whole(path, (with_table(file, container) if container else file).write)

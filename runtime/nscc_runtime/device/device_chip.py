@@ -1,0 +1,234 @@
+"""A device that runs a program on a chip behind a port."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from hashlib import sha256
+from random import SystemRandom
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.words.container import state_registers
+from nscc.words.file import to_bytes
+from nscc.words.readout import converter_of
+from nscc_runtime.device import tasks
+from nscc_runtime.device.frame_request import FrameRequest
+from nscc_runtime.device.host import Task
+from nscc_runtime.device.link import SerialLink
+from nscc_runtime.device.messages import (
+    Capability,
+    CaptureReply,
+    Channel,
+    Info,
+    LoaderState,
+    plane_bytes,
+)
+from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
+from nscc_runtime.device.trouble import check_fits, no_program, states_lost
+from nscc_runtime.effects import Selection, everything, selected
+from nscc_runtime.frame_file import Frame, last_codes
+from nscc_runtime.interface import Exposure
+from nscc_runtime.looked_light import told_by
+from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.sensor import Sensor, default_sensor
+
+if TYPE_CHECKING:
+    from nscc.chips.target import Target
+    from nscc.words.container import Container
+    from nscc_runtime.light import Light
+
+_STEP = 1024
+"""Bytes that a step of a progress bar stands for."""
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """A frame from a device. `captured` is what the loader said of it."""
+
+    frame: Frame
+    captured: CaptureReply
+
+
+class DeviceChip:
+    """The loader behind an open link.
+
+    `sensor` says what a code is in electrons (None: the target's figures), where the loader hands
+    out codes only. All raise Rejected, status 3, where the device fails.
+    """
+
+    def __init__(
+        self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
+    ) -> None:
+        self.link, self.sensor, self.progress = link, sensor, progress
+        self._number = SystemRandom().randrange(1 << 63)
+        self._made: tuple[Container, Upload] | None = None
+        self.label = bytes(32)
+        """SHA-256 of the container whose frames the device exposes."""
+
+    def expose(self, container: Container, light: Light | None = None) -> Exposure:
+        """One frame of `container`; the device sees what is before it, so `light` is not used."""
+        self.upload(container)
+        shot = self.capture(container)
+        return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)
+
+    @property
+    def effects(self) -> Selection:
+        """What becomes of light behind an open port: everything, or nothing in a stand-in."""
+        info = self.link.host.info
+        exact = info is not None and channels_of(info) & Channel.EXPOSURE
+        return selected("none") if exact else everything()
+
+    def info(self) -> Info:
+        """What the loader says of itself, asked anew."""
+        host = self.link.host
+        host.info = None
+
+        def hello_info() -> Task[Info]:
+            yield from ()  # hello came before it, and that is all
+            assert host.info is not None
+            return host.info
+
+        return self.link.run(hello_info)
+
+    def upload(self, container: Container) -> Upload:
+        """Bring a program to the device; one that it has already is not sent again, unless it keeps
+        states: they then have their first values again."""
+        program = self._program(container)
+        info = self.info()
+        check_fits(self.link.path, program, container.target, info, channels_of(info, program))
+        self._upload(program, anew=_keeps(container))
+        return program
+
+    def _program(self, container: Container) -> Upload:
+        if self._made is None or self._made[0] is not container:
+            label = sha256(to_bytes(container)).digest()
+            self._made = container, upload_of(container, label)
+            self.label = label
+        return self._made[1]
+
+    def _upload(self, program: Upload, *, anew: bool) -> None:
+        sent, host = 0, self.link.host
+
+        def watch(sent_bytes: int) -> None:
+            nonlocal sent
+            sent = max(sent, sent_bytes // _STEP)
+
+        def work() -> Task[None]:
+            nonlocal anew
+            if anew:
+                yield from tasks.forget(host, program)
+                anew = False
+            yield from tasks.upload(host, program, watch)
+
+        steps = self.link.steps(work, lambda: sent)
+        for _ in self.progress(steps, "uploading", len(program.stream) // _STEP):
+            pass
+
+    def capture(self, container: Container) -> Shot:
+        """One frame of the program that was uploaded, which is sent again should it be lost.
+
+        NS0774 where it was lost and keeps states from frame to frame: these cannot be sent again.
+        """
+        program = self._program(container)
+        return self._shot(container.target, container, program)
+
+    def capture_held(self, target: Target) -> Shot:
+        """One frame of whatever program the device holds; NS0771 if it holds none."""
+        info = self.info()
+        self.label = info.label
+        if info.state not in (LoaderState.READY, LoaderState.EXPOSING):
+            raise no_program(self.link.path)
+        return self._shot(target, None, None)
+
+    def _shot(self, target: Target, container: Container | None, program: Upload | None) -> Shot:
+        host = self.link.host
+        self._number += 1
+        request, program_lost = (
+            FrameRequest(self._number, 0, program, target.rows * target.cols),
+            False,
+        )
+
+        def work() -> Task[tasks.FetchedFrame]:
+            nonlocal program_lost
+            assert host.info is not None
+            request.channels = channels_of(host.info, program)
+            if program is not None:
+                already_held = yield from tasks.upload(host, program)
+                program_lost = program_lost or not already_held
+            return (yield from tasks.capture(host, request))
+
+        fetched = self.link.run(work)
+        if program_lost and container is not None and _keeps(container):
+            raise states_lost(self.link.path)
+        captured = fetched.captured
+        shape = (captured.readouts, target.rows, target.cols)
+        sensor = self.sensor or default_sensor(converter_of(container) if container else target)
+        frame = frame_of(fetched.data, request.channels, shape, sensor, target, container)
+        return Shot(frame, captured)
+
+
+def channels_of(info: Info, program: Upload | None = None) -> int:
+    """The channels to ask a loader for: all that it has of a program."""
+    exact = info.capabilities & Capability.EXACT
+    states = Channel.STATES if program and program.states else 0
+    return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states
+
+
+def frame_of(
+    data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
+    container: Container | None = None,
+) -> Frame:  # fmt: skip
+    """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes.
+
+    What is saturated the codes tell: the last of the scale, and with the program those that a full
+    well or register reads. A loader with EXPOSURE stands in for a chip without either. What pixels
+    that looked say of their light comes from the planes of STATES, with the program.
+    """
+    readouts, rows, cols = shape
+    pixels, columns = readouts * rows * cols, (readouts, cols, rows)
+    codes: NDArray[Any] = np.frombuffer(data, np.uint8, pixels).reshape(columns)
+    codes = np.ascontiguousarray(codes.transpose(0, 2, 1))
+    saturated_by = last_codes(codes, target)
+    if channels & Channel.EXPOSURE:
+        exposure = np.frombuffer(data, "<f8", pixels, offset=pixels).astype(np.float64)
+        exposure = np.ascontiguousarray(exposure.reshape(columns).transpose(0, 2, 1))
+    else:
+        exposure = (codes - float(sensor.adc_offset_lsb)) * sensor.electrons_per_lsb
+        if container is not None and container.machine is None:
+            saturated_by |= _full(codes, container, sensor)
+    frame = Frame(codes, exposure, np.isfinite(exposure), saturated_by)
+    if container is None or container.machine is None:
+        return frame
+    simulated = selected("none") if channels & Channel.EXPOSURE else everything()
+    planes = _state_planes(data, container)
+    return replace(frame, told=told_by(container, planes, frame, sensor, simulated))
+
+
+def _keeps(container: Container) -> bool:
+    return container.machine is not None and container.machine.keeps
+
+
+def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.bool_]]:
+    """The planes at the end of a frame's bytes, by register."""
+    shape = container.target.rows, container.target.cols
+    size, names = plane_bytes(shape[0] * shape[1]), state_registers(container)
+    ends = (len(data) - size * k for k in reversed(range(len(names))))
+    return {
+        name: unpacked_plane(data[end - size : end], shape)
+        for name, end in zip(names, ends, strict=True)
+    }
+
+
+def _full(
+    codes: NDArray[np.uint8], container: Container, sensor: Sensor
+) -> NDArray[np.uint8] | np.uint8:
+    """The bits of what the codes tell by the sensor's figures."""
+    from nscc_runtime.full_codes import marked_by_codes
+
+    try:
+        return marked_by_codes(codes, container, sensor)
+    except Rejected:  # NS0442: words that open no shutters
+        return np.uint8(0)

@@ -1,0 +1,95 @@
+"""The one table of formats, and what refuses all others before any work is done."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from nscc.diagnostics.rejection import rejected
+from nscc.files import Product
+from nscc_runtime.formats import array_formats, clips, pictures
+from nscc_runtime.formats.content import Content
+
+
+@dataclass(frozen=True)
+class Format:
+    """How names of a format end, what it `holds` (picture, clip, arrays), and what writes it.
+
+    What is `shown` is not light but what a screen makes of it, by a tone curve.
+    """
+
+    ending: str
+    holds: str
+    write: Callable[[Content], Product]
+    shown: bool = False
+
+
+FORMATS = {
+    format_.ending: format_
+    for format_ in (
+        Format(".npz", "arrays", array_formats.npz),
+        Format(".npy", "arrays", array_formats.npy),
+        Format(".mat", "arrays", array_formats.mat),
+        Format(".hdr", "picture", pictures.hdr),
+        Format(".exr", "picture", pictures.exr),
+        Format(".pfm", "picture", pictures.pfm),
+        Format(".tiff", "picture, clip", pictures.tiff),
+        Format(".png", "picture", pictures.png, shown=True),
+        Format(".gif", "clip", clips.gif, shown=True),
+        Format(".mp4", "clip", clips.mp4, shown=True),
+    )
+}
+"""By ending. A name without an ending, such as /dev/stdout, gets a command's own format."""
+
+
+def endings(*kinds: str) -> tuple[str, ...]:
+    """The endings of the formats that hold one of these kinds; without kinds, all."""
+    return tuple(
+        ending
+        for ending, format_ in FORMATS.items()
+        if not kinds or any(kind in format_.holds for kind in kinds)
+    )
+
+
+def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
+    """The ending of a product's name, in lower case, the first of `allowed` where it has none.
+
+    Raises Rejected (NS0786) for another one: nothing is written in a format that its name denies.
+    """
+    ending = path.suffix.lower()
+    if ending in allowed:
+        return ending
+    if not ending:
+        return allowed[0]
+    known = ", ".join(allowed)
+    raise rejected(
+        "NS0786",
+        f"{product} cannot be written as '{path.name}': "
+        f"no format ends in '{path.suffix[:20]}' here",
+        notes=(f"it can end in {known}" if len(allowed) > 1 else f"it ends in {known}",),
+        helps=(f"name it {path.stem or 'name'}{allowed[0]}",),
+        data={"endings": list(allowed)},
+    )
+
+
+def file_of(path: Path, content: Content, product: str) -> Product:
+    """What `path` is to hold; Rejected (NS0786) where its format cannot hold that."""
+    ending = check_ending(path, endings(), product)
+    format_ = FORMATS[ending]
+    lacks = content.lacks(format_.holds)
+    if lacks is not None:
+        kind = "clip" if content.moving else "picture"
+        possible_endings = (
+            endings("arrays", kind) if content.light is not None else endings("arrays")
+        )
+        raise rejected(
+            "NS0786",
+            f"{product} cannot be written as '{path.name}': {lacks}",
+            notes=(f"{ending} holds a {format_.holds.replace(', ', ' or a ')}",),
+            helps=(f"use {', '.join(possible_endings)}",),
+            data={"endings": list(possible_endings)},
+        )
+    if ending == ".npz" and content.write_npz is not None:
+        return content.write_npz
+    return format_.write(content)

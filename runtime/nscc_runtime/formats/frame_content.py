@@ -1,0 +1,113 @@
+"""Frames and shutters for every format, among them the arrays of snapshot compressive imaging."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
+from nscc_runtime.formats.content import Arrays, Content
+from nscc_runtime.frame_file import FrameFile
+from nscc_runtime.light import Light
+
+_TOP = 255.0
+"""White in the benchmark's clips."""
+_WHOLE = 1e-3
+"""What is nearer to whole numbers than that was whole before it became electrons."""
+
+
+def frame_content(
+    file: FrameFile, container: Container, light: Light | None,
+    shutters: Callable[[], NDArray[np.bool_]], tone: str | None = None,
+) -> Content:  # fmt: skip
+    """A frame file for every format: pictures of linear light hold electrons, others its codes.
+
+    Buckets are side by side; frames of --repeat make a clip, three colours a picture in colour.
+    `shutters` gives the distinct shutters bool (shutters, buckets, N) of the container.
+    """
+    frame, colour = file.frame, "colours" in file.meta
+    return Content(
+        {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
+        colour=colour, codes=frame.frame, write_npz=file.write,
+        benchmark=lambda: benchmark_arrays(container, shutters(), frame.exposure_e, light, colour),
+        tone=tone, usual="linear", picture=_picture,
+    )  # fmt: skip
+
+
+def _picture(values: NDArray[Any]) -> NDArray[Any]:
+    """(buckets, rows, cols) as (rows, buckets * cols), 0 where there is no number; an axis of
+    colours in front comes last."""
+    side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
+    np.copyto(side, 0, where=~np.isfinite(side))
+    return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
+
+
+def benchmark_arrays(
+    container: Container, shutters: NDArray[np.bool_], exposure_e: NDArray[np.float64],
+    light: Light | None, colour: bool = False,
+) -> Arrays:  # fmt: skip
+    """`mask` (H, W, T), `meas` (H, W, K) and, of a known scene, `orig` (H, W, T * K).
+
+    K is the number of frames. As in the benchmark 255 is white, and without effects meas =
+    sum(mask * orig): `white_e` (1, 1) is how many electrons of a slot that is. White is the
+    clip's own, or its brightest value if that is more, or the full well over T of an unknown
+    scene. Raises Rejected (NS0786) for several buckets or colours, which have no place in it.
+    """
+    exposures = exposure_e if exposure_e.ndim == 4 else exposure_e[None]
+    if colour or exposures.shape[1] != 1:
+        raise _one_bucket()
+    clip = None if light is None else light.dense()
+    white_e = _white_e(container, light, clip)
+    arrays: dict[str, NDArray[Any]] = {
+        "mask": np.asarray(shutters[:, 0][_lanes(container)], np.uint8),
+        "meas": np.moveaxis(exposures[:, 0], 0, -1) * (_TOP / white_e),
+        "white_e": np.array([[white_e]]),
+    }
+    if clip is not None:
+        orig = np.moveaxis(clip, 0, -1) * (_TOP / white_e)
+        rounded = np.rint(orig)
+        integral = rounded.max() <= _TOP and bool((np.abs(orig - rounded) < _WHOLE).all())
+        arrays["orig"] = np.tile(rounded.astype(np.uint8) if integral else orig, len(exposures))
+    return arrays
+
+
+def shutter_content(arrays: Arrays) -> Content:
+    """The arrays of `nscc shutters` for every format: a .mat holds `mask` (rows, cols, T), an .npy
+    (buckets, rows, cols, T), both of 0 and 1."""
+    count = int(arrays["shutter_shape"][3])
+
+    def opened() -> NDArray[np.uint8]:
+        return np.unpackbits(arrays["shutter"], axis=-1, count=count, bitorder="little")
+
+    def mask() -> Arrays:
+        if len(arrays["shutter"]) > 1:
+            raise _one_bucket()
+        return {"mask": opened()[0]}
+
+    return Content(arrays, benchmark=mask, main=opened)
+
+
+def _lanes(container: Container) -> NDArray[np.signedinteger]:
+    assert container.pixel_codes is not None  # it has been exposed
+    return container.table.shutter_of_code[container.pixel_codes]
+
+
+def _one_bucket() -> Rejected:
+    return rejected(
+        "NS0786",
+        "a .mat of snapshot compressive imaging holds one bucket of one colour",
+        notes=("mask is (H, W, T), meas (H, W, K), orig (H, W, T * K)",),
+        helps=("write an .npz: it holds all there is",),
+    )
+
+
+def _white_e(container: Container, light: Light | None, clip: NDArray[np.float32] | None) -> float:
+    if light is None or clip is None:
+        return container.target.full_well_e / container.slots
+    top = float(clip.max()) or 1.0
+    return light.exposure_scale_e if light.kind == "clip" and top <= light.exposure_scale_e else top

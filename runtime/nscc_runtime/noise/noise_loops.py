@@ -1,0 +1,222 @@
+"""The loops over pixels that draw random numbers; `nscc_runtime.noise.arrays` calls them.
+
+Every number depends on its key and pixel alone, and nothing is rounded
+otherwise in a vector than alone, so that how pixels are split over calls changes no bit.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated
+
+import numpy as np
+
+from nscc_runtime.loop import Bytes, Floats, Ints, Written, compiled, inlined, loop, record
+from nscc_runtime.noise.binomial_law import binomial
+from nscc_runtime.noise.counter import bits, unit
+from nscc_runtime.noise.gaussian import normal
+from nscc_runtime.noise.poisson_law import (
+    INVERSE,
+    SEARCH_BELOW,
+    SEARCHED,
+    SETTLED_ABOVE,
+    poisson_exact,
+    poisson_fast,
+    quantile,
+    search,
+)
+
+_Places = Annotated[Ints, "count"]
+_Drawn = Written[Annotated[Floats, "count"]]
+
+BLOCK = 512
+"""Pixels drawn together: light differs little along a row, so most blocks are of one kind."""
+
+_FIRST_LANE = np.uint64(0)
+_SLOT_LANES = np.uint64(1 << 32)
+
+
+@inlined
+def uniform(key: np.uint64, pixel: int) -> float:
+    """The first uniform number of a key at a pixel."""
+    return unit(bits(key, pixel, _FIRST_LANE))
+
+
+@compiled
+def _drawable(rate: float, cap: float) -> float:
+    """The rate within [0, cap], 0 for NaN."""
+    if rate > 0.0:
+        return rate if rate < cap else cap
+    return 0.0
+
+
+@compiled
+def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
+    """out[i] := the formula's count at the uniform number out[i]: no branch, so LLVM makes vectors.
+
+    Rates that have no formula are taken as SEARCH_BELOW.
+    """
+    for i in range(first, stop):
+        out[i] = normal(out[i])
+    for i in range(first, stop):
+        known = rate[i] if rate[i] > SEARCH_BELOW else SEARCH_BELOW
+        x = np.floor(quantile(out[i], known if known < top else top))
+        out[i] = x if x > 0.0 else 0.0
+
+
+@compiled
+def _searched(
+    rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
+    drawn: Floats,
+) -> None:  # fmt: skip
+    """out[i] := `search` at the uniform number out[i], step by step for all: rates are below
+    SEARCH_BELOW, and LLVM makes vectors of a step.
+    """
+    count = stop - first
+    for i in range(count):
+        rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
+        mass[i] = math.exp(-rates[i])
+    for i in range(count):
+        # exp(-rate) is not below 1 - rate, but for its rounding.
+        total[i] = mass[i] if out[first + i] > 1.0 - rates[i] else 1.0
+        drawn[i] = 0.0
+    for k in range(1, SEARCHED):
+        going = 0
+        for i in range(count):
+            mass[i] *= rates[i] * INVERSE[k]
+            grown = total[i] + mass[i]
+            on = out[first + i] > total[i] and grown != total[i]
+            total[i] = grown if on else total[i]
+            drawn[i] += 1.0 if on else 0.0
+            going += 1 if on else 0
+        if going == 0:
+            break
+    for i in range(count):
+        out[first + i] = drawn[i]
+
+
+@record
+class Draws:
+    """How many numbers are drawn, and with which key."""
+
+    count: int
+    key: np.uint64
+
+
+@loop
+def fill_uniforms(draws: Draws, pixels: _Places, out: _Drawn) -> None:
+    """out[i] := the uniform number at pixels[i]."""
+    for i in range(draws.count):
+        out[i] = uniform(draws.key, pixels[i])
+
+
+@loop
+def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
+    """out[i] := the normal number at pixels[i]."""
+    for i in range(draws.count):
+        out[i] = normal(uniform(draws.key, pixels[i]))
+
+
+@record
+class Counts:
+    """What `fill_poisson` draws: rates above `cap` count as `cap`; `exact` is 0 or 1."""
+
+    count: int
+    key: np.uint64
+    exact: int
+    cap: float
+
+
+@loop
+def fill_poisson(
+    counts: Counts, pixels: _Places, rate: Annotated[Floats, "count"], out: _Drawn,
+    valid: Written[Annotated[Bytes, "count"]], rates: Written[Floats], total: Written[Floats],
+    mass: Written[Floats], drawn: Written[Floats],
+) -> None:  # fmt: skip
+    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number. From
+    `rates` on: scratch for `BLOCK` pixels each.
+    """
+    count, top, stream = counts.count, counts.cap, counts.key
+    for first in range(0, count, BLOCK):
+        stop = min(first + BLOCK, count)
+        low, search_count = 0, 0
+        for i in range(first, stop):
+            valid[i] = rate[i] == rate[i]
+            low += not rate[i] >= SETTLED_ABOVE
+            search_count += not rate[i] >= SEARCH_BELOW
+        for i in range(first, stop):
+            out[i] = uniform(stream, pixels[i])
+        if search_count == stop - first:
+            _searched(rate, first, stop, out, rates, total, mass, drawn)
+        elif counts.exact:
+            for i in range(first, stop):
+                out[i] = poisson_exact(out[i], _drawable(rate[i], top))
+        elif low == stop - first:
+            for i in range(first, stop):
+                known, u = _drawable(rate[i], top), out[i]
+                # The search is made part of this loop; the whole sampler would stay a call.
+                out[i] = search(u, known) if known < SEARCH_BELOW else poisson_fast(u, known)
+        else:
+            _formula(rate, top, first, stop, out)
+            # The uniform numbers are gone; only those that are needed once more are made again.
+            for i in range(first, stop if low else first):
+                if not rate[i] >= SETTLED_ABOVE:
+                    u = uniform(stream, pixels[i])
+                    out[i] = poisson_fast(u, _drawable(rate[i], top))
+
+
+@compiled
+def halved(
+    stream: np.uint64, pixel: int, node: int, count: float, left_share: float, right_share: float
+) -> float:
+    """How many of `count` fall into the left half of a node whose halves have these shares."""
+    if count <= 0.0 or left_share <= 0.0:
+        return 0.0
+    if right_share <= 0.0:
+        return count
+    u = unit(bits(stream, pixel, _SLOT_LANES | np.uint64(node)))
+    return binomial(u, count, left_share / (left_share + right_share))
+
+
+@record
+class Spread:
+    """What `fill_thin` spreads: `stride` is `slots`, or 0 for shares that all have in common."""
+
+    count: int
+    key: np.uint64
+    slots: int
+    stride: int
+
+
+@loop
+def fill_thin(
+    spread: Spread, pixels: _Places, counts: Annotated[Floats, "count"],
+    shares: Annotated[Floats, "sharers slots"], out: Written[Annotated[Floats, "count slots"]],
+) -> None:  # fmt: skip
+    """Spread counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
+
+    Halves are numbered as in a heap: 1 is the whole.
+    """
+    slots, stride, stream = spread.slots, spread.stride, spread.key
+    leaf_count = 1
+    while leaf_count < slots:
+        leaf_count *= 2
+    for i in range(spread.count):
+        first, row = i * stride, i * slots
+        if slots > 0:
+            out[row] = counts[i]
+        size = leaf_count // 2
+        while size > 0:
+            for start in range(0, slots, 2 * size):
+                middle, end = start + size, min(start + 2 * size, slots)
+                if middle < slots:
+                    left_share, right_share = 0.0, 0.0
+                    for j in range(start, middle):
+                        left_share += shares[first + j]
+                    for j in range(middle, end):
+                        right_share += shares[first + j]
+                    count, node = out[row + start], (leaf_count + start) // (2 * size)
+                    drawn = halved(stream, pixels[i], node, count, left_share, right_share)
+                    out[row + start] = drawn
+                    out[row + middle] = count - drawn
+            size //= 2

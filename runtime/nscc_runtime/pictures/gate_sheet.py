@@ -1,0 +1,189 @@
+"""The picture of a program's gates: registers as staves, time from left to right, line by line.
+
+A value is a bar on its register's stave from where it is written to where it is read for the last
+time. A gate is a box on the stave that it writes, with a dot on every stave that it reads; so is a
+comparison of light. Where FLAG answers a demand, a triangle hangs below its stave.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.sheet import blank, head, place
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from networkx import DiGraph
+
+_COLUMNS = 23
+"""Gates and demands in a line."""
+_MOST = 16 * _COLUMNS
+"""More than so many are not drawn: whole boundaries, from the first one on."""
+_LEAST = 14
+"""Columns of a narrow picture, which has room for its heading."""
+_COLUMN, _STAVE = 0.32, 0.21
+"""Inches."""
+_ABOVE, _BELOW = 0.42, 0.42
+_HOLDER = 40
+"""Letters of what a register holds."""
+_WRITING = ("gate", "look")
+_SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
+"""The look's colour for each kind of gate."""
+
+
+@dataclass(frozen=True)
+class _Score:
+    """What is drawn: `column` of every gate and demand, _COLUMNS of them in each line, `row` of
+    every register, FLAG's the last; `until` is the column to which each value lives."""
+
+    network: DiGraph
+    column: dict[str, int]
+    row: dict[str, int]
+    until: dict[str, int]
+
+
+def gate_sheet(network: DiGraph, title: str) -> Figure:
+    """A network as `nscc.emit.network` makes it, or its beginning if it is large."""
+    score = _score(network)
+    used = 1 + max(score.column.values(), default=-1)
+    lines, columns = -(-used // _COLUMNS), max(_LEAST, min(used, _COLUMNS))
+    tall = len(score.row) * _STAVE
+    figure = blank(columns * _COLUMN, max(1, lines) * (_ABOVE + tall + _BELOW))
+    for line in range(lines):
+        top = line * (_ABOVE + tall + _BELOW) + _ABOVE
+        axes = place(figure, 0, top, columns * _COLUMN, tall)
+        axes.set(xlim=(0, columns), ylim=(len(score.row) - 0.5, -0.5))
+        axes.axis("off")
+        _draw_line(axes, score, line * _COLUMNS)
+    head(figure, title, _note(network, score))
+    return figure
+
+
+def _score(network: DiGraph) -> _Score:
+    nodes = network.nodes
+    events = [node for node in nodes if nodes[node]["kind"] in (*_WRITING, "demand")]
+    column: dict[str, int] = {}
+    at = 0
+    for _, group in groupby(events, key=lambda node: nodes[node]["boundary"]):
+        boundary_nodes = list(group)
+        free_columns = -at % _COLUMNS
+        if free_columns < len(boundary_nodes) <= _COLUMNS:
+            at += free_columns  # a boundary that would be torn begins a line
+        if column and at + len(boundary_nodes) > _MOST:
+            break
+        column |= {node: at + i for i, node in enumerate(boundary_nodes[:_MOST])}
+        at += len(boundary_nodes)
+    values = [
+        node for node in nodes
+        if nodes[node]["kind"] == "plane" or (nodes[node]["kind"] in _WRITING and node in column)
+    ]  # fmt: skip
+    names = {nodes[node]["register"] for node in values}
+    order = sorted(names, key=lambda name: (name == "FLAG", len(name), name))
+    # What is read beyond the picture, as planes are at the frame's end, lives to its right edge.
+    until = {
+        node: max((column.get(r, at) for r in network.successors(node)), default=-1)
+        for node in values
+    }
+    return _Score(network, column, {name: i for i, name in enumerate(order)}, until)
+
+
+def _note(network: DiGraph, score: _Score) -> str:
+    nodes, facts = network.nodes, network.graph
+    gates = [node for node in nodes if nodes[node]["kind"] == "gate"]
+    drawn = sum(node in score.column for node in gates)
+    if not gates:
+        return f"{facts['encoding']}: there are no gates"
+    text = (
+        f"{facts['encoding']}; {len(gates)} gates, at most {facts['depth']} one after the other; "
+    )
+    text += f"{facts['registers']} registers can hold all values"
+    if drawn < len(gates):
+        last = max(nodes[node]["boundary"] for node in score.column)
+        text += f"; here the first {drawn}, up to boundary {last} (--emit graphml has all)"
+    return text
+
+
+def _draw_line(axes: Axes, score: _Score, first: int) -> None:
+    """The columns from `first` on."""
+    nodes = score.network.nodes
+    shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
+    end = score.column[shown[-1]] + 1
+    _draw_bands(axes, score, shown, first)
+    rows = list(score.row.values())
+    axes.hlines(rows, 0, end - first, color=look().grid, linewidth=0.7, zorder=1)
+    for register, row in score.row.items():
+        axes.text(-0.25, row, register, size=7, color=look().ink, ha="right", va="center")
+    bars = []
+    for node, until in score.until.items():
+        row = score.row[nodes[node]["register"]]
+        if nodes[node]["kind"] == "plane":
+            holder = _short(nodes[node]["holder"])
+            axes.text(-1.6, row, holder, size=6.5, color=look().faint, ha="right", va="center")
+        bar_left, bar_right = max(score.column.get(node, -1) + 0.5, first), min(until + 0.5, end)
+        if bar_left < bar_right:
+            bars.append((row, bar_left - first, bar_right - first))
+    axes.hlines(*zip(*bars, strict=True), color=look().bar, linewidth=4, zorder=2)
+    _draw_gates(axes, score, [node for node in shown if nodes[node]["kind"] in _WRITING], first)
+    _draw_demands(axes, score, [n for n in shown if nodes[n]["kind"] == "demand"], first)
+
+
+def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
+    """Boundaries as bands, every other one shaded, with their numbers and their kernels'."""
+    nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
+    boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
+    for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
+        inside = list(group)
+        band_left = score.column[inside[0]] - first
+        if boundaries.index(boundary) % 2 == 0:
+            axes.axvspan(band_left, band_left + len(inside), color=look().closed, zorder=0)
+        axes.text(band_left + 0.1, top - 0.75, f"{boundary}", size=7, color=look().ink, va="bottom")
+        axes.plot(
+            [band_left, band_left],
+            [top - 1.2, bottom],
+            color=look().grid,
+            linewidth=0.7,
+            clip_on=False,
+        )
+    kernel = None
+    for node in shown:
+        if nodes[node].get("kernel", kernel) != kernel:
+            kernel = nodes[node]["kernel"]
+            x = score.column[node] - first + 0.1
+            axes.text(x, top - 0.1, f"k{kernel}", size=6.5, color=look().faint, va="bottom")
+
+
+def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None:
+    nodes = score.network.nodes
+    for node in gates:
+        x = score.column[node] - first + 0.5
+        row = score.row[nodes[node]["register"]]
+        read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
+        kind = _SERIES.get(nodes[node]["function"])
+        colour = look().faint if kind is None else look().series[kind]
+        # The box hides the dot on the stave that is written.
+        axes.plot([x] * (1 + len(read)), sorted([row, *read]), color=colour, linewidth=1, zorder=3,
+                  marker="o", markersize=3)  # fmt: skip
+        axes.text(
+            x, row, nodes[node]["function"], size=5.6, color=look().on(colour),
+            ha="center", va="center", zorder=5,
+            bbox={"boxstyle": "round,pad=0.25", "color": colour, "linewidth": 0},
+        )  # fmt: skip
+
+
+def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> None:
+    row = len(score.row) - 1
+    for node in demands:
+        x = score.column[node] - first + 0.5
+        axes.plot([x, x], [row, row + 0.85], color=look().ink, linewidth=0.8, zorder=3,
+                  clip_on=False, marker="v", markersize=4, markevery=[1])  # fmt: skip
+        edge = score.network.nodes[node]["edge"]
+        axes.text(x, row + 1.2, edge, size=6.5, color=look().ink, ha="center", va="top")
+
+
+def _short(holder: str) -> str:
+    """The end of a long text: holders differ there."""
+    return holder if len(holder) <= _HOLDER else "…" + holder[1 - _HOLDER :]

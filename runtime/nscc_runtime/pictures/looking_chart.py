@@ -1,0 +1,195 @@
+"""The picture of a program whose pixels look: when they are open, for each light."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc_runtime.courses import Courses, courses, thresholds
+from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.shutter_sheet import (
+    CHART_INCHES,
+    chart_columns,
+    open_share,
+    subtitle,
+    unit,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.artist import Artist
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_LIGHTS = 360
+"""Rows of a chart."""
+_MOST_CODES = 3
+_LATER = 8
+"""Where states are kept, the frame of this number is drawn beside the first."""
+_ROUND = 4.0
+"""The lights shown reach so many times beyond those at which answers turn."""
+_MOST_RANGE = 1e7
+_HEIGHT, _BETWEEN, _TIMES, _GAP, _ABOVE = 3.0, 0.95, 1.5, 0.35, 0.3
+"""Inches: of a chart, between charts, the width of the open times, and to their left; above."""
+_MOST_NAMED = 14
+_MOST_FLIPS = 400
+
+
+def course_sheet(container: Container, title: str) -> Figure:
+    """For some codes a chart of when pixels are open (across) at which light (up), with the looks
+    and where their answers turn; beside it how long they are open, and the states that are read."""
+    from matplotlib.lines import Line2D
+    from matplotlib.patches import Patch
+
+    machine = container.machine
+    assert machine is not None
+    shown = _shown(container)
+    high = len(shown) * (_HEIGHT + _BETWEEN) - _BETWEEN
+    figure = sheet.blank(CHART_INCHES, high + _ABOVE)
+    for number, view in enumerate(shown):
+        top = _ABOVE + number * (_HEIGHT + _BETWEEN)
+        wide = CHART_INCHES - _TIMES - _GAP
+        chart = sheet.place(figure, 0, top, wide, _HEIGHT)
+        _draw_chart(chart, container, view)
+        beside = sheet.place(figure, wide + _GAP, top, _TIMES, _HEIGHT)
+        _draw_times(beside, container, view)
+    handles: list[Artist] = [
+        Line2D([], [], color=look().ink, linewidth=0.8, linestyle=":", label="a look"),
+        Line2D([], [], color=look().ink, marker=".", linestyle="", label="its answer turns"),
+    ]
+    if any(view.courses.resets.any() for view in shown):
+        handles.append(
+            Line2D([], [], color=look().series[1], marker="|", linestyle="", label="PIX is reset")
+        )
+    if len(container.buckets) > 1:
+        handles += [
+            Patch(color=look().of(b)["color"], label=name)
+            for b, name in enumerate(container.buckets)
+        ]
+    looks = machine.stages - 1
+    look_count_text = f"{looks} look{'s' * (looks != 1)}"
+    sheet.head(figure, title, subtitle(container, look_count_text), handles)
+    return figure
+
+
+@dataclass(frozen=True, eq=False)
+class _Shown:
+    title: str
+    courses: Courses
+
+
+def _shown(container: Container) -> list[_Shown]:
+    """The charts: of some codes, evenly chosen, or of the first frame and a later one."""
+    machine, table = container.machine, container.table
+    assert machine is not None
+    wells = _wells(container)
+    behaviours = int(machine.behaviour.max()) + 1
+    count = min(behaviours, _MOST_CODES)
+    chosen = np.unique(np.rint(np.linspace(0, behaviours - 1, count)).astype(int)).tolist()
+    charts = []
+    for behaviour in chosen:
+        code = int(np.flatnonzero(table.shutter_of_code == behaviour)[0])
+        values = zip(table.fields, table.codes[code].tolist(), strict=True)
+        name = ", ".join(f"{field} = {value}" for field, value in values)
+        if any(state.kept for state in machine.states):
+            frames = {0: "the first frame", _LATER: f"the same light {_LATER} frames later"}
+            chosen_frames = frames if count == 1 else {0: frames[0]}
+            for frame, frame_text in chosen_frames.items():
+                text = ", ".join(phrase for phrase in (name, frame_text) if phrase)
+                charts.append(_Shown(text, courses(container, behaviour, wells, frame)))
+        else:
+            charts.append(_Shown(name, courses(container, behaviour, wells)))
+    return charts
+
+
+def _wells(container: Container) -> NDArray[np.float64]:
+    """Lights from below all levels to above them, in full wells over the frame."""
+    threshold_wells = thresholds(container)
+    low = min(float(threshold_wells.min(initial=1.0)), 1.0) / _ROUND
+    high = max(float(threshold_wells.max(initial=1.0)), 1.0) * _ROUND
+    return np.geomspace(max(low, high / _MOST_RANGE), high, _LIGHTS)
+
+
+def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
+    """Open time, in the colour of how long it is in all, or of several buckets in the bucket's."""
+    from matplotlib import colormaps
+    from matplotlib.colors import to_rgb
+
+    courses, machine = shown.courses, container.machine
+    assert machine is not None
+    lights, lanes = courses.opens.shape[:2]
+    edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
+    scale, name = unit(float(edges_us[-1]))
+    edges = edges_us * scale
+    columns = chart_columns(edges)
+    if lanes == 1:
+        rank = np.unique(courses.opens[:, 0] @ np.diff(edges), return_inverse=True)[1]
+        most = int(rank.max())
+        place = 0.08 + 0.82 * rank / most if most else np.full(lights, 0.35)
+        colours = colormaps[sheet.SCALE](place)[:, None, :3]
+    else:
+        colours = np.array([[to_rgb(look().of(lane)["color"]) for lane in range(lanes)]] * lights)
+    image = np.empty((lights, len(columns) - 1, 3))
+    for row in range(lights):
+        share = np.array([open_share(courses.opens[row, b], edges, columns) for b in range(lanes)])
+        total = share.sum(axis=0)
+        mixed = (share.T @ colours[row]) / np.maximum(total, 1.0)[:, None]
+        image[row] = np.outer(1 - np.minimum(total, 1.0), to_rgb(look().closed)) + mixed
+    axes.set_yscale("log")
+    axes.pcolormesh(columns, _edges(courses.wells), image.clip(0, 1), edgecolors="none")
+    axes.set_xlim(0, edges[-1])
+    axes.set_ylim(courses.wells[0], courses.wells[-1])
+    axes.grid(False)
+    axes.spines[:].set_visible(False)
+    for boundary in machine.looks:
+        axes.axvline(edges[boundary], color=look().ink, linewidth=0.6, linestyle=":", alpha=0.5)
+    flips = np.array(courses.flips[:: -(-len(courses.flips) // _MOST_FLIPS)]).reshape(-1, 2)
+    axes.plot(edges[flips[:, 0].astype(int)], flips[:, 1], ".", color=look().ink, clip_on=False)
+    light, slot = np.nonzero(courses.resets[:, 1:])
+    axes.plot(edges[slot + 1], courses.wells[light], "|", color=look().series[1], markersize=2)
+    axes.set_title(shown.title)
+    axes.set_xlabel(f"time in the frame, {name}")
+    axes.set_ylabel("light of the frame, full wells")
+    sheet.round_ticks(axes.yaxis)
+
+
+def _draw_times(axes: Axes, container: Container, shown: _Shown) -> None:
+    """How long pixels are open in all, against light, and what they then send of their states."""
+    courses, machine = shown.courses, container.machine
+    assert machine is not None
+    slot_us = np.array(container.slot_us)
+    scale, name = unit(float(slot_us.sum()))
+    for bucket in range(courses.opens.shape[1]):
+        times = courses.opens[:, bucket] @ slot_us * scale
+        style = look().of(bucket) if courses.opens.shape[1] > 1 else {"color": look().ink}
+        axes.step(times, courses.wells, where="mid", color=style["color"], linewidth=1.2)
+    axes.set_xlim(0, float(slot_us.sum()) * scale * 1.05)
+    axes.set_yscale("log")
+    axes.set_ylim(courses.wells[0], courses.wells[-1])
+    axes.set_xlabel(f"open, {name}")
+    for axis in (axes.xaxis, axes.yaxis):
+        sheet.round_ticks(axis)
+    axes.tick_params(axis="y", labelleft=False, length=0)
+    read = [k for k, state in enumerate(machine.states) if state.read]
+    if not read:
+        return
+    values = courses.values[:, read]
+    begins = [0, *(np.flatnonzero((values[1:] != values[:-1]).any(axis=1)) + 1).tolist()]
+    ends = [*begins[1:], len(values)]
+    tall = [(b, e) for b, e in zip(begins, ends, strict=True) if e - b >= _LIGHTS // 30]
+    for begin, end in tall if len(tall) <= _MOST_NAMED else tall[:: -(-len(tall) // _MOST_NAMED)]:
+        text = ", ".join(map(str, values[begin].tolist()))
+        middle = float(np.sqrt(courses.wells[begin] * courses.wells[end - 1]))
+        axes.text(1.06, middle, text, transform=axes.get_yaxis_transform(), va="center")
+    names = ", ".join(machine.states[k].name for k in read)
+    axes.set_title(names, loc="right")
+
+
+def _edges(wells: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Edges of rows whose middles the lights are."""
+    inner = np.sqrt(wells[1:] * wells[:-1])
+    return np.concatenate(([wells[0] ** 2 / inner[0]], inner, [wells[-1] ** 2 / inner[-1]]))

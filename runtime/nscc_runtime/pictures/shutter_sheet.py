@@ -1,0 +1,224 @@
+"""The picture of a program: its shutters over time, and which pixel has which."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.words.container import Container
+from nscc.words.shutters import Shutters, shutters_of
+from nscc_runtime.merge import tile_of
+from nscc_runtime.pictures import sheet
+from nscc_runtime.pictures.look import look
+from nscc_runtime.scenes.shapes import Field
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_MOST_ROWS, _CHOSEN_ROWS = 64, 48
+_COLUMNS = 1200
+"""With more slots than this the chart shows the share of open time in each of its columns."""
+_MOST_BOUNDARIES = 130
+_MOST_NUMBERS = 16
+_MOST_LABELLED = 8
+"""Cells a side of a tile map that still have room for their codes."""
+_CORNER = 16
+_MAP, _BETWEEN = 3.5, 0.6
+CHART_INCHES = 2 * _MAP + _BETWEEN
+"""Inches of the maps' sides, between them, and of the chart."""
+_ABOVE, _BELOW = 0.36, 1.0
+"""Inches for the numbers of the slots, and from the chart to the maps."""
+_BAR = 0.84
+
+
+def shutter_sheet(container: Container, title: str) -> Figure:
+    """The time chart, and below it the map of codes with a magnified tile."""
+    from matplotlib import colormaps
+    from matplotlib.patches import Patch
+
+    shutters = shutters_of(container)
+    count, lanes = len(shutters.rows), len(container.buckets)
+    chosen = _chosen(count)
+    places = np.linspace(0.08, 0.9, count) if count > 1 else np.array([0.35])
+    colours: Field = colormaps[sheet.SCALE](places)[:, :3]
+    chart_height = max(0.6, len(chosen) * (0.19 if lanes == 1 else 0.11 * lanes + 0.07))
+    maps, top = _maps(container, shutters, colours), _ABOVE + chart_height + _BELOW
+    sizes = [sheet.zoomed(tile_map.colours.shape, _MAP) for tile_map in maps]
+    figure = sheet.blank(CHART_INCHES, top + max((height for _, height in sizes), default=0.0))
+    chart = sheet.place(figure, 0, _ABOVE, CHART_INCHES, chart_height)
+    _draw_chart(chart, container, shutters.rows[chosen], colours[chosen])
+    chart.set_yticks(range(len(chosen)), [shutters.labels[i] for i in chosen])
+    for number, (drawing, size) in enumerate(zip(maps, sizes, strict=True)):
+        _draw_map(sheet.place(figure, number * (_MAP + _BETWEEN), top, *size), drawing)
+    note = subtitle(container, f"{count} shutter{'s' * (count != 1)}")
+    if len(chosen) < count:
+        note += f"   ·   {len(chosen)} of them shown, evenly chosen"
+    bars = enumerate(container.buckets) if lanes > 1 else ()
+    handles = [Patch(color=look().of(b)["color"], label=name) for b, name in bars]
+    sheet.head(figure, title, note, handles)
+    return figure
+
+
+def subtitle(container: Container, subject: str) -> str:
+    """A program's class, frame and chip in a line, with `what` is drawn of it."""
+    lengths, lowering = container.slot_us, container.notes.get("lowering")
+    length = _time(min(lengths))
+    if min(lengths) < max(lengths):
+        length += f" to {_time(max(lengths))}"
+    name = container.notes.get("class", "")
+    phrases = (
+        f"class {name}" if len(name) == 1 else name,
+        f"{container.slots} slot{'s' * (container.slots > 1)} of {length}",
+        subject,
+        f"{len(container.buckets)} buckets" if len(container.buckets) > 1 else "",
+        f"{container.target.name}, {lowering}" if lowering else container.target.name,
+    )
+    return "   ·   ".join(phrase for phrase in phrases if phrase)
+
+
+def _time(us: float) -> str:
+    scale, name = unit(us)
+    return f"{us * scale:.4g} {name}"
+
+
+def unit(us: float) -> tuple[float, str]:
+    """A factor and a unit that keep a time readable."""
+    if us >= 1e6:
+        return 1e-6, "s"
+    if us >= 1e3:
+        return 1e-3, "ms"
+    return (1.0, "µs") if us >= 1 else (1e3, "ns")
+
+
+def _chosen(count: int) -> NDArray[np.int64]:
+    """The rows that a chart has room for: all, or some at equal distances, first and last too."""
+    if count <= _MOST_ROWS:
+        return np.arange(count)
+    return np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
+
+
+def _draw_chart(
+    axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
+) -> None:
+    """Bars of open time: in the colour that the map has, or of several buckets in the bucket's."""
+    from matplotlib.colors import to_rgb
+
+    count, lanes, slots = rows.shape
+    edges_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
+    scale, name = unit(float(edges_us[-1]))
+    edges = edges_us * scale
+    columns = chart_columns(edges)
+    buckets = [to_rgb(look().of(lane)["color"]) for lane in range(lanes)]
+    image = np.empty((count, lanes + 1, len(columns) - 1, 3))
+    image[:] = to_rgb(look().paper)  # the last lane stays: it is the gap
+    for row, lane in np.ndindex(count, lanes):
+        share = open_share(rows[row, lane], edges, columns)
+        colour = row_colours[row] if lanes == 1 else buckets[lane]
+        image[row, lane] = np.outer(1 - share, to_rgb(look().closed)) + np.outer(share, colour)
+    lines = np.linspace(-_BAR / 2, _BAR / 2, lanes + 1)
+    heights = (np.arange(count)[:, None] + lines).ravel()
+    axes.pcolorfast(columns, heights, image.reshape(count * (lanes + 1), -1, 3)[:-1].clip(0, 1))
+    axes.set_xlim(0, edges[-1])
+    axes.set_ylim(count - 0.5, -0.5)
+    axes.grid(False)
+    if slots <= _MOST_BOUNDARIES:
+        axes.vlines(edges[1:-1], -0.5, count - 0.5, colors=look().paper, linewidth=0.7)
+    axes.spines[:].set_visible(False)
+    axes.set_xlabel(f"time in the frame, {name}")
+    axes.tick_params(axis="y", length=0, pad=13, labelcolor=look().ink)
+    axes.scatter(
+        np.full(count, -0.009), np.arange(count), s=36, c=row_colours, marker="s", clip_on=False,
+        transform=axes.get_yaxis_transform(),
+    )  # fmt: skip
+    _number_slots(axes, edges)
+
+
+def chart_columns(edges: Field) -> Field:
+    """The edges of a chart's columns: those of the slots (N + 1,), or fewer."""
+    return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
+
+
+def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field:
+    """The part of each column that a shutter (N,) is open for."""
+    open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
+    return np.asarray(np.diff(np.interp(columns, edges, open_until)) / np.diff(columns))
+
+
+def _number_slots(axes: Axes, edges: Field) -> None:
+    """Numbers above the chart at the slots' middles, as many as have room."""
+    slots = len(edges) - 1
+    step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
+    middles = (edges[:-1] + edges[1:]) / 2
+    numbers: list[int] = []
+    for number in range(0, slots, step):
+        if not numbers or middles[number] - middles[numbers[-1]] > 0.045 * edges[-1]:
+            numbers.append(number)
+    above = axes.secondary_xaxis("top")
+    above.set_xticks(middles[numbers], [str(number) for number in numbers])
+    above.tick_params(length=0, pad=1)
+    above.spines[:].set_visible(False)
+    above.set_xlabel("slot n")
+
+
+@dataclass(frozen=True, eq=False)
+class _Map:
+    """A part of the array to draw: colours (rows, cols, 3), the codes' values where they fit."""
+
+    title: str
+    colours: Field
+    codes: NDArray[Any] | None = None
+
+
+def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
+    """The array, and the smallest tile of codes that repeats; its corner if none does."""
+    codes = container.pixel_codes
+    if codes is None:
+        return ()
+    table = container.table
+    painted = colours[shutters.rank[table.shutter_of_code[codes]]]
+    rows, cols = codes.shape
+    array_map = _Map(f"codes of the array, {rows} x {cols}", painted)
+    if not table.fields or (rows, cols) == (1, 1):
+        return (array_map,)
+    tile = tile_of(codes)
+    if tile != (rows, cols) and max(tile) <= 4 * _CORNER:
+        title = f"the tile that repeats, {tile[0]} x {tile[1]}"
+    else:
+        tile = (min(_CORNER, rows), min(_CORNER, cols))
+        title = f"the top left corner, {tile[0]} x {tile[1]}"
+    tile_slice = np.s_[: tile[0], : tile[1]]
+    values = table.codes[codes[tile_slice]] if max(tile) <= _MOST_LABELLED else None
+    return array_map, _Map(title, painted[tile_slice], values)
+
+
+def _draw_map(axes: Axes, drawing: _Map) -> None:
+    """The part, and in each cell its field values, a line each, in what shows best on it."""
+    from matplotlib.colors import to_hex
+    from matplotlib.ticker import MaxNLocator
+
+    rows, cols = drawing.colours.shape[:2]
+    sheet.show_pixels(axes, drawing.colours)
+    axes.set_title(drawing.title)
+    axes.spines[:].set_visible(False)
+    extent = axes.get_window_extent()
+    for axis, dots in ((axes.xaxis, extent.width), (axes.yaxis, extent.height)):
+        axis.set_major_locator(MaxNLocator(max(1, int(dots / 55)), integer=True, min_n_ticks=1))
+        axis.set_visible(dots > 55)
+    if max(rows, cols) <= 2 * _CORNER:
+        axes.hlines(np.arange(rows - 1) + 0.5, -0.5, cols - 0.5, colors=look().paper)
+        axes.vlines(np.arange(cols - 1) + 0.5, -0.5, rows - 0.5, colors=look().paper)
+    if drawing.codes is None:
+        return
+    widest = max(len(str(value)) for value in drawing.codes.flat)
+    cell = extent.width / cols / sheet.DPI * 72
+    size = min(18.0, 0.9 * cell / max(0.7 * widest, 1.3 * drawing.codes.shape[2], 1.6))
+    for row, col in np.ndindex(rows, cols):
+        if size >= 4.5:
+            axes.text(
+                col, row, "\n".join(map(str, drawing.codes[row, col])), ha="center", va="center",
+                size=size, color=look().on(to_hex(tuple(drawing.colours[row, col]))),
+            )  # fmt: skip

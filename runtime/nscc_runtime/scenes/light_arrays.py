@@ -1,0 +1,225 @@
+"""Scenes given as numbers: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
+
+An .npz or .npy array is checked by its header before any of its data is read, and read block by
+block into float32, so that a long clip costs its own float32 size and little more.
+"""
+
+from __future__ import annotations
+
+import math
+import zipfile
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import IO, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.npy import npy_header_2
+from nscc_runtime.progress import Progress, unseen
+from nscc_runtime.scenes.errors import Census, damaged, size
+from nscc_runtime.scenes.mat_files import mat_array, mat_names
+
+KEY = "light"
+MAT_CLIP_KEY = "orig"
+_BLOCK_BYTES = 1 << 24
+NPY_HEADERS: dict[
+    tuple[int, int], Callable[[IO[bytes]], tuple[tuple[int, ...], bool, np.dtype[Any]]]
+] = {
+    (1, 0): np.lib.format.read_array_header_1_0,
+    (2, 0): npy_header_2,
+}
+"""What reads shape, order and type at the beginning of an .npy file, by its version."""
+
+Check = Callable[[tuple[int, ...]], None]
+"""Raises Rejected where a light array of that shape does not fit the program and the array."""
+
+
+def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
+    """Light is made of real numbers: anything else is NS0733."""
+    if dtype.kind in "uif":
+        return
+    kinds = {"b": "true/false", "c": "complex", "O": "pickled objects", "U": "text", "S": "text"}
+    kind = kinds.get(dtype.kind, f"of type {dtype}"[:60])
+    raise rejected(
+        "NS0733",
+        f"'{key}' in '{name}' is {kind}, not real numbers",
+        helps=("save it as float32: np.savez(file, light=a.astype(np.float32))",),
+    )
+
+
+def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
+    """NS0733 to NS0735 for a `light` array that is not of a program of so many slots and (rows,
+    cols)."""
+    _refuse_other_axes(name, shape, slots, need)
+    if len(shape) not in (2, 3):
+        raise rejected(
+            "NS0733",
+            f"'light' in '{name}' has {len(shape)} dimension{'s' * (len(shape) != 1)}: "
+            f"{size(shape)}",
+            notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+            helps=("give the array two or three dimensions",),
+        )
+    if tuple(shape[-2:]) != need:
+        raise rejected(
+            "NS0734",
+            f"'light' in '{name}' is {size(shape[-2:])}, the array is {size(need)}",
+            notes=("sizes are rows x columns; light in electrons is neither cropped nor scaled",),
+            helps=("cut the array to that size, or use a target of the scene's size",),
+            data={"scene": list(shape[-2:]), "array": list(need)},
+        )
+    if len(shape) == 3 and shape[0] != slots:
+        raise rejected(
+            "NS0735",
+            f"'light' in '{name}' has {shape[0]} frame{'' if shape[0] == 1 else 's'}, "
+            f"the program has {slots} slots",
+            notes=("a light array holds the electrons of each slot: one frame a slot",),
+            helps=("use a program of as many slots, or a still: (rows, cols), electrons a second",),
+            data={"frames": shape[0], "needed": slots},
+        )
+
+
+def _refuse_other_axes(
+    name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]
+) -> None:
+    """NS0733 for light whose axes are those of other tools: time or colour last."""
+    count = shape[-1] if len(shape) in (3, 4) else 0
+    if shape[-3:-1] != need or tuple(shape[-2:]) == need:
+        return
+    subject = f"'light' in '{name}' is {size(shape)}"
+    grey = "light has no colour: `a @ [0.2126, 0.7152, 0.0722]` makes luminance of red, green, blue"
+    ahead = "time comes first: `np.moveaxis(a, -1, 0)`"
+    if count in (3, 4):
+        message = f"{subject}: a colour picture, it seems, and light is one number a pixel"
+        helps = (grey, ahead) if len(shape) == 3 and count == slots else (grey,)
+    elif len(shape) == 3:
+        message, helps = f"{subject}: (rows, cols, slots), it seems", (ahead,)
+    else:
+        return
+    raise rejected(
+        "NS0733",
+        message,
+        notes=(f"a still is (rows, cols) = {size(need)}, a clip (slots, rows, cols)",),
+        helps=helps,
+    )
+
+
+def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
+    """The array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows, cols).
+
+    NS0732 where the file is damaged, NS0733 for a missing key or another kind of numbers, whatever
+    `check` raises for the shape, NS0736 for values that cannot be light.
+    """
+    try:
+        if path.suffix.lower() == ".npy":
+            with open(path, "rb") as file:
+                return _read_npy(file, path, check, progress)
+        with zipfile.ZipFile(path) as archive:
+            names = archive.namelist()
+            if f"{KEY}.npy" not in names:
+                raise missing_key(path, [name.removesuffix(".npy") for name in names], (KEY,))
+            with archive.open(f"{KEY}.npy") as entry:
+                return _read_npy(entry, path, check, progress)
+    except Rejected:
+        raise
+    except Exception as error:  # zipfile and numpy raise a dozen types for damaged files
+        raise damaged(path, error) from error
+
+
+def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
+    """The file lacks the array that would be the scene (NS0733)."""
+    shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
+    further = f" and {len(have) - 12} more" if len(have) > 12 else ""
+    names = " or ".join(f"'{key}'" for key in keys)
+    return rejected(
+        "NS0733",
+        f"'{path}' has no array {names}",
+        notes=(f"it holds {shown}{further}",),
+        helps=(
+            "save the scene's light under that name: np.savez(file, light=a), electrons a slot "
+            "(T, rows, cols) or electrons a second (rows, cols)",
+        ),
+    )
+
+
+def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> NDArray[np.float32]:
+    version = np.lib.format.read_magic(file)
+    if version not in NPY_HEADERS:
+        raise ValueError(f"npy format version {version}")
+    shape, fortran, dtype = NPY_HEADERS[version](file)
+    check_type(path, KEY, dtype)
+    check(shape)
+    if fortran:  # one block: the first axis is scattered over the whole file
+        flat = np.frombuffer(_exactly(file, dtype.itemsize * math.prod(shape)), dtype)
+        return _gather(path, shape, [flat.reshape(shape[::-1]).T])
+    slab_bytes = dtype.itemsize * math.prod(shape[1:])
+    step = max(1, _BLOCK_BYTES // max(slab_bytes, 1))
+
+    def blocks() -> Iterator[NDArray[Any]]:
+        for start in range(0, shape[0], step):
+            count = min(step, shape[0] - start)
+            yield np.frombuffer(_exactly(file, count * slab_bytes), dtype).reshape(
+                count, *shape[1:]
+            )
+
+    return _gather(path, shape, progress(blocks(), "reading light", -(-shape[0] // step)))
+
+
+def _exactly(file: IO[bytes], count: int) -> bytes:
+    data = file.read(count)
+    if len(data) != count:
+        raise ValueError("the array's data ends early")
+    return data
+
+
+def _gather(
+    path: Path, shape: tuple[int, ...], blocks: Iterable[NDArray[Any]]
+) -> NDArray[np.float32]:
+    """The blocks as one float32 array, every value of it light."""
+    out = np.empty(shape, np.float32)
+    census = Census()
+    start = 0
+    for block in blocks:
+        census.look(block, start)
+        with np.errstate(over="ignore", invalid="ignore"):  # the census has seen these
+            out[start : start + len(block)] = block
+        start += len(block)
+    census.reject(path)
+    return out
+
+
+def clip_white(clip: NDArray[Any]) -> float | None:
+    """White of a clip in a .mat file: 255 of floats that go beyond 1, as the benchmark has it; None
+    where that of the type is meant."""
+    return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
+
+
+def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
+    """The scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as stored).
+
+    `light` wins where both are there.
+    """
+    keys = (KEY, MAT_CLIP_KEY)
+    try:
+        names = mat_names(path)
+        key = next((k for k in keys if k in names), None)
+        if key is None:
+            raise missing_key(path, names, keys)
+        array = mat_array(path, key)
+    except (Rejected, ImportError):
+        raise
+    except Exception as error:  # scipy.io and h5py raise a dozen types for damaged files
+        raise damaged(path, error) from error
+    check_type(path, key, array.dtype)
+    if key == KEY:
+        check(array.shape)
+        return key, _gather(path, array.shape, [array])
+    if array.ndim != 3 or 0 in array.shape:
+        raise rejected(
+            "NS0733",
+            f"'{key}' in '{path}' is {size(array.shape)}, not (rows, cols, T)",
+            helps=("a clip is three-dimensional, time last, with at least one frame",),
+        )
+    return key, array

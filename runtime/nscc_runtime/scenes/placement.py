@@ -1,0 +1,193 @@
+"""How a picture of any size comes onto an array: cut out, scaled, or in pieces.
+
+With `scale` and `tiles` the frame is the picture's, not the array's: the picture lies in the top
+left corner of as many arrays as it takes, side by side. What is left of them sees its mirror image,
+and is cut off again.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc.diagnostics.rejection import rejected
+from nscc.words.container import Container
+from nscc_runtime.light import Light
+from nscc_runtime.scenes.colour import CURVES, Transfer, white_of
+from nscc_runtime.scenes.crop import Window
+from nscc_runtime.scenes.errors import Path_or_name, size
+
+Fit = Literal["crop", "scale", "tiles"]
+FITS: tuple[Fit, ...] = get_args(Fit)
+
+MOST_PIXELS = 1 << 26
+"""A picture in pieces may have so many pixels: a frame takes some 30 bytes for each."""
+
+
+@dataclass(frozen=True)
+class Placement:
+    """Where a picture lies: `picture` (R, C) as stored, `size` (rows, cols) as it is exposed, on
+    `arrays` (down, across) of `array` (rows, cols) each."""
+
+    fit: Fit
+    picture: tuple[int, int]
+    size: tuple[int, int]
+    array: tuple[int, int]
+
+    @property
+    def arrays(self) -> tuple[int, int]:
+        """How many arrays lie below each other and side by side."""
+        return -(-self.size[0] // self.array[0]), -(-self.size[1] // self.array[1])
+
+    @property
+    def fits_one_array(self) -> bool:
+        """Whether one array sees all that is exposed, and nothing else."""
+        return self.size == self.array
+
+    def cut(self, values: NDArray[Any]) -> NDArray[Any]:
+        """The part (.., rows, cols) that is the picture, of values on all arrays."""
+        return values[..., : self.size[0], : self.size[1]]
+
+    def pieces(self, light: Light) -> list[Light]:
+        """The light on each array, row by row."""
+        if self.fits_one_array:
+            return [light]
+        (rows, cols), (down, across) = self.array, self.arrays
+        return [
+            light.part(slice(r * rows, (r + 1) * rows), slice(c * cols, (c + 1) * cols))
+            for r in range(down)
+            for c in range(across)
+        ]
+
+    def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
+        """Values (.., rows, cols) of all arrays, row by row, put together and cut."""
+        down, across = self.arrays
+        if len(pieces) == 1:
+            return self.cut(pieces[0])
+        rows = [pieces[r * across : (r + 1) * across] for r in range(down)]
+        return self.cut(np.concatenate([np.concatenate(row, axis=-1) for row in rows], axis=-2))
+
+    def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
+        """What every array has (.., rows, cols), at the pixels of the picture."""
+        ahead = (1,) * (values.ndim - 2)
+        return np.ascontiguousarray(self.cut(np.tile(values, (*ahead, *self.arrays))))
+
+    def widened(self, container: Container) -> Container:
+        """The container with the codes of every pixel of the picture."""
+        if container.pixel_codes is None or self.fits_one_array:
+            return container
+        return replace(container, pixel_codes=self.repeated(container.pixel_codes))
+
+    def as_json(self) -> dict[str, Any]:
+        """What a frame file's meta says of it."""
+        return {"fit": self.fit, "picture": list(self.picture), "arrays": list(self.arrays)}
+
+
+def placement_of(
+    fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
+) -> Placement:
+    """How a picture (R, C) lies; NS0734 for one in more pieces than there can be."""
+    array = (window.rows, window.cols)
+    if fit == "crop":
+        return Placement(fit, picture, array, array)
+    if fit == "tiles":
+        if picture[0] * picture[1] > MOST_PIXELS:
+            raise rejected(
+                "NS0734",
+                f"the scene '{name}' is {size(picture)}: too large to be exposed in pieces",
+                notes=(f"at most {MOST_PIXELS} pixels can be",),
+                helps=("--fit scale exposes the whole picture, reduced to the array",),
+            )
+        return Placement(fit, picture, picture, array)
+    factor = min(array[0] / picture[0], array[1] / picture[1])
+    rows, cols = (
+        min(most, max(1, round(side * factor))) for side, most in zip(picture, array, strict=True)
+    )
+    return Placement(fit, picture, (rows, cols), array)
+
+
+def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
+    """The light (rows, cols) of what is exposed of a picture, on all arrays."""
+    exposed = light.astype(np.float32)
+    if exposed.shape != placement.size:
+        exposed = _resized(exposed, placement.size)
+    (rows, cols), (down, across) = placement.array, placement.arrays
+    margin = [(0, down * rows - exposed.shape[0]), (0, across * cols - exposed.shape[1])]
+    return np.pad(exposed, margin, mode="symmetric")
+
+
+def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
+    """Means over the area of each new pixel; between old ones, where there are fewer of those."""
+    import cv2
+
+    smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]
+    how = cv2.INTER_AREA if smaller else cv2.INTER_LINEAR
+    return np.asarray(cv2.resize(light, new_size[::-1], interpolation=how), np.float32)
+
+
+def in_colour(stored: NDArray[Any]) -> bool:
+    """Whether a stored picture has colours that differ anywhere."""
+    return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
+
+
+def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
+    """Notes (NS0773) on what becomes of a picture's size and colours on the way to the array."""
+    notes = []
+    picture, array = size(placement.picture), size(placement.array)
+    if placement.fit == "crop" and placement.picture != placement.size:
+        share = (
+            placement.size[0] * placement.size[1] / (placement.picture[0] * placement.picture[1])
+        )
+        notes.append(picture_note(
+            f"'{name}' is {picture}, the array {array}: {share:.2g} of the picture is exposed",
+            "--fit scale exposes the whole picture, reduced; --fit tiles all of it, in pieces; "
+            "--crop R,C says which part",
+        ))  # fmt: skip
+    elif placement.fit == "scale" and placement.picture != placement.size:
+        text = f"'{name}' is {picture}, and is exposed as {size(placement.size)}"
+        notes.append(picture_note(text, "--fit tiles exposes every pixel of it, in pieces"))
+    elif placement.fit == "tiles" and placement.arrays != (1, 1):
+        text = f"'{name}' is {picture}: it is exposed in {size(placement.arrays)} pieces of {array}"
+        notes.append(picture_note(text, "--fit scale exposes it at once, reduced"))
+    if colour:
+        text = f"'{name}' is in colour, and its luminance is exposed"
+        note = picture_note(text, "--color exposes red, green and blue one after the other")
+        notes.append(replace(note, data={"grey": True}))
+    return notes
+
+
+def no_colours(name: str) -> Diagnostic:
+    """The note (NS0773) on a scene that is to be exposed in colours and has none."""
+    return picture_note(f"'{name}' has no colours: it is exposed once", "leave --color out")
+
+
+def taken_for_srgb(name: str) -> Diagnostic:
+    """The note (NS0773) on floating-point samples in a format that is made for screens."""
+    return picture_note(
+        f"the numbers of '{name}' are taken for sRGB, 1 for white",
+        "--transfer linear takes them for light",
+    )
+
+
+def few_bits(stored: NDArray[Any]) -> bool:
+    """Whether samples of more than 8 bits use a quarter of their type at most: 14 bits of 16."""
+    deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
+    return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
+
+
+def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
+    """The note (NS0773) on curve and white level of samples with `few_bits`, of a first picture."""
+    return picture_note(
+        f"the samples of '{name}' are taken with {CURVES[transfer]} and {white_of(stored.dtype):g} "
+        f"for white; the largest is {stored.max():g}",
+        "--white W says which sample is white, such as --white 4095 for 12 bits",
+    )
+
+
+def picture_note(text: str, help_text: str) -> Diagnostic:
+    """A note (NS0773) on what becomes of a picture."""
+    return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

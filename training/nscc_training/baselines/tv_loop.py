@@ -1,0 +1,154 @@
+"""The loop of total variation; `nscc_training.baselines.tv` calls it."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import numpy as np
+
+from nscc_runtime.loop import Floats32, Written, inlined, loop, record
+
+_ONE = np.float32(1.0)
+_ZERO = np.float32(0.0)
+
+
+@inlined
+def _primal_row(
+    cols: int, at: int, plane: int, links: int, time: np.float32,
+    image: Floats32, later: Floats32, down: Floats32, right: Floats32, out: Floats32,
+) -> None:  # fmt: skip
+    """out = image + div(field) in the row that begins at `at`.
+
+    `links` are bits for existing neighbours: 1 above, 2 in the frame before.
+    """
+    if links == 3:
+        for k in range(at + 1, at + cols):
+            out[k] = (
+                image[k] - right[k] + right[k - 1] - down[k] + down[k - cols]
+                + time * (later[k - plane] - later[k])
+            )  # fmt: skip
+    elif links == 2:
+        for k in range(at + 1, at + cols):
+            out[k] = (
+                image[k] - right[k] + right[k - 1] - down[k] + time * (later[k - plane] - later[k])
+            )
+    elif links == 1:
+        for k in range(at + 1, at + cols):
+            out[k] = image[k] - right[k] + right[k - 1] - down[k] + down[k - cols] - time * later[k]
+    else:
+        for k in range(at + 1, at + cols):
+            out[k] = image[k] - right[k] + right[k - 1] - down[k] - time * later[k]
+    first = image[at] - right[at] - down[at] - time * later[at]
+    if links & 1:
+        first += down[at - cols]
+    if links & 2:
+        first += time * later[at - plane]
+    out[at] = first
+
+
+@inlined
+def _dual_row(
+    cols: int, at: int, plane: int, links: int, step: np.float32, pull: np.float32,
+    time: np.float32, out: Floats32, later: Floats32, down: Floats32, right: Floats32,
+) -> None:  # fmt: skip
+    """Take a descent step of the field in one row, projected back into the ball of radius `weight`.
+
+    `links` are bits for existing neighbours: 1 below, 2 in the frame after. Without a neighbour,
+    that component of the field stays 0.
+    """
+    end = at + cols - 1
+    last_down, last_later = _ZERO, _ZERO
+    if links & 1:
+        last_down = out[end + cols] - out[end]
+    if links & 2:
+        last_later = time * (out[end + plane] - out[end])
+    if links == 3:
+        for k in range(at, end):
+            r, d, t = out[k + 1] - out[k], out[k + cols] - out[k], time * (out[k + plane] - out[k])
+            scale = _ONE / (_ONE + pull * np.sqrt(r * r + d * d + t * t))
+            right[k] = (right[k] - step * r) * scale
+            down[k] = (down[k] - step * d) * scale
+            later[k] = (later[k] - step * t) * scale
+    elif links == 2:
+        for k in range(at, end):
+            r, t = out[k + 1] - out[k], time * (out[k + plane] - out[k])
+            scale = _ONE / (_ONE + pull * np.sqrt(r * r + t * t))
+            right[k] = (right[k] - step * r) * scale
+            later[k] = (later[k] - step * t) * scale
+    elif links == 1:
+        for k in range(at, end):
+            r, d = out[k + 1] - out[k], out[k + cols] - out[k]
+            scale = _ONE / (_ONE + pull * np.sqrt(r * r + d * d))
+            right[k] = (right[k] - step * r) * scale
+            down[k] = (down[k] - step * d) * scale
+    else:
+        for k in range(at, end):
+            r = out[k + 1] - out[k]
+            right[k] = (right[k] - step * r) / (_ONE + pull * abs(r))
+    scale = _ONE / (_ONE + pull * np.sqrt(last_down * last_down + last_later * last_later))
+    if links & 1:
+        down[end] = (down[end] - step * last_down) * scale
+    if links & 2:
+        later[end] = (later[end] - step * last_later) * scale
+
+
+@record
+class Volume:
+    """Size of clips and options of denoising: `time` weights differences in time relative to those
+    in space."""
+
+    clips: int
+    frames: int
+    rows: int
+    cols: int
+    iterations: int
+    weight: float
+    time: float
+
+
+_Clip = Annotated[Floats32, "clips frames rows cols"]
+
+
+@inlined
+def _denoise_clip(
+    volume: Volume, clip: int, image: Floats32, later: Floats32, down: Floats32, right: Floats32,
+    out: Floats32,
+) -> None:  # fmt: skip
+    frames, rows, cols, iterations = volume.frames, volume.rows, volume.cols, volume.iterations
+    plane = rows * cols
+    begin = clip * frames * plane
+    time, weight = np.float32(volume.time), np.float32(volume.weight)
+    # 1 / (2 dimensions) is where the projection is known to converge.
+    step = _ONE / (np.float32(4.0) + np.float32(2.0) * time * time)
+    pull = step / weight
+    for turn in range(iterations + 1):
+        for frame in range(frames):
+            before = 2 if frame > 0 else 0
+            for row in range(rows):
+                links = before + (1 if row > 0 else 0)
+                at = begin + frame * plane + row * cols
+                _primal_row(cols, at, plane, links, time, image, later, down, right, out)
+            if frame > 0 and turn < iterations:
+                for row in range(rows):
+                    links = 2 + (1 if row < rows - 1 else 0)
+                    at = begin + (frame - 1) * plane + row * cols
+                    _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
+        if turn < iterations:
+            for row in range(rows):
+                links = 1 if row < rows - 1 else 0
+                at = begin + (frames - 1) * plane + row * cols
+                _dual_row(cols, at, plane, links, step, pull, time, out, later, down, right)
+
+
+@loop
+def denoise(
+    volume: Volume, image: _Clip, later: Written[_Clip], down: Written[_Clip],
+    right: Written[_Clip], out: Written[_Clip],
+) -> None:  # fmt: skip
+    """Chambolle's projection (2004) of each clip: minimise |out - image|^2 / 2 + weight TV(out).
+
+    `later`, `down` and `right` are the dual field, updated in place; 0 where a neighbour is
+    missing.
+    """
+    for clip in range(volume.clips):
+        _denoise_clip(volume, clip, image, later, down, right, out)

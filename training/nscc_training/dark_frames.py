@@ -1,0 +1,135 @@
+"""Frames without light: what pixels read in them, and whether they are what they are taken for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
+from nscc.program.problems import counted
+from nscc_runtime.light import Light
+from nscc_training.frame_reading import by_colour, frame_arrays, no_frame, number_of
+
+_LIT = 0.01
+"""More saturated pixels than this are no hot ones: there was light."""
+
+
+@dataclass(frozen=True, eq=False)
+class Dark:
+    """A frame file without light, of one exposure or repeats.
+
+    `offset` (rows, cols), of two buckets (2, rows, cols), is the mean code above the ADC's offset;
+    `meta` as of the file, `slot_us` (N,) how long slots are, if that is known, `saturated` the part
+    of its pixels that are.
+    """
+
+    name: str
+    offset: NDArray[np.float64]
+    meta: Mapping[str, Any]
+    slot_us: Sequence[float] | NDArray[np.float64] | None
+    saturated: float
+
+    def checked(
+        self, frame: Mapping[str, Any], size: tuple[int, ...], *, force: bool = False
+    ) -> tuple[Diagnostic, ...]:
+        """Warnings about it, to be taken from a frame with the meta `frame`, of arrays of `size`
+        (rows, cols).
+
+        Rejected (NS0819) where it was exposed with another program or to light; with `force` these
+        are warnings. Of another size nothing is said: it cannot be taken off.
+        """
+        if self.offset.shape[-2:] != tuple(size):
+            return ()
+        severity = Severity.WARNING if force else Severity.ERROR
+        doubts = tuple(
+            Diagnostic(
+                "NS0819",
+                f"'{self.name}' is no frame without light for this frame: {reason}",
+                severity=severity,
+                notes=("what it reads is taken from the frame, as what words and pixels add",),
+                helps=("expose it with the frame's program: `nscc run FILE --scene builtin:dark`, "
+                       "or a chip under its cap",),
+            )
+            for reason in self._doubts(frame)
+        )  # fmt: skip
+        if doubts and not force:
+            raise Rejected(doubts, status=2)
+        return doubts + tuple(self._bright())
+
+    def _doubts(self, frame: Mapping[str, Any]) -> Iterator[str]:
+        own_digest, frame_digest = (meta.get("program_sha256") for meta in (self.meta, frame))
+        if own_digest is not None and frame_digest is not None and own_digest != frame_digest:
+            yield "it was exposed with another program"
+        if self._is_lit():
+            yield "it was exposed to light"
+
+    def _is_lit(self) -> bool | None:
+        """Whether its scene is another than none; None where that is not known."""
+        scene, rows_cols = self.meta.get("scene_sha256"), self.offset.shape[-2:]
+        if scene is None or self.slot_us is None:
+            return None
+        night = np.zeros(rows_cols, np.float32)
+        seconds = np.asarray(self.slot_us, np.float64) * 1e-6
+        if Light.of_still(night, seconds).sha256() == scene:
+            return False
+        # An array of zeros is no light either, slot by slot.
+        clip = np.broadcast_to(night, (len(seconds), *rows_cols))
+        return bool(Light.of_clip(clip).sha256() != scene)
+
+    def _bright(self) -> Iterator[Diagnostic]:
+        """NS0844, a warning, where pixels say that there was light, and nothing else does."""
+        if self.saturated > _LIT and self._is_lit() is None:
+            yield Diagnostic(
+                "NS0844",
+                f"{100 * self.saturated:.3g} % of the pixels of '{self.name}', a frame without "
+                "light, are saturated",
+                severity=Severity.WARNING,
+                notes=("without light hot pixels saturate, and no others",),
+                helps=("name a frame that was exposed with no light on the chip",),
+            )
+
+
+def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
+    """What pixels (rows, cols) read without light above the mean of their place of a tile."""
+    pattern = np.empty_like(offset)
+    for row, col in np.ndindex(tile):
+        place = offset[row :: tile[0], col :: tile[1]]
+        pattern[row :: tile[0], col :: tile[1]] = place - place.mean()
+    return pattern
+
+
+def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
+    """Codes ([2,] rows, cols) without what the array ([2,] rows, cols) reads in the dark; arrays
+    lie side by side."""
+    times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
+    rows, cols = codes.shape[-2:]
+    return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
+
+
+def read_dark(path: Path, buckets: int) -> Dark:
+    """A frame file without light.
+
+    Rejected (NS0819) for one of another number of buckets, or that does not say the ADC's offset.
+    """
+    file = frame_arrays(path)
+    codes = file.frame.reshape(-1, *file.frame.shape[-3:])
+    if codes.shape[1] != buckets or 0 in codes.shape:
+        expected = counted(buckets, "bucket")
+        raise no_frame(path, f"its frames are {codes.shape[1:]}, not of {expected}")
+    try:
+        adc_offset = number_of(file.meta, "adc_offset")
+    except ValueError as error:
+        raise no_frame(path, str(error)) from error
+    full = float(file.saturated.mean())
+    return Dark(str(path), mean_dark(codes, adc_offset), file.meta, file.slot_us, full)
+
+
+def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
+    """The mean code above the ADC's offset, as `Dark.offset`, of the codes (repeats, buckets, rows,
+    cols) without light."""
+    return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

@@ -1,0 +1,158 @@
+"""Build decoders by name and size; count their parameters and operations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from importlib import import_module
+from typing import Any
+
+import torch
+from torch import Tensor, nn
+
+from nscc_training.decoders.declared import DECODERS, SIZES, Decoder, DecoderTask, added_decoders
+from nscc_training.import_paths import imported, is_import_path, own_code, own_failed
+
+SMALL = 600_000
+"""Parameters that a small decoder has at most."""
+_PARTS = 24
+"""If slots or tile are so large that a small decoder exceeds SMALL, its widths are reduced in
+24ths."""
+
+
+def make_decoder(name: str, size: str, task: DecoderTask, width: float = 1.0) -> nn.Module:
+    """Build a decoder.
+
+    Parameters
+    ----------
+    name : str
+        A name of `DECODERS` or `added_decoders`, or `module:name` of the user's own code.
+    size : str
+        One of `SIZES`.
+    task : DecoderTask
+    width : float
+        Factor up to 1 on the channels of all layers.
+
+    Raises
+    ------
+    ValueError
+        If the decoder does not support the task, or no decoder of this size exists for it.
+    Rejected
+        NS0822 if the user's code fails, now or when it decodes.
+
+    Notes
+    -----
+    The user's own code is called as name(size=.., kind=.., slots=.., tile=.., sees_code=..), with
+    buckets=2 for two buckets.
+    """
+    declared = DECODERS.get(name)
+    if declared is None or size not in SIZES:
+        known = (*DECODERS, *added_decoders())
+        if size not in SIZES or not (is_import_path(name) or name in known):
+            raise ValueError(f"{name!r} {size!r} is none of {known} in the sizes {SIZES}")
+        if width != 1:
+            raise ValueError(f"a width is for nscc's own decoders, and '{name}' is none of them")
+        _check_guess(name, False, task)
+        return _own_decoder(name, size, task)
+    if task.kind == "still" and not declared.stills:
+        raise ValueError(f"{name} reconstructs clips, not stills")
+    if task.kind != "still" and not declared.clips:
+        raise ValueError(f"{name} reconstructs stills, not clips")
+    if declared.needs_code and not task.sees_code:
+        raise ValueError(f"{name} {declared.needs_code}")
+    if task.buckets > 1 and not declared.two_buckets:
+        takers = [decoder.name for decoder in DECODERS.values() if decoder.two_buckets]
+        raise ValueError(f"{name} takes one bucket; {', '.join(takers)} take two")
+    _check_guess(name, declared.guesses, task)
+    if declared.fixed_channels and width != 1:
+        raise ValueError(f"{name} has one width: leave decoder.width at 1")
+    if declared.fixed_channels or size != "small":
+        return _built(declared, size, task, width)
+    count = 0
+    for numerator in range(_PARTS, 0, -1):
+        narrowed = width * numerator / _PARTS
+        with torch.device("meta"):
+            count = parameter_count(_built(declared, size, task, narrowed))
+        if count <= SMALL:
+            return _built(declared, size, task, narrowed)
+    rows, cols = task.tile
+    raise ValueError(
+        f"a small {name} has at most {SMALL:,} parameters, and {count:,} at its narrowest for "
+        f"{task.slots} slots and a tile of {rows} x {cols}: take fewer slots, a smaller tile, "
+        "another decoder or the size paper"
+    )
+
+
+def _check_guess(name: str, guesses: bool, task: DecoderTask) -> None:
+    if task.guess is not None and not guesses:
+        takers = " and ".join(decoder.name for decoder in DECODERS.values() if decoder.guesses)
+        raise ValueError(f"decoder.guess is for {takers}, and {name} is neither")
+    if task.guess and not task.sees_code:
+        raise ValueError("a first guess is made of the code: it takes decoder.sees_code")
+
+
+def _built(declared: Decoder, size: str, task: DecoderTask, width: float) -> nn.Module:
+    """Build a decoder whose layers have `width` times the declared channels, at least one."""
+    module, _, function = declared.network.partition(":")
+    # rounded first: 24ths of whole numbers are to come out whole
+    channels = tuple(max(1, int(round(full * width, 6))) for full in declared.channels[size])
+    network: nn.Module = getattr(import_module(module), function)(channels, task, size)
+    return network
+
+
+def _own_decoder(name: str, size: str, task: DecoderTask) -> nn.Module:
+    make = imported(name, "decoder") if is_import_path(name) else added_decoders()[name]
+    extra = {"buckets": task.buckets} if task.buckets > 1 else {}
+    with own_code(name, "decoder"):
+        network = make(
+            size=size, kind=task.kind, slots=task.slots, tile=task.tile, sees_code=task.sees_code,
+            **extra,
+        )  # fmt: skip
+    if not isinstance(network, nn.Module):
+        raise ValueError(f"'{name}' gave a {type(network).__name__}, not a torch module")
+    # Not a module around it: weights keep the names that they have in the user's own.
+    network.forward = partial(_called, network, network.forward, name, task)
+    return network
+
+
+def _called(
+    module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
+    frame: Tensor, shutters: Tensor,
+) -> Tensor:  # fmt: skip
+    """Return the output of the user's decoder.
+
+    Raises Rejected (NS0822) for an output of another type, shape or dtype, or without a gradient.
+    """
+    with own_code(name, "decoder"):
+        output = forward(frame, shutters)
+    expected_shape = (len(frame), *frame.shape[-2:])
+    if task.kind != "still":
+        expected_shape = (expected_shape[0], task.slots, *expected_shape[1:])
+    if not isinstance(output, Tensor):
+        raise own_failed(name, "decoder", f"it gives a {type(output).__name__}, not a tensor")
+    if tuple(output.shape) != expected_shape or not output.is_floating_point():
+        reason = f"it gives {tuple(output.shape)} {output.dtype}, and should "
+        reason += f"real numbers {expected_shape}"
+        raise own_failed(name, "decoder", reason)
+    learns = any(p.requires_grad for p in module.parameters())
+    if module.training and torch.is_grad_enabled() and learns and not output.requires_grad:
+        raise own_failed(name, "decoder", "what it gives has no gradient: it cannot learn")
+    return output
+
+
+def parameter_count(module: nn.Module) -> int:
+    """Return the number of parameters of a module."""
+    return sum(p.numel() for p in module.parameters())
+
+
+def flops(module: nn.Module, slots: int, rows: int, cols: int, buckets: int = 1) -> int:
+    """Return the floating-point operations of one exposure; a multiplication and an addition count
+    as two."""
+    from torch.utils.flop_counter import FlopCounterMode
+
+    device = next((p.device for p in module.parameters()), torch.device("cpu"))
+    with FlopCounterMode(display=False) as counter, torch.no_grad():
+        several = (buckets,) if buckets > 1 else ()
+        frame = torch.zeros(1, *several, rows, cols, device=device)
+        module(frame, torch.ones(slots, rows, cols, device=device))
+    return int(counter.get_total_flops())

@@ -1,0 +1,118 @@
+"""Pixels that look: the boundaries and levels at which they close, the same for all pixels."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import torch
+from numpy.typing import NDArray
+from torch import Tensor, nn
+
+from nscc_training.encoders.base import Codes, Encoder, ShutterSpec
+from nscc_training.encoders.trial import CodeTrial, Over, drawn
+from nscc_training.gradients import replaced, rounded
+
+LOOKS = "looks"
+"""The name of the class. Its shutters are represented by fields (2 looks, rows, cols), boundaries
+followed by levels, because the open time depends on the light (`nscc_training.looking_model`)."""
+_OCTAVES, _WELLS = 0.3, 0.06
+"""Standard deviations of trials: of moments in octaves, of levels in full wells."""
+_REACH = 0
+"""Radius in pixels of a trial: the reconstruction of a pixel depends on that pixel alone."""
+
+
+class LooksEncoder(Encoder):
+    """Class looks: a tile (1, looks) of boundaries and levels, in steps of IN.
+
+    `spec.levels` is the largest step. Parameters are real: the logarithm (base 2) of the boundary,
+    and the step.
+    """
+
+    def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
+        super().__init__(spec, relaxation)
+        looks = spec.tile[1]
+        if spec.tile[0] != 1 or looks >= spec.slots:
+            raise ValueError(f"{looks + 1} exposures in a frame of {spec.slots} slots")
+        self.most = spec.levels or 1
+        self.moment = nn.Parameter(torch.zeros(looks, dtype=torch.float64))
+        self.level = nn.Parameter(torch.ones(looks, dtype=torch.float64))
+
+    def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
+        most = float(np.log2(self.spec.slots - 1)) or 1.0
+        return [(self.moment, (0.0, most)), (self.level, (1.0, float(max(self.most, 2))))]
+
+    def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
+        return self.hardened(self.fields()).float()
+
+    def fields(self) -> Tensor:
+        """Return real moments and levels (2 looks, 1, 1)."""
+        return torch.cat([self.moment, self.level]).reshape(-1, 1, 1)
+
+    def hardened(self, fields: Tensor) -> Tensor:
+        """Return increasing whole boundaries and whole levels of real fields (2 looks, rows, cols).
+
+        The gradient passes straight through.
+        """
+        moments, levels = fields.chunk(2)
+        at = 2.0**moments
+        looks, slots = len(at), self.spec.slots
+        whole_slots = torch.round(at.detach())
+        boundaries: list[Tensor] = []
+        for k in range(looks):
+            least = boundaries[-1] + 1 if boundaries else torch.ones_like(whole_slots[k])
+            boundaries.append(
+                torch.clamp(torch.maximum(whole_slots[k], least), max=slots - looks + k)
+            )
+        return torch.cat([
+            replaced(at, torch.stack(boundaries)), rounded(levels.clamp(1, max(self.most, 1)))
+        ])  # fmt: skip
+
+    def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
+        fields = over(self.fields())
+        with torch.no_grad():
+            spread = torch.full_like(fields, _OCTAVES)
+            spread[len(fields) // 2 :] = max(1.0, _WELLS * self.most)
+            moved = spread * drawn(fields, generator, self.tried_share)
+            first, second = (self.hardened(fields + sign * moved).float() for sign in (1, -1))
+        return CodeTrial(fields, moved, spread, (first, second), _REACH, self.tried_share)
+
+    def codes(self) -> Codes:
+        self.check_finite()
+        with torch.no_grad():
+            at, level = self.hardened(self.fields()).chunk(2)
+        shape = self.spec.tile
+        return {
+            name: values.reshape(shape).to("cpu", torch.int64).numpy()
+            for name, values in (("at", at), ("level", level))
+        }
+
+    def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
+        limits = {"at": (1, self.spec.slots - 1), "level": (1, self.most)}
+        at, level = self.checked(codes, limits)
+        if not bool((at[0, 1:] > at[0, :-1]).all()):
+            raise ValueError("its looks do not follow each other")
+        self._fill(at[0].numpy(), level[0].numpy())
+
+    def start_random(self, generator: np.random.Generator) -> None:
+        looks = self.spec.tile[1]
+        at = 1 + np.sort(generator.choice(self.spec.slots - 1, looks, replace=False))
+        self._fill(at, generator.integers(1, self.most, looks, endpoint=True))
+
+    def start_uniform(self) -> None:
+        looks = self.spec.tile[1]
+        at = np.linspace(0, self.spec.slots, looks + 2)[1:-1]
+        self._fill(at, np.full(looks, max(1, self.most // 2)))
+
+    def start_quad(self) -> None:
+        """Set geometric moments from the first boundary on, and levels of half of the next moment's
+        limit."""
+        looks = self.spec.tile[1]
+        ratio = self.spec.slots ** (1 / looks)
+        level = 0.9 * self.most / max(ratio, 2.0)
+        self._fill(ratio ** np.arange(looks), np.full(looks, max(1.0, np.rint(level))))
+
+    def _fill(self, at: NDArray[np.generic], level: NDArray[np.generic]) -> None:
+        with torch.no_grad():
+            self.moment.copy_(torch.log2(torch.as_tensor(np.asarray(at, np.float64)).clamp(min=1)))
+            self.level.copy_(torch.as_tensor(np.asarray(level, np.float64)))

@@ -1,0 +1,152 @@
+"""The rows of hdr-v1 whose pixels look at the light: no decoder, an exposure over its own time.
+
+The programs are compiled, and their words run on the emulator: with the protocol's noise and a
+comparator's, or with other effects. Of `designed` rows each crop has a program of its own, made for
+the light that it has (`nscc design`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.load import builtin_target
+from nscc.chips.target import Target
+from nscc.compiler import compile_source
+from nscc.pipeline import Options
+from nscc.program.looking import level_steps
+from nscc.source import Source
+from nscc.words.container import Container
+from nscc_runtime import capture
+from nscc_runtime.effects import Selection, selected
+from nscc_runtime.light import Light
+from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
+from nscc_runtime.sensor import Sensor, load_sensor
+from nscc_training.design.chip import Chip
+from nscc_training.design.looking import Model, Schedule
+from nscc_training.design.scene import histogram
+from nscc_training.design.text import looking_text
+from nscc_training.evaluation.results import (
+    ResultSubject,
+    Scored,
+    also_saturated,
+    scored,
+    usable_scenes,
+    with_arrays,
+)
+from nscc_training.protocol_scenes.file_scenes import files_of, scenes_in
+from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
+from nscc_training.protocols import Protocol, load_protocol
+
+SLOTS = 256
+"""Of hdr-v1."""
+ROWS: dict[str, tuple[tuple[int, ...], float]] = {
+    "looks-2": ((16,), 6.25),
+    "looks-5": ((1, 4, 16, 64), 22.0),
+    "looks-9": ((1, 2, 4, 8, 16, 32, 64, 128), 45.0),
+}
+"""The boundaries of SLOTS at which each row's pixels look, the last exposure being the frame's end,
+and the percentage of a full well above which they close."""
+DESIGNED = {"designed-2": 2, "designed-5": 5}
+"""Exposures of the rows that are designed."""
+LOOKING = (*ROWS, *DESIGNED)
+
+_EFFECTS = "full_well,shot,adc_noise,comparator_noise"
+
+
+def row_of(name: str, target: Target) -> Schedule:
+    """Return where the pixels of a row look, and at which step of IN, on a chip."""
+    at, percent = ROWS[name]
+    return Schedule(at, (level_steps(percent, "%", target),) * len(at))
+
+
+def evaluate_looks(
+    name: str, folder: Path, seed: int = 0, effects: str = "", changes: Sequence[str] = ()
+) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
+    """Return the result of one of LOOKING on a folder of panoramas, and its arrays by name.
+
+    `effects` are others than the protocol's noise and a comparator's, `changes` numbers of the
+    sensor, as `nscc run` takes them; programs are designed for the sensor without these.
+    """
+    protocol = load_protocol("hdr-v1")
+    files = files_of(protocol, folder)
+    usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
+    target = _target(protocol)
+    noise_settings = f"adc_noise_lsb={float(protocol['read_noise_lsb'])}", "spread_noise_lsb=0.0"
+    program = _programs(name, target, load_sensor(target, None, noise_settings))
+    sensor = load_sensor(target, None, (*noise_settings, *changes))
+    chosen = selected(effects or _EFFECTS)
+
+    def decoded(shown: Sequence[ProtocolScene | None]) -> list[Scored]:
+        def decode(crop: ProtocolScene, index: int) -> tuple[NDArray[np.float64], float]:
+            seeds = 1000 * seed + index, 0
+            return looked_light(program(crop), crop.light_e, sensor, chosen, seeds), 0.0
+
+        return list(scored(shown, decode))
+
+    settings = {"effects": effects or _EFFECTS, "sensor_changes": [*changes], "seed": seed}
+    subject = ResultSubject(name, {**_settings(name), **settings}, decoder_ms=0.0)
+    other_shares = also_saturated(files, protocol, decoded)
+    return with_arrays(protocol, subject, files, decoded(usable), left_out, **other_shares)
+
+
+def looked_light(
+    container: Container, light_e: NDArray[Any], sensor: Sensor, effects: Selection | str,
+    seeds: tuple[int, int],
+) -> NDArray[np.float64]:  # fmt: skip
+    """Return the light over the frame, in electrons, that pixels tell which look at `light_e`.
+
+    `seeds` are those of noise and of the chip.
+    """
+    slot_s = container.slot_s
+    frame_s = float(slot_s.sum())
+    light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
+    readings = capture(
+        container, light, sensor=sensor, effects=effects, seed=seeds[0], device_seed=seeds[1]
+    ).told
+    return merged_image(readings[LIGHT], readings[DEVIATION]) * frame_s
+
+
+def _settings(name: str) -> dict[str, Any]:
+    if name in DESIGNED:
+        return {"exposures": DESIGNED[name], "designed": "for each crop by its own light"}
+    looks, percent = ROWS[name]
+    return {"looks": list(looks), "level": f"{percent:g}%"}
+
+
+def _target(protocol: Protocol) -> Target:
+    """Return scamp5 with the protocol's array and range."""
+    size, well = int(protocol["crop_size"]), float(protocol["full_well_e"])
+    return replace(
+        builtin_target("scamp5"), rows=size, cols=size, full_well_e=well, register_max_e=well,
+        register_min_e=-well, adc_bits=int(protocol["adc_bits"]),
+    )  # fmt: skip
+
+
+def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
+    """Return what gives the words for a crop: those of a row, or a crop's own."""
+    if name in ROWS:
+        words = _compiled(row_of(name, target), target)
+        return lambda _: words
+    chip, known = Chip.of(target, sensor), dict[tuple[Any, ...], Container]()
+
+    def words_for(crop: ProtocolScene) -> Container:
+        place = (crop.file.name, crop.crop, float(crop.light_e.sum()))
+        if place not in known:
+            model = Model(chip, histogram([crop.light_e]), [1.0] * SLOTS)
+            known[place] = _compiled(model.best(DESIGNED[name] - 1, "mu"), target)
+        return known[place]
+
+    return words_for
+
+
+def _compiled(schedule: Schedule, target: Target) -> Container:
+    text = looking_text(schedule, SLOTS, 125.0, target, None, "")
+    container = compile_source(Source("looks.nsl", text), Path(), Options(target=target)).container
+    assert container is not None
+    return container

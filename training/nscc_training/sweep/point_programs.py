@@ -1,0 +1,175 @@
+"""Programs of points: files, rules for any number of slots, or classes with random codes."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Sequence
+from dataclasses import MISSING, replace
+from math import prod
+from pathlib import Path
+
+from nscc.chips.load import DEFAULT_NAME, load_target
+from nscc.chips.target import SCHEMA, Target
+from nscc.limits.families import program_text
+from nscc.lower.plan import LOWERINGS
+from nscc.pipeline import Compiled, Options, run_passes
+from nscc.source import Source
+from nscc.syntax.parse import read_source
+from nscc.toml.kinds import Axis, Integer, Number, Several, Text
+from nscc.toml.schema import Key
+from nscc_training.code_choices import STARTS
+from nscc_training.sweep.point import PointFault, Values
+
+CLASSES = ("a", "b", "c", "d", "e", "codebook")
+SOURCES = ("program", "rule", "class")
+"""Keys of a program's source; a point has one of them."""
+
+_MOST_PLACES = 4096
+"""Most codes of a tile; more would need a file beside the program."""
+_CHIP = "chip."
+_SILENT: dict[str, tuple[str, ...]] = {
+    "program": ("slots", "slot_us", "tile", "init", "length", "rows"),
+    "rule": ("tile", "init", "length", "rows"),
+    "class": (),
+}
+"""Keys that do not apply to programs from a source."""
+
+
+def axis(name: str, kind: object, meaning: str, default: object = MISSING) -> Key:
+    """Return a key that takes a value or a list of values."""
+    default_values = default if default is MISSING else (default,)
+    return Key("", name, Axis(kind), meaning, default_values)  # type: ignore[arg-type]
+
+
+def target_keys() -> tuple[Key, ...]:
+    """Return the keys of chips: the target, and each value as `chip.KEY`."""
+    numbers = (
+        axis(_CHIP + key.attribute, key.kind, key.meaning)
+        for key in SCHEMA.keys
+        if key.section not in ("", "registers")
+    )
+    return (axis("target", Text(), "the chip, by name or file; empty: the program's own", ""),
+            *numbers)  # fmt: skip
+
+
+def program_keys() -> tuple[Key, ...]:
+    """Return the keys of programs and of their compilation."""
+    return (
+        axis("program", Text(), "a file of a program"),
+        axis("rule", Text(), "instead: all of a program that stands below its frame"),
+        axis("class", Text(CLASSES), "instead: codes of a class on a tile"),
+        axis("slots", Integer(1, 65536), "slots of a frame, for a rule or a class", 16),
+        axis("slot_us", Number(1e-3, 1e9), "their length in microseconds", 1000.0),
+        axis("tile", Several(Integer(1, 4096), 2), "rows and columns of a class's tile", (8, 8)),
+        axis("init", Text(STARTS), "the codes of a class", "random"),
+        axis(
+            "length",
+            Integer(1, 65536, automatic=True),
+            "slots of a bump of class c; auto: a quarter of the frame",
+            None,
+        ),
+        axis("rows", Integer(1, 4096), "shapes of a codebook", 64),
+        axis("seed", Integer(0, 2**31 - 1), "of everything random", 0),
+        axis("codes", Text(("fixed", "open")), "those in use, or every legal one", "fixed"),
+        axis("lowering", Text(("auto", *LOWERINGS)), "how exposure is gathered", "auto"),
+        axis("level", Integer(0, 3), "as -O", 2),
+        axis("max_words", Integer(1, 10**6, unlimited=True), "most words in a slot", None),
+        *target_keys(),
+    )
+
+
+def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
+    """Return the fault of a combination of values of `program_keys`, or None.
+
+    `named` are the keys that the grid names.
+    """
+    sources = [name for name in SOURCES if name in values]
+    if len(sources) != 1:
+        have = " and ".join(sources) or "none of them"
+        return PointFault(
+            sources[-1] if sources else "",
+            f"a point compiles one of {', '.join(SOURCES)}, and here is {have}",
+            'for instance program = "hdr_2x2.nsl", or class = "d"',
+        )
+    if "class" in values and prod(values["tile"]) > _MOST_PLACES:
+        return PointFault("tile", f"a tile has at most {_MOST_PLACES} places", "take a smaller one")
+    return silent(named, _SILENT[sources[0]], sources[0]) or target_fault(values)
+
+
+def target_fault(values: Values) -> PointFault | None:
+    """Return the fault of a combination of values of `target_keys`, or None."""
+    name = next((name for name in values if name.startswith(_CHIP)), None)
+    if name is None or values["target"]:
+        return None
+    message = f"{name} changes a chip, and none is named"
+    return PointFault(name, message, f'add target = "{DEFAULT_NAME}"')
+
+
+def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
+    """Return the fault of naming a key that does not apply to a point, or None.
+
+    Points that differ only in such a key would be identical.
+    """
+    name = next((key for key in keys if key in named), None)
+    if name is None:
+        return None
+    return PointFault(
+        name, f"{name} says nothing of a point with {point_text}", f"leave {name} out"
+    )
+
+
+def program_files(values: Values) -> Sequence[Path]:
+    """Return the files that determine a program: its text, the files that it names, and its chip's."""
+    files: list[Path] = []
+    if "program" in values:
+        files += text_files(Path(values["program"]))
+    if values["target"].endswith(".toml"):
+        files.append(Path(values["target"]))
+    return files
+
+
+def text_files(path: Path) -> list[Path]:
+    """Return a program's file and all files that it names; Rejected if it cannot be read."""
+    named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
+    return [path, *(path.parent / name for name in named)]
+
+
+def target_of(values: Values) -> Target | None:
+    """Return the chip of a point, with its changes; None for the program's own chip."""
+    if not values["target"]:
+        return None
+    changes = {
+        name.removeprefix(_CHIP): value for name, value in values.items() if name.startswith(_CHIP)
+    }
+    return replace(load_target(values["target"], Path()), **changes)
+
+
+def compiled_of(values: Values) -> Compiled:
+    """Compile and prove a point's program, without the cache of searches; Rejected if it is wrong
+    or does not fit."""
+    options = Options(
+        level=values["level"], codes=values["codes"], lowering=values["lowering"],
+        target=target_of(values), cache=False, max_words_per_slot=values["max_words"],
+    )  # fmt: skip
+    return run_passes(*_source(values), options)
+
+
+def _source(values: Values) -> tuple[Source, Path]:
+    if "program" in values:
+        path = Path(values["program"])
+        return read_source(path), path.parent
+    if "rule" in values:
+        slot = f"{values['slot_us']:.6f}".rstrip("0").rstrip(".") + "us"
+        return Source("rule.nsl", program_text(values["slots"], slot, values["rule"])), Path()
+    from nscc_training.encoders import ShutterSpec, make_encoder
+    from nscc_training.programs import Chip, program_of
+
+    kind = values["class"]
+    spec = ShutterSpec(
+        kind, values["slots"], values["tile"],
+        length=(values["length"] or max(1, values["slots"] // 4)) if kind == "c" else None,
+        rows=values["rows"] if kind == "codebook" else None,
+    )  # fmt: skip
+    encoder = make_encoder(spec, values["init"], values["seed"])
+    text = program_of(encoder, Chip(slot_us=values["slot_us"])).text
+    return Source(f"class_{kind}.nsl", text), Path()

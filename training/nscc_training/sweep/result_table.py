@@ -1,0 +1,94 @@
+"""The table of a sweep: a row per point, in the order of the grid, without times."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from nscc_training.sweep.grid import Grid
+from nscc_training.sweep.point import GridPoint, PointRow
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table by columns: `part`, the keys that the grid names, figures, `code` and `error` of
+    points without figures, and `key`. None: no value."""
+
+    columns: dict[str, list[Any]]
+    inputs: tuple[str, ...]
+    figures: tuple[str, ...]
+
+    def __len__(self) -> int:
+        return len(self.columns["part"])
+
+    def rows(self) -> list[tuple[Any, ...]]:
+        """Return the rows."""
+        return [*zip(*self.columns.values(), strict=True)]
+
+
+def table_of(grid: Grid, rows: Sequence[tuple[GridPoint, PointRow]]) -> Table:
+    """Return the table of a grid's points, each with its row."""
+    figures = tuple(dict.fromkeys(name for _, row in rows for name in row.figures))
+    several = len({point.grid_part for point, _ in rows}) > 1 or not grid.columns
+    columns: dict[str, list[Any]] = {"part": [point.grid_part for point, _ in rows]}
+    for name in grid.columns:
+        columns[name] = [_input(point, name) for point, _ in rows]
+    shown = {name: name if name not in columns else f"found_{name}" for name in figures}
+    for name in figures:
+        columns[shown[name]] = [row.figures.get(name) for _, row in rows]
+    columns["code"] = [row.code or None for _, row in rows]
+    columns["error"] = [row.error or None for _, row in rows]
+    columns["key"] = [row.key[:12] for _, row in rows]
+    inputs = ("part", *grid.columns) if several else grid.columns
+    return Table(columns, inputs, tuple(shown.values()))
+
+
+def _input(point: GridPoint, name: str) -> Any:
+    """Return the value of a key of a point, or of the first run that it names."""
+    if name in point.values:
+        return plain(point.values[name])
+    return _input(point.after[0], name) if point.after else None
+
+
+def plain(value: Any) -> Any:
+    """Return a value in the form of a cell."""
+    return " x ".join(map(str, value)) if isinstance(value, tuple) else value
+
+
+def csv_text(table: Table) -> str:
+    """Return the table as CSV."""
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")
+    writer.writerow(table.columns)
+    writer.writerows([cell(value) for value in row] for row in table.rows())
+    return text.getvalue()
+
+
+def cell(value: Any) -> str:
+    """Return a value as text: empty for None, numbers as Python prints them."""
+    if value is None:
+        return ""
+    return ("no", "yes")[value] if isinstance(value, bool) else str(value)
+
+
+def parquet_bytes(table: Table) -> bytes:
+    """Return the table as Parquet; columns of mixed types become text."""
+    import pyarrow
+    from pyarrow import parquet
+
+    columns = {name: pyarrow.array(_of_one_type(values)) for name, values in table.columns.items()}
+    data = io.BytesIO()
+    parquet.write_table(pyarrow.table(columns), data)
+    return data.getvalue()
+
+
+def _of_one_type(values: Sequence[Any]) -> list[Any]:
+    types = {type(value) for value in values if value is not None}
+    if types <= {int, float}:
+        return [float(v) if v is not None and float in types else v for v in values]
+    if len(types) < 2:
+        return [*values]
+    return [None if value is None else cell(value) for value in values]

@@ -1,0 +1,307 @@
+"""Run a sweep from its grid to its table; known points are not computed again."""
+
+from __future__ import annotations
+
+import os
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, chdir, nullcontext
+from dataclasses import dataclass, replace
+from pathlib import Path
+from time import sleep
+
+from nscc.diagnostics.diagnostic import Rejected
+from nscc.diagnostics.rejection import rejected
+from nscc.experiment_store import ExperimentStore
+from nscc.files import Product, write_together
+from nscc.program.problems import counted
+from nscc_runtime.progress import Progress, unseen
+from nscc_training.sweep.grid import Grid, of_parts
+from nscc_training.sweep.kinds import KINDS, key_of
+from nscc_training.sweep.point import OF_RUN, GridPoint, PointRow
+from nscc_training.sweep.result_table import Table, csv_text, parquet_bytes, table_of
+from nscc_training.sweep.store import POINTS, TIMES, put_row, rows_in, store_in, times_csv
+from nscc_training.sweep.work import FAILED, Done, PointTask, serially
+
+TABLE, PARQUET, REPORT, DIAGRAM = "table.csv", "table.parquet", "report.html", "diagram.png"
+_POINTS = "points"
+_MOST_REASONS = 5
+_POLL_S = 0.2
+_NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
+"""Folders with named links to the outputs of points, by kind."""
+
+
+@dataclass(frozen=True)
+class How:
+    """Where points are computed.
+
+    `workers` processes of `threads` threads each on this machine (0: in this process), or those of
+    a `scheduler`. `again` recomputes points that failed.
+    """
+
+    workers: int = 0
+    threads: int = 1
+    scheduler: str | None = None
+    again: bool = False
+
+
+@dataclass(frozen=True)
+class Swept:
+    """A finished sweep: its table, the numbers of points with a message instead of figures
+    (`misfits`) and of failed points, and the files written."""
+
+    table: Table
+    misfits: int
+    failed: int
+    files: tuple[Path, ...]
+
+
+def known(grid: Grid, out: Path, how: How) -> tuple[int, int]:
+    """Return the number of points of a grid, and how many are known; nothing is computed."""
+    keys = _keys(grid, how.threads)
+    if not out.is_dir():
+        return len(keys), 0
+    with store_in(out) as store:
+        rows = rows_in(store)
+    known_flags = (
+        _is_known(rows.get(key), how, _output_path(out, p, key)) for p, key in keys.items()
+    )
+    return len(keys), sum(known_flags)
+
+
+def sweep(
+    grid: Grid, out: Path, how: How, *, grid_parts: Sequence[str] = (), parquet: bool = False,
+    track: Progress = unseen, report: Callable[[str], None] = lambda _text: None,
+) -> Swept:  # fmt: skip
+    """Compute the unknown points of a grid, or of some parts, and write table, report and diagram
+    to `out`.
+
+    Rows are stored as they are computed: a killed sweep continues when started again, and two
+    sweeps with one `out` share the work. Paths in the grid, and in the files that it names, are
+    relative to its folder. `track` draws progress; `report` gets a text on the work to do. Raises
+    Rejected: NS0834 for a damaged store in `out`, NS0835 without the scheduler, NS0836 if workers
+    have other files or another version of nscc.
+    """
+    keys = _keys(grid, how.threads)
+    points = of_parts(grid, grid_parts).points
+    with store_in(out) as store:
+        rows = rows_in(store)
+        todo = {
+            keys[point]: point
+            for point in dict.fromkeys(points)
+            if not _is_known(rows.get(keys[point]), how, _output_path(out, point, keys[point]))
+        }
+        count = len({keys[point] for point in points})
+        report(f"{count} points: {count - len(todo)} known, {len(todo)} to compute")
+        for key in todo.keys() & rows.keys():  # failed before, or lost their output
+            store.forget(POINTS, key)
+        tasks = [_task(point, keys, grid, out, how) for point in todo.values()]
+        if tasks:
+            _compute(tasks, keys, store, how, track)
+        rows, times = rows_in(store), times_csv(store)
+    keys = {point: key for point, key in keys.items() if key in rows}
+    point_rows = [(point, rows[key]) for point, key in keys.items()]
+    grid = replace(grid, points=tuple(keys))
+    table = table_of(grid, point_rows)
+    files = _write(grid, table, out, times, parquet=parquet)
+    _name(out, keys)
+    codes = [row.code for _, row in point_rows if row.code]
+    failed = codes.count(FAILED)
+    return Swept(table, len(codes) - failed, failed, files)
+
+
+def summary_lines(swept: Swept) -> list[str]:
+    """Return the summary of a sweep as lines: numbers of points, reasons for missing figures,
+    files."""
+    columns, count = swept.table.columns, len(swept.table)
+    figures = count - swept.misfits - swept.failed
+    lines = [
+        f"{counted(count, 'point')}: {figures} with figures, {swept.misfits} with a message "
+        f"instead, {swept.failed} failed"
+    ]
+    reasons = Counter(zip(columns["code"], columns["error"], strict=True))
+    del reasons[None, None]
+    for (code, error), times in reasons.most_common(_MOST_REASONS):
+        lines.append(f"  {times} x {code}: {error}")
+    if len(reasons) > _MOST_REASONS:
+        lines.append(f"  and {counted(len(reasons) - _MOST_REASONS, 'other message')}")
+    return [*lines, "wrote " + ", ".join(path.as_posix() for path in swept.files)]
+
+
+def failures(swept: Swept) -> Rejected:
+    """Return the error (NS0833) for failed points."""
+    columns = swept.table.columns
+    errors = [
+        e for e, code in zip(columns["error"], columns["code"], strict=True) if code == FAILED
+    ]
+    return rejected(
+        FAILED,
+        f"{counted(swept.failed, 'point')} of {len(swept.table)} failed",
+        notes=tuple(dict.fromkeys(errors))[:_MOST_REASONS],
+        helps=("the same command with --again computes them again",),
+        status=1,
+    )
+
+
+def _keys(grid: Grid, threads: int) -> dict[GridPoint, str]:
+    """Return the key of every point; points of the same key count once."""
+    with chdir(grid.folder):
+        return {point: key_of(point, threads) for point in grid.points}
+
+
+def _is_known(row: PointRow | None, how: How, output_path: Path | None) -> bool:
+    """Return whether a point has a row, and its output still exists."""
+    if row is None or (row.code == FAILED and how.again):
+        return False
+    return bool(row.code) or output_path is None or output_path.exists()
+
+
+def _task(
+    point: GridPoint, keys: Mapping[GridPoint, str], grid: Grid, out: Path, how: How
+) -> PointTask:
+    key = keys[point]
+    runs = {f"{OF_RUN}{run.name}": _output_path(out, run, keys[run]) for run in point.after}
+    files = _output_path(out, point, key) or out.resolve() / _POINTS / key
+    return PointTask(point, key, grid.folder.resolve(), files, how.threads, runs)
+
+
+def _output_path(out: Path, point: GridPoint, key: str) -> Path | None:
+    """Return the output file or folder of a point; None if its kind has none."""
+    ending = KINDS[point.kind].leaves
+    return None if ending is None else out.resolve() / _POINTS / (key[:16] + ending)
+
+
+def _compute(
+    tasks: Sequence[PointTask], keys: Mapping[GridPoint, str], store: ExperimentStore, how: How,
+    track: Progress,
+) -> None:  # fmt: skip
+    """Compute the tasks; runs come before the points that name them."""
+    out = tasks[0].files.parent
+    if any(KINDS[task.point.kind].leaves is not None for task in tasks):
+        out.mkdir(exist_ok=True)
+    with _executor(how, len(tasks)) as execute:
+
+        def all_results() -> Iterator[Done]:
+            pending = {task.key: task for task in tasks}
+            while pending:
+                # Runs that a point names come first: one round per level of dependency.
+                ready = [
+                    task for task in pending.values()
+                    if not any(keys[run] in pending for run in task.point.after)
+                ]  # fmt: skip
+                able = []
+                for task in ready:
+                    without = _without_run(task, keys, store)
+                    able += [] if without else [task]
+                    yield from [without] if without else []
+                yield from _shared(store, able, execute)
+                for task in ready:
+                    del pending[task.key]
+
+        for result in track(all_results(), "computing points", len(tasks)):
+            if result.other_key:
+                raise _differs(result)
+            put_row(store, result.row, result.task.point.name, result.seconds, result.worker)
+
+
+def _shared(
+    store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
+) -> Iterator[Done]:
+    """Yield the results of tasks, waiting for tasks that another process computes.
+
+    A task whose process ended without a result is taken over.
+    """
+    waiting = [*tasks]
+    while waiting:
+        claimed_tasks: list[PointTask] = []
+
+        def claimed(
+            claimed_tasks: list[PointTask] = claimed_tasks, waiting: Sequence[PointTask] = waiting
+        ) -> Iterator[PointTask]:
+            for task in waiting:
+                if store.claim(POINTS, task.key):
+                    claimed_tasks.append(task)
+                    if store.get(POINTS, task.key) is None:
+                        yield task
+
+        for result in execute(claimed()):
+            yield result
+            store.release(POINTS, result.task.key)
+        for task in claimed_tasks:
+            store.release(POINTS, task.key)
+        mine = {task.key for task in claimed_tasks}
+        unclaimed = (task for task in waiting if task.key not in mine)
+        waiting = [task for task in unclaimed if store.get(POINTS, task.key) is None]
+        if waiting:
+            sleep(_POLL_S)
+
+
+def _without_run(
+    task: PointTask, keys: Mapping[GridPoint, str], store: ExperimentStore
+) -> Done | None:
+    """Return the failure of a task if a run that it names failed; None if all runs exist."""
+    for run in task.point.after:
+        row = store.get(POINTS, keys[run])
+        assert row is not None  # runs are computed first
+        if row["code"]:
+            error = f"its run {run.name} has none: {row['error']}"
+            return Done(task, PointRow(task.key, code=row["code"], error=error), 0.0, "")
+    return None
+
+
+def _executor(how: How, count: int) -> AbstractContextManager[Callable[..., Iterator[Done]]]:
+    if how.scheduler is not None:
+        from nscc_training.sweep.cluster import scheduler_workers
+
+        return scheduler_workers(how.scheduler)
+    if how.workers:
+        from nscc_training.sweep.cluster import local_workers
+
+        return local_workers(min(how.workers, count), how.threads)
+    return nullcontext(serially)
+
+
+def _differs(result: Done) -> Rejected:
+    return rejected(
+        "NS0836",
+        f"the worker {result.worker} would compute another point than {result.task.point.name}",
+        notes=(
+            "its nscc, its Python or the files that the grid names are not those of this process, "
+            "or they changed after the sweep began",
+        ),
+        helps=("install the same versions everywhere, on a file system that all share",),
+        status=3,
+    )
+
+
+def _write(grid: Grid, table: Table, out: Path, times: str, *, parquet: bool) -> tuple[Path, ...]:
+    """Write the products, all or none."""
+    from nscc_training.sweep.sweep_report import diagram_of, report_html
+
+    diagram = diagram_of(grid, table)
+    products: dict[Path, Product] = {out / TABLE: csv_text(table).encode()}
+    if parquet:
+        products[out / PARQUET] = parquet_bytes(table)
+    if diagram is not None:
+        products[out / DIAGRAM] = diagram
+    products[out / REPORT] = report_html(grid, table, diagram).encode()
+    write_together({**products, out / TIMES: times.encode()})
+    return tuple(products)
+
+
+def _name(out: Path, keys: Mapping[GridPoint, str]) -> None:
+    """Make named links to the outputs of the grid's points; links of another grid are removed."""
+    for name in _NAMED.values():
+        for old in [path for path in (out / name).rglob("*") if path.is_symlink()]:
+            old.unlink()
+    links: set[Path] = set()
+    for point, key in keys.items():
+        output_path = _output_path(out, point, key)
+        if output_path is None or not output_path.exists():
+            continue
+        link = out / _NAMED[point.kind] / (point.name + output_path.suffix)
+        if link in links:
+            link = link.with_name(f"{link.stem}_{key[:8]}{output_path.suffix}")
+        links.add(link)
+        link.parent.mkdir(parents=True, exist_ok=True)
+        os.symlink(os.path.relpath(output_path, link.parent.resolve()), link)

@@ -1,0 +1,182 @@
+"""The report of a sweep: a diagram, and a self-contained HTML page."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import isfinite
+from typing import Any
+
+from nscc import html
+from nscc.diagnostics.rejection import rejected
+from nscc.diagnostics.suggest import meant
+from nscc_runtime.pictures.sweeps import Lines, sweep_diagram
+from nscc_training.sweep.grid import Grid
+from nscc_training.sweep.kinds import KINDS
+from nscc_training.sweep.result_table import Table, cell
+
+_MOST_ROWS = 2000
+"""Most rows on the page; the table has all rows."""
+_MOST_PANELS, _MOST_LINES = 12, 7
+"""Most panels of a diagram, and most lines of a panel unless the grid names the lines."""
+_MOST_LETTERS = 60
+_WIDTH = 900
+
+
+def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
+    """Return the HTML page: diagram, points without figures, all points, the grid."""
+    shown = [name for name in ("part", *grid.columns) if name in table.inputs or len(table) == 1]
+    shown += [name for name in table.figures if _says_something(table.columns[name])]
+    rows = [*zip(*(table.columns[name] for name in shown), strict=True)][:_MOST_ROWS]
+    blocks = [
+        html.Html() if diagram is None else html.picture(diagram, "", _WIDTH),
+        _misfits(grid, table),
+        html.table(([_short(v) for v in row] for row in rows), shown),
+        html.folded("the grid", html.plain(grid.text)),
+    ]
+    count = f"{len(table)} points"
+    if len(table) > _MOST_ROWS:
+        count += f", {_MOST_ROWS} of them below, all in the table"
+    body = html.card(grid.name, count, *blocks)
+    style = "body{font-family:sans-serif;margin:2em}img{image-rendering:auto!important}"
+    return (
+        f"<!doctype html>\n<html lang='en'><head><meta charset='utf-8'><title>"
+        f"{html.text(grid.name)}</title><style>{style}</style></head><body>{body}</body></html>\n"
+    )
+
+
+def diagram_of(grid: Grid, table: Table) -> bytes | None:
+    """Return the diagram that the grid asks for, or a suitable one.
+
+    None for a single point, or without numbers. Rejected (NS0832) for unknown columns.
+    """
+    from nscc_runtime.pictures.sheet import png_of
+
+    if not table.figures:
+        return None
+    plot = grid.plot
+    plot_axes = [("x", plot.x), *(("line", name) for name in plot.line), ("panel", plot.panel)]
+    for key, name in (*plot_axes, *(("y", name) for name in plot.y)):
+        if name:
+            _check(key, name, table)
+    used_names = {name for _, name in plot_axes}
+    free = [n for n in ("part", *grid.axes) if _several(table.columns[n]) and n not in used_names]
+    x = plot.x or _take(free, lambda name: _numbers(table.columns[name])) or _take(free)
+    lines = [name for name in free if not name.endswith("seed")]
+    panel = plot.panel
+    if not panel and len({*zip(*(table.columns[n] for n in lines), strict=True)}) > _MOST_LINES:
+        panel = lines.pop(0)
+    lines = [*plot.line] or lines
+    panels = [
+        Lines(
+            "" if value is None else f"{panel} {_short(value)}", x, figure,
+            _lines(table, x, figure, lines, {panel: value} if panel else {}),
+        )
+        for figure in plot.y or _drawn(grid, table)
+        for value in (dict.fromkeys(table.columns[panel]) if panel else (None,))
+        if x
+    ]  # fmt: skip
+    panels = [panel_lines for panel_lines in panels if panel_lines.lines][:_MOST_PANELS]
+    if not panels:
+        return None
+    averaged_names = [name for name in free if name not in (*lines, panel)]
+    note = (
+        f"means over {', '.join(averaged_names)}"
+        if averaged_names and x not in table.figures
+        else ""
+    )
+    return png_of(sweep_diagram, panels, grid.name.replace("_", " "), note)
+
+
+def _drawn(grid: Grid, table: Table) -> list[str]:
+    """Return the default figures of a diagram: one per kind of point."""
+    kinds = [KINDS[name] for name in dict.fromkeys(point.kind for point in grid.points)]
+    known = ([name for name in kind.drawn if name in table.figures] for kind in kinds)
+    return list(dict.fromkeys(names[0] for names in known if names))
+
+
+def _lines(
+    table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
+) -> dict[str, list[tuple[Any, float]]]:
+    """Return the points of each line of a panel.
+
+    Against an axis they are sorted, and averaged where several have the same position; against a
+    figure they follow the order of the table.
+    """
+    columns = table.columns
+    points_by_line: dict[str, list[tuple[Any, float]]] = {}
+    for index in range(len(table)):
+        across, up = columns[x][index], columns[figure][index]
+        matches = all(columns[name][index] == value for name, value in chosen.items())
+        if matches and across is not None and _number(up):
+            name = ", ".join(_short(columns[line][index]) for line in lines)
+            points_by_line.setdefault(name, []).append((across, up))
+    if x in table.figures:
+        return points_by_line
+    return {name: _means(points, _numbers(columns[x])) for name, points in points_by_line.items()}
+
+
+def _means(points: Sequence[tuple[Any, float]], ordered: bool) -> list[tuple[Any, float]]:
+    """Return one point, the mean, for each horizontal position."""
+    places: dict[Any, list[float]] = {}
+    for across, up in points:
+        places.setdefault(across, []).append(up)
+    means = [(across, sum(ups) / len(ups)) for across, ups in places.items()]
+    return sorted(means) if ordered else means
+
+
+def _misfits(grid: Grid, table: Table) -> html.Html:
+    """Return the points without figures, grouped by reason."""
+    together: dict[tuple[str, str], list[str]] = {}
+    columns = table.columns
+    for point, code, error in zip(grid.points, columns["code"], columns["error"], strict=True):
+        if code:
+            together.setdefault((code, error), []).append(point.name)
+    if not together:
+        return html.Html()
+    rows = [(code, error, ", ".join(names)) for (code, error), names in together.items()]
+    count = sum(map(len, together.values()))
+    heading = html.text(f"{count} without figures")
+    return html.Html(heading + html.table(rows, ("code", "why", "points")))
+
+
+def _check(key: str, name: str, table: Table) -> None:
+    if name not in table.columns:
+        raise rejected(
+            "NS0832",
+            f"plot.{key} is '{name[:60]}', and the table has no such column",
+            notes=(f"it has {', '.join(table.columns)}",),
+            helps=meant(name, table.columns, "name one of them"),
+        )
+
+
+def _take(names: list[str], fits: Any = lambda _name: True) -> str:
+    """Remove and return the first name that fits; "" without one."""
+    first_fit = next((name for name in names if fits(name)), "")
+    if first_fit:
+        names.remove(first_fit)
+    return first_fit
+
+
+def _several(values: Sequence[Any]) -> bool:
+    return len(set(values)) > 1
+
+
+def _number(value: Any) -> bool:
+    number = isinstance(value, int | float) and not isinstance(value, bool)
+    return number and isfinite(value)
+
+
+def _numbers(values: Sequence[Any]) -> bool:
+    return all(value is None or _number(value) for value in values)
+
+
+def _says_something(values: Sequence[Any]) -> bool:
+    return any(value is not None for value in values)
+
+
+def _short(value: Any) -> str:
+    """Return a cell for a reader: six digits of numbers, the beginning of texts on one line."""
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    text = " ".join(cell(value).split())
+    return text if len(text) <= _MOST_LETTERS else f"{text[: _MOST_LETTERS - 2]} .."
