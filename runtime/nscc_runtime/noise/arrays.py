@@ -65,7 +65,7 @@ def poisson(
         rate=_floats(rate).reshape(-1),
         out=out.reshape(-1),
         valid=valid.view(np.uint8).reshape(-1),
-        **{name: np.empty(BLOCK) for name in ("rates", "total", "mass", "found")},
+        **{name: np.empty(BLOCK) for name in ("rates", "total", "mass", "drawn")},
     )
     return out, valid
 
