@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from fractions import Fraction
 from math import ceil, log2
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
@@ -17,7 +18,7 @@ from nscc.syntax.parse import parse
 from nscc.syntax.tree import Image, Plane
 from nscc.words.container import Container
 from nscc.words.encoding import encode
-from nscc.words.pictures import Pictures, TailLaunch
+from nscc.words.pictures import Condition, Pictures, Sum, TailLaunch
 
 
 def with_pictures(
@@ -86,6 +87,21 @@ def grouped(
     return list(number), tuple(launches)
 
 
+_MORE_HALVINGS = 3
+"""So many divisors are tried, from the least that could do."""
+
+
+def _with_item_divided(pictures: Pictures, name: str, divisor: int) -> Pictures:
+    """The same images, one of them divided."""
+    items = []
+    for item in pictures.items:
+        node = item.node
+        if item.name == name and not isinstance(node, Condition):
+            node = Sum(((Fraction(1, divisor), node),))
+        items.append(replace(item, node=node))
+    return replace(pictures, items=tuple(items))
+
+
 def _place(program: Program, name: str) -> Span:
     """Where the statement of an image or a plane stands."""
     for statement in parse(program.source)[0].statements:
@@ -145,8 +161,16 @@ def _beyond_range(
     pictures, over = program.pictures, refused.needed
     assert pictures is not None
     target = container.target
-    halvings = ceil(log2(over) - 1e-9)
-    helps = [f"divide: `/ {2**halvings}` keeps every value within the registers"]
+    helps = []
+    least = max(1, ceil(log2(over) - 1e-9))
+    for halvings in range(least, least + _MORE_HALVINGS):
+        divided = _with_item_divided(pictures, refused.name, 2**halvings)
+        try:
+            lowered(container, divided, level)
+        except Refused:
+            continue
+        helps.append(f"divide `{refused.name}` or its kernels by {2**halvings}: that compiles")
+        break
     share = int(100 / over)
     while share >= 1:
         limits = dict.fromkeys(pictures.limits_e, share / 100 * target.full_well_e)
@@ -155,7 +179,7 @@ def _beyond_range(
         except Refused:
             share //= 2
             continue
-        helps.append(f"or promise less light: `assume exposure <= {share}%` compiles")
+        helps.append(f"promise less light: `assume exposure <= {share}%` compiles")
         break
     return Diagnostic(
         "NS0540",

@@ -214,7 +214,7 @@ class _Maker:
             kinds = {**dict.fromkeys(self.buckets, "bucket"), **reader.kinds}
             if name.text in kinds:
                 names.append(name.text)
-            elif name.text not in self.declared.refused:
+            elif name.text not in (*self.declared.refused, *reader.failed):
                 self.problems.unknown("an image, a plane or a bucket", name.text, name.span, kinds)
         return tuple(names)
 

@@ -174,10 +174,11 @@ class PictureReplay:
             case Effect.FLAG_DIGITAL:
                 self.digital["FLAG"] = self._some(op)
             case Effect.FLAG_ANALOG:
-                before = self.digital["FLAG"]
-                found = {at: forms.positive(total, at) for at, total in self._totals(op, level).items()}
+                before, totals = self.digital["FLAG"], self._totals(op, level)
+                found = {at: forms.positive(total, at) for at, total in totals.items()}
                 if self.container.target.where_obeys_flag:
-                    found = {at: forms.diagrams.times(bit, before[at]) for at, bit in found.items()}
+                    times = forms.diagrams.times
+                    found = {at: times(bit, before[at]) for at, bit in found.items()}
                 self.digital["FLAG"] = found
             case Effect.BUS:
                 self._bus(op, level)

@@ -133,7 +133,7 @@ class Pixels:
                 self.run(word)
 
     def end_frame(self) -> None:
-        """Ends a frame, the readout included; images and planes use all registers but the code's."""
+        """Ends a frame, the readout included; images and planes may use all but code registers."""
         if self.container.pictures is not None:
             for name in self.bits.keys() - {*self.container.code_registers}:
                 self.write(name, UNKNOWN)

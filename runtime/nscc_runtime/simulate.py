@@ -17,6 +17,7 @@ from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.diagnostics.rejection import rejected
 from nscc.words.container import Container
 from nscc.words.file import to_bytes
+from nscc.words.legality import refuse_pictures
 from nscc_runtime import frame_file
 from nscc_runtime.effects import Selection, marks, selected
 from nscc_runtime.films import gathered
@@ -222,7 +223,8 @@ def _pictured(
     from nscc_runtime.neighbours.frames import PicturedProgram
 
     if request.plan is not None or request.audit:
-        raise planless("--plan" if request.plan is not None else "--audit")
+        asked = "--plan" if request.plan is not None else "--audit"
+        refuse_pictures(container, f"{asked} needs a plan", f"leave {asked} out: all is simulated")
     check(container, light)
     program = PicturedProgram(container, sensor, request.effects, request.threads)
     if request.effects.auto and listener.say is not None:

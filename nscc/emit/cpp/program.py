@@ -37,6 +37,7 @@ from nscc.source import Span
 from nscc.syntax.tree import Bucket, File, Open, PixelsExpr, PixelsFromFile, PixelsTile
 from nscc.words.container import Container, Kernel, state_registers
 from nscc.words.encoding import decode
+from nscc.words.legality import refuse_pictures
 from nscc.words.readout import converter_of, preparation_of
 from nscc.words.text import number_text, ranges_text
 
@@ -62,6 +63,7 @@ def devkit_program(tree: File, lowered: Lowered, container: Container, stem: str
     Raises Rejected (NS0520) where it cannot run it: another chip's registers or array, no pixel
     data, no room for the kernels that load the codes; NS0521 for words that its library lacks.
     """
+    refuse_pictures(container, "there is no C++ of this program", "run it on the emulator")
     program, target = lowered.program, container.target
     devkit = devkit_of(target)
     fault = devkit_fault(container, devkit)
