@@ -131,10 +131,20 @@ class Synthesis:
         table = rows()
         if len(inverse) < 2:
             return
-        rest = added((1, inverse), (-1, IDENTITY))
-        if rest and (0, 0) in inverse and abs(rest.get((0, 0), 0)) < abs(inverse[0, 0]):
-            for each in self._programs(rest, depth - 2):
-                yield (*each.program, Word(("q",), (each.program[-1].destinations[0], "x")))
+        middle = inverse.get((0, 0), 0)
+        parts: set[int] = set()
+        if middle:
+            least = min(map(abs, inverse.values()))
+            parts = {UNIT, least, 2 * least, -least, -2 * least}
+            parts |= {middle - weight for weight in (0, *inverse.values())}
+        for part in sorted(parts - {0}):
+            alone: Taps = {(0, 0): part}
+            rest = added((1, inverse), (-1, alone))
+            if rest and abs(rest.get((0, 0), 0)) < abs(middle):
+                seconds = self._programs(dict(alone), depth - 2) or [_ranged(accumulated(alone))]
+                for first in self._programs(rest, depth - 2):
+                    for second in seconds:
+                        yield _summed(first.program, second.program)
         for key, program in table.items():
             rest = added((1, inverse), (-1, dict(key)))
             other = table.get(frozenset(rest.items()))
@@ -145,7 +155,8 @@ class Synthesis:
 def _summed(first: Program, second: Program) -> Program:
     """Both programs, and a word that adds their results."""
     a, b = renamed(first, {"x": "x"}, "a"), renamed(second, {"x": "x"}, "b")
-    return (*a, *b, Word(("s",), (a[-1].destinations[0], b[-1].destinations[0])))
+    results = [program[-1].destinations[0] if program else "x" for program in (a, b)]
+    return (*a, *b, Word(("s",), tuple(results)))
 
 
 def divided(taps: Taps, factor: Taps) -> Polynomial | None:
