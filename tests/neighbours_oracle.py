@@ -176,14 +176,10 @@ class Writer:
             right, down = (int(step) for step in rng.integers(-2, 3, 2))
             mask = np.zeros((5, 5), np.bool_)
             mask[2 + down, 2 + right] = True
-            return f"{name}[{right}, {down}]", lambda known: near(
-                known[name], mask, True, outside
-            )
+            return f"{name}[{right}, {down}]", lambda known: near(known[name], mask, True, outside)
         other, other_make = self.plane(depth - 1)
         op = str(rng.choice(["and", "or", "xor"]))
-        return f"({text}) {op} ({other})", lambda known: _logic(
-            op, make(known), other_make(known)
-        )
+        return f"({text}) {op} ({other})", lambda known: _logic(op, make(known), other_make(known))
 
     def write(self) -> Program:
         """The program."""

@@ -10,12 +10,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from math import sqrt
 from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
 from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
-from nscc.neighbours.synthesis import Ranged, Synthesis, gains
+from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
 from nscc.operations import NEIGHBOURS, Effect, Op, op
 from nscc.words import pictures as p
 
@@ -38,7 +39,7 @@ class Held:
     """A register that holds a value times `sign`, somewhere from `low` to `high` electrons.
 
     `name` is that of an image or a bucket, which others may read as well; None for a value that
-    only whoever has it reads.
+    only whoever has it reads. `variance` is that of its error, in variances of a word's error.
     """
 
     register: str
@@ -46,6 +47,7 @@ class Held:
     low: float
     high: float
     name: str | None = None
+    variance: float = 0.0
 
     def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
         """The range of what a kernel makes of the value, whose weights add and take so much."""
@@ -53,14 +55,6 @@ class Held:
             float(up) * self.low - float(down) * self.high,
             float(up) * self.high - float(down) * self.low,
         )
-
-
-@dataclass(frozen=True)
-class Cost:
-    """What an item took: `words`, how much of a word's error reaches it, its largest value."""
-
-    words: int
-    peak_gain: float
 
 
 class Lowering:
@@ -87,7 +81,7 @@ class Lowering:
             for name, (register, sign) in buckets.items()
         }
         self.bits = BitWords(self, digital)
-        self.costs: dict[str, Cost] = {}
+        self.costs: list[p.PictureCost] = []
         self.uses = self._uses()
         for name, value in list(self.held.items()):
             self.uses[name] += 1
@@ -111,7 +105,7 @@ class Lowering:
             self.now, before = item.name, len(self.words)
             if isinstance(item.node, p.Condition):
                 self.bits.declare(item.name, item.node)
-                self.costs[item.name] = Cost(len(self.words) - before, 0.0)
+                self.costs.append(p.PictureCost(item.name, len(self.words) - before, 0.0, 0.0))
             else:
                 value = self.value(item.node)
                 if item.name in self.pictures.wanted and value.sign < 0:
@@ -123,7 +117,8 @@ class Lowering:
                 self.give(value)
                 most = max(abs(value.low), abs(value.high))
                 gain = most / max(self.pictures.limits_e.values())
-                self.costs[item.name] = Cost(len(self.words) - before, gain)
+                words, noise = len(self.words) - before, sqrt(value.variance)
+                self.costs.append(p.PictureCost(item.name, words, gain, noise))
         for name in self.pictures.wanted:
             held = self.held.get(name)
             self.registers[name] = held.register if held else self.bits.planes[name]
@@ -216,7 +211,10 @@ class Lowering:
         except ValueError:
             raise Refused("registers", self.now, 41, 40) from None
         low, high = value.scaled(*gains(taps))
-        return Held(self.run_program(best.program, value), value.sign, low, high)
+        squares = sum(float(weight) ** 2 for weight in weights.values())
+        variance = value.variance * squares + noise_gain(best.program) ** 2
+        register = self.run_program(best.program, value)
+        return Held(register, value.sign, low, high, variance=variance)
 
     def _program(self, taps: Taps, value: Held) -> Ranged:
         """The shortest program whose values fit the registers."""
@@ -264,7 +262,8 @@ class Lowering:
         register = self.take()
         self.word(op("bus", [register], [value.register]))
         self.give(value)
-        return Held(register, -value.sign, value.low, value.high)
+        variance = value.variance + 1
+        return Held(register, -value.sign, value.low, value.high, variance=variance)
 
     def sum(self, node: p.Sum) -> Held:
         """A sum of values: terms of one value are one kernel."""
@@ -347,7 +346,8 @@ class Lowering:
         register = self.take()
         self.word(op("bus", [register], sources))
         self.give(*(v for _, v in parts))
-        return Held(register, -total, low, high)
+        variance = sum(v.variance for _, v in parts) + 1 + bool(few)
+        return Held(register, -total, low, high, variance=variance)
 
     def absolute(self, value: Held) -> Held:
         """A value without its sign.
@@ -364,7 +364,7 @@ class Lowering:
         self.give(value)
         most = max(abs(value.low), abs(value.high))
         least = 0.0 if value.low <= 0 <= value.high else min(abs(value.low), abs(value.high))
-        return Held(register, 1, least, most)
+        return Held(register, 1, least, most, variance=value.variance + 2)
 
     def chosen(self, node: p.Chosen) -> Held:
         """One value where a condition is 1, another one where it is 0."""
@@ -379,7 +379,8 @@ class Lowering:
         self.everywhere()
         self.give(then, otherwise)
         low, high = min(then.low, otherwise.low), max(then.high, otherwise.high)
-        return Held(register, -then.sign, low, high)
+        variance = max(then.variance, otherwise.variance) + 1
+        return Held(register, -then.sign, low, high, variance=variance)
 
 
 def _total(weights: Weights, factor: Fraction, taps: Weights) -> Weights:

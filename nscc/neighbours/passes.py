@@ -44,6 +44,7 @@ def with_pictures(
         kernels=tuple(tuple(encode(word) for word in kernel) for kernel in kernels),
         launches=launches,
         registers=lowering.registers,
+        costs=tuple(lowering.costs),
     )
     found = replace(container, pictures=made)
     most = container.target.store_words

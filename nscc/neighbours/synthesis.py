@@ -35,7 +35,7 @@ from nscc.neighbours.programs import (
 from nscc.neighbours.table import ROWS
 from nscc.operations import NEIGHBOURS, STEPS
 
-STEPS_OF_LEVEL = (400, 2_000, 20_000, 60_000)
+STEPS_OF_LEVEL = (100, 400, 2_500, 20_000)
 """Kernels that a search may take apart, by the level of optimisation."""
 _MOST_KEPT = 6
 _MOST_DEPTH = 7
@@ -119,11 +119,11 @@ class Synthesis:
                 yield chained(_HALVE, rest.program)
                 if rest.program:
                     yield chained(rest.program, _HALVE)
-        for factor, program in table.items():
-            quotient = divided(taps, dict(factor))
+        for factor in factors():
+            quotient = divided(taps, factor)
             if quotient is not None and quotient != IDENTITY:
                 for rest in self._programs(quotient, depth - 1):
-                    yield chained(program, rest.program)
+                    yield chained(factor.program, rest.program)
         yield from self._sums(inverse, depth)
 
     def _sums(self, inverse: Polynomial, depth: int) -> Iterator[Program]:
@@ -159,37 +159,60 @@ def _summed(first: Program, second: Program) -> Program:
     return (*a, *b, Word(("s",), tuple(results)))
 
 
-def divided(taps: Taps, factor: Taps) -> Polynomial | None:
-    """The kernel that gives `taps` together with `factor`; None where there is none.
+@dataclass(frozen=True)
+class Factor:
+    """A kernel of at least two weights that others may be multiples of, with a program for it.
 
-    A factor of one weight divides every kernel, and tells nothing.
+    `lead` is the place of its last weight in reading order by columns; `size` is how many columns
+    and rows it has, less one; `corner` is the least column and row.
     """
-    if len(factor) < 2:
+
+    taps: Taps
+    program: Program
+    lead: Offset
+    size: Offset
+    corner: Offset
+
+    @classmethod
+    def of(cls, taps: Taps, program: Program) -> Factor:
+        corner, size = _box(taps)
+        return cls(taps, program, max(taps), size, corner)
+
+
+def _box(taps: Taps) -> tuple[Offset, Offset]:
+    """The least column and row of a kernel, and how many it has, less one."""
+    columns, rows_ = [x for x, _ in taps], [y for _, y in taps]
+    corner = min(columns), min(rows_)
+    return corner, (max(columns) - corner[0], max(rows_) - corner[1])
+
+
+@cache
+def factors() -> tuple[Factor, ...]:
+    """The rows of the table that have at least two weights."""
+    return tuple(Factor.of(dict(key), program) for key, program in rows().items() if len(key) > 1)
+
+
+def divided(taps: Taps, factor: Factor) -> Polynomial | None:
+    """The kernel that gives `taps` together with `factor`; None where there is none."""
+    corner, size = _box(taps)
+    width, height = size[0] - factor.size[0], size[1] - factor.size[1]
+    if width < 0 or height < 0:
         return None
-    size = [max(z) - min(z) for z in zip(*taps, strict=True)]
-    of_factor = [max(z) - min(z) for z in zip(*factor, strict=True)]
-    if any(a < b for a, b in zip(size, of_factor, strict=True)):
-        return None
-    low = [min(z) for z in zip(*taps, strict=True)]
-    least = [min(z) for z in zip(*factor, strict=True)]
-    room = [range(a - b, a - b + c - d + 1) for a, b, c, d in zip(low, least, size, of_factor,
-                                                                  strict=True)]  # fmt: skip
-    lead = max(factor)
+    left, top = corner[0] - factor.corner[0], corner[1] - factor.corner[1]
+    lead_weight = factor.taps[factor.lead]
     rest, found = dict(taps), {}
     while rest:
-        top = max(rest)
-        at = (top[0] - lead[0], top[1] - lead[1])
-        if at[0] not in room[0] or at[1] not in room[1]:
+        last = max(rest)
+        x, y = last[0] - factor.lead[0], last[1] - factor.lead[1]
+        weight, remainder = divmod(rest[last] * UNIT, lead_weight)
+        if remainder or not (left <= x <= left + width and top <= y <= top + height):
             return None
-        weight, remainder = divmod(rest[top] * UNIT, factor[lead])
-        if remainder:
-            return None
-        found[at] = weight
-        for (x, y), part in factor.items():
-            place = (x + at[0], y + at[1])
-            left = rest.get(place, 0) - weight * part // UNIT
-            if left:
-                rest[place] = left
+        found[x, y] = weight
+        for (right, down), part in factor.taps.items():
+            place = (x + right, y + down)
+            other = rest.get(place, 0) - weight * part // UNIT
+            if other:
+                rest[place] = other
             else:
                 rest.pop(place, None)
     return found

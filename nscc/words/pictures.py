@@ -176,6 +176,18 @@ class TailLaunch:
 
 
 @dataclass(frozen=True)
+class PictureCost:
+    """What an image or a plane takes: its `words`, those that others share with the first;
+    `peak_gain`, its largest value as a multiple of the largest exposure; `noise_gain`, the standard
+    deviation of its error where each word has an error of standard deviation 1."""
+
+    name: str
+    words: int
+    peak_gain: float
+    noise_gain: float
+
+
+@dataclass(frozen=True)
 class Pictures:
     """Everything that follows the last slot: what is computed, and after lowering the words.
 
@@ -194,6 +206,7 @@ class Pictures:
     kernels: tuple[tuple[Word, ...], ...] = ()
     launches: tuple[TailLaunch, ...] = ()
     registers: Mapping[str, str] = field(default_factory=dict)
+    costs: tuple[PictureCost, ...] = ()
 
     @property
     def weights_by_name(self) -> dict[str, Weights]:

@@ -9,6 +9,7 @@ from nscc.words.pictures import (
     Filtered,
     Near,
     Picture,
+    PictureCost,
     Pictures,
     Report,
     TailLaunch,
@@ -34,6 +35,7 @@ def header_of(pictures: Pictures) -> dict[str, Any]:
         "words": [[list(word) for word in kernel] for kernel in pictures.kernels],
         "launches": [[launch.kernel, launch.level] for launch in pictures.launches],
         "registers": dict(pictures.registers),
+        "costs": [[c.name, c.words, c.peak_gain, c.noise_gain] for c in pictures.costs],
     }
 
 
@@ -53,6 +55,10 @@ def pictures_from(header: Any) -> Pictures:
             tuple(tuple((a, b, c, d, e) for a, b, c, d, e in kernel) for kernel in header["words"]),
             tuple(TailLaunch(kernel, level) for kernel, level in header["launches"]),
             {str(name): str(register) for name, register in header["registers"].items()},
+            tuple(
+                PictureCost(str(name), int(words), float(peak), float(noise))
+                for name, words, peak, noise in header["costs"]
+            ),
         )
     except (TypeError, KeyError, AttributeError) as error:
         raise ValueError("the header's pictures are malformed") from error
