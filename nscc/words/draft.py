@@ -111,6 +111,7 @@ class Draft:
     source: Block | None = None
     pixels: Block | None = None
     machine: Block | None = None
+    pictures: Block | None = None
     notes: dict[str, str] = field(default_factory=dict)
     slot_us: list[float] = field(default_factory=list)
     buckets: list[Token] = field(default_factory=list)

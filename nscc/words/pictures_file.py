@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import json
+from base64 import b64decode, b64encode
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
@@ -21,6 +23,8 @@ from nscc.words.pictures import (
 
 if TYPE_CHECKING:
     from nscc.words.container import Container
+
+_WIDTH = 96
 
 
 def header_of(pictures: Pictures) -> dict[str, Any]:
@@ -62,6 +66,22 @@ def pictures_from(header: Any) -> Pictures:
         )
     except (TypeError, KeyError, AttributeError) as error:
         raise ValueError("the header's pictures are malformed") from error
+
+
+def to_text(pictures: Pictures) -> Iterator[str]:
+    """The lines that `.pictures` has in assembly text: base64 of the header."""
+    data = json.dumps(header_of(pictures), sort_keys=True, separators=(",", ":")).encode("ascii")
+    text = b64encode(data).decode("ascii")
+    for start in range(0, len(text), _WIDTH):
+        yield text[start : start + _WIDTH]
+
+
+def from_text(text: str) -> Pictures | None:
+    """The images and planes of `to_text`'s lines; None where they are none."""
+    try:
+        return pictures_from(json.loads(b64decode(text, validate=True)))
+    except (ValueError, RecursionError):
+        return None
 
 
 def faults(container: Container) -> Iterator[str]:
