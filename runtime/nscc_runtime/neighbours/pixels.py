@@ -41,12 +41,14 @@ class ArrayPixels(WordPixels):
     tainted: dict[str, Bits] = field(init=False)
 
     def __post_init__(self) -> None:
+        self._arbitrary = super().arbitrary(0)
         super().__post_init__()
         self.number = _FIRST_NUMBER
         self.register |= self.exposed
         pixels = len(self.places)
-        nothing, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
-        self.cut_by = {**dict.fromkeys((*self.register, "IN"), nothing), **self.exposed_by}
+        self._uncut, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
+        cut = {name: by for name, by in self.exposed_by.items() if by.any()}
+        self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
         self.tainted = dict.fromkeys((*self.register, *self.bits, "IN"), untainted)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
@@ -102,36 +104,57 @@ class ArrayPixels(WordPixels):
             return self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
         return self.register[name]
 
+    def arbitrary(self, group: int) -> Values:
+        """The same for all registers: an exposure has left them whatever it has."""
+        return self._arbitrary
+
     def _bus(self, op: Op) -> None:
         word = self._running(op)
-        here = self._read("FLAG")
-        everywhere = bool(here.all()) and not self.tainted["FLAG"].any()
-        result = self._total(word) / -op.operation.divisor
-        cut, taint = np.zeros(len(self.places), np.uint8), self._taint(op)
-        for source in op.sources:
-            if source in NEIGHBOURS:
-                cut = cut | self.moved(self.cut_by["NEWS"], *STEPS[source], beyond=np.uint8(0))
-            else:
-                cut = cut | self.cut_by[source]
+        result = self._total(word)
+        result /= -op.operation.divisor
+        cut, taint = self._cut(op), self._taint(op)
         for index, name in enumerate(op.destinations):
-            value, by, tainted = self._written(result, word, index, name), cut, taint
-            over = (value > self.target.register_max_e) | (value < self.target.register_min_e)
-            if over.any():
-                by = by | over.astype(np.uint8) * np.uint8(RANGE_BIT)
+            value = self._written(result, word, index, name)
+            by = self._with_range(cut, value)
             for bends in self.at("registers"):
                 value = bends(self, value)
-            if name in NEIGHBOURS:
-                right, down = STEPS[name]
-                value = self.moved(value, -right, -down, beyond=0.0)
+            self._store(name, value, by, taint)
+
+    def _cut(self, op: Op) -> NDArray[np.uint8]:
+        """What cut any source of a word off."""
+        found = self._uncut
+        for name in op.sources:
+            by = self.cut_by["NEWS" if name in NEIGHBOURS else name]
+            if by is not self._uncut:
+                if name in NEIGHBOURS:
+                    by = self.moved(by, *STEPS[name], beyond=np.uint8(0))
+                found = found | by
+        return found
+
+    def _with_range(self, cut: NDArray[np.uint8], value: Values) -> NDArray[np.uint8]:
+        """The marks of a value, with that of one beyond the registers' range."""
+        high, low = self.target.register_max_e, self.target.register_min_e
+        if value.max() <= high and value.min() >= low:
+            return cut
+        over = (value > high) | (value < low)
+        return cut | over.astype(np.uint8) * np.uint8(RANGE_BIT)
+
+    def _store(self, name: str, value: Values, by: NDArray[np.uint8], tainted: Bits) -> None:
+        """A register takes a value with its marks, where FLAG is 1."""
+        if name in NEIGHBOURS:
+            right, down = STEPS[name]
+            value = self.moved(value, -right, -down, beyond=0.0)
+            if by is not self._uncut:
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
-                tainted = self.moved(tainted, -right, -down, beyond=True)
-                name = "NEWS"
-            if not everywhere:
-                value = np.where(here, value, self.register[name])
+            tainted = self.moved(tainted, -right, -down, beyond=True)
+            name = "NEWS"
+        here, doubt = self._read("FLAG"), self.tainted["FLAG"]
+        if not here.all() or doubt.any():
+            value = np.where(here, value, self.register[name])
+            if by is not self._uncut or self.cut_by[name] is not self._uncut:
                 by = np.where(here, by, self.cut_by[name])
-                kept = np.where(here, tainted, self.tainted[name])
-                tainted = kept | self.tainted["FLAG"]
-            self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
+            tainted = np.where(here, tainted, self.tainted[name]) | doubt
+        self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
 
     def _written(self, result: Values, word: Running, index: int, name: str) -> Values:
         """What a word writes of its exact result."""

@@ -162,24 +162,22 @@ class WordPixels(Pixels):
         self.most = most_destinations(target)
         self.errors_at = {e.name: p.at for e, p in self.program.effects.having(Errors)}
         names = ("PIX", *target.analog_registers)
-        start = {
-            name: uniforms(key(self.device_seed, START, group=i), self.places)
-            for i, name in enumerate(names)
-        }
+        start = {name: self.arbitrary(i) for i, name in enumerate(names)}
         self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.resets = Resets(self.program.effects, len(self.places))
         self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
         bits = (*target.digital_registers, "FLAG")
-        self.bits = {
-            name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
-            for i, name in enumerate(bits)
-        }
+        self.bits = {name: self.arbitrary(_FIRST_BIT + i) < 0.5 for i, name in enumerate(bits)}
         nothing = np.zeros(len(self.places), np.bool_)
         self.bits |= {"SELECT": nothing, "bus": nothing, **self.code}
         self.written_us = dict.fromkeys(self.bits, 0.0)
         self.retention_us = retention_us(self.program.effects, self.sensor)
         self.now_us, self.after_us, self.in_e, self.number = 0.0, 0.0, 0.0, 0
+
+    def arbitrary(self, group: int) -> Values:
+        """Uniform numbers, fixed by the device, of which a register's first value is made."""
+        return uniforms(key(self.device_seed, START, group=group), self.places)
 
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
         number = word.number
@@ -266,14 +264,14 @@ class WordPixels(Pixels):
         total = np.zeros(len(self.places))
         for name in word.op.sources:
             if name == "IN":
-                total = total + self.in_e
+                total += self.in_e
             elif name == "PIX":
                 level = self.resets.found(self, self.charge, word, self.now_us)
                 for found in self.at("reads"):
                     level = found(self, level, word)
-                total = total + level
+                total += level
             else:
-                total = total + self._source(name)
+                total += self._source(name)
         return total
 
     def _source(self, name: str) -> Values:
