@@ -6,8 +6,8 @@ from typing import Any
 
 from nscc.chips.target import Target
 from nscc.lower.resources import time_text
-from nscc.neighbours.meaning import reaches
 from nscc.program.problems import counted
+from nscc.prove.meaning import reaches
 from nscc.words.container import Container
 from nscc.words.cost import words_us
 from nscc.words.encoding import matching

@@ -1,1 +1,1 @@
-"""Images and planes of neighbouring pixels: their meaning as exact forms, and their words."""
+"""Images and planes of neighbouring pixels: from expressions to words."""

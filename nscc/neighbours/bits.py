@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
+from nscc.neighbours.held import Emitter, Refused
 from nscc.operations import STEERING, op, pair
 from nscc.words import pictures as p
-
-if TYPE_CHECKING:
-    from nscc.neighbours.lower import Lowering
 
 _OF_STEP = {step: name for name, step in STEERING.items()}
 Offset = tuple[int, int]
@@ -21,7 +18,7 @@ class BitWords:
     The registers that steer DNEWS are kept for it where the text reads neighbours.
     """
 
-    def __init__(self, lowering: Lowering, registers: Sequence[str]) -> None:
+    def __init__(self, lowering: Emitter, registers: Sequence[str]) -> None:
         self.lowering = lowering
         pictures = lowering.pictures
         nodes = [node for item in pictures.items for node in p.every(item.node)]
@@ -50,8 +47,6 @@ class BitWords:
     def take(self) -> str:
         """A register that is free."""
         if not self.free:
-            from nscc.neighbours.lower import Refused
-
             count = len(self.available)
             raise Refused("planes", self.lowering.now, count + 1, count)
         return self.free.pop(0)

@@ -8,56 +8,23 @@ stays in its register while something still reads it.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 from math import sqrt
 from typing import Any
 
 from nscc.chips.target import Target
 from nscc.neighbours.bits import BitWords
+from nscc.neighbours.held import Emitter, Held, Refused
 from nscc.neighbours.programs import Program, Taps, exact_taps, values_of
 from nscc.neighbours.synthesis import Ranged, Synthesis, gains, noise_gain
-from nscc.operations import NEIGHBOURS, Effect, Op, op
+from nscc.operations import NEIGHBOURS, op
 from nscc.words import pictures as p
 
 Weights = dict[tuple[int, int], Fraction]
-Leveled = tuple[Op, int | None]
-"""A word and the steps of IN that it needs."""
 
 
-class Refused(Exception):
-    """An image does not fit the chip: `kind` is "registers", "range" or "planes"; `name` is the
-    image or plane, `needed` and `available` are numbers of what `kind` says."""
-
-    def __init__(self, kind: str, name: str, needed: float, available: float) -> None:
-        super().__init__(kind, name, needed, available)
-        self.kind, self.name, self.needed, self.available = kind, name, needed, available
-
-
-@dataclass(frozen=True)
-class Held:
-    """A register that holds a value times `sign`, somewhere from `low` to `high` electrons.
-
-    `name` is that of an image or a bucket, which others may read as well; None for a value that
-    only whoever has it reads. `variance` is that of its error, in variances of a word's error.
-    """
-
-    register: str
-    sign: int
-    low: float
-    high: float
-    name: str | None = None
-    variance: float = 0.0
-
-    def scaled(self, up: Fraction, down: Fraction) -> tuple[float, float]:
-        """The range of what a kernel makes of the value, whose weights add and take so much."""
-        return (
-            float(up) * self.low - float(down) * self.high,
-            float(up) * self.high - float(down) * self.low,
-        )
-
-
-class Lowering:
+class Lowering(Emitter):
     """The words of all items; `registers` then says where what leaves the chip is held."""
 
     def __init__(
@@ -68,14 +35,11 @@ class Lowering:
         digital: Sequence[str],
         synthesis: Synthesis,
     ) -> None:
-        self.pictures, self.target, self.synthesis = pictures, target, synthesis
-        self.weights = pictures.weights_by_name
-        self.words: list[Leveled] = [(op("all"), None)]
+        super().__init__(pictures)
+        self.target, self.synthesis = target, synthesis
         taken = {register for register, _ in buckets.values()}
         self.free = [name for name in target.analog_available if name not in taken]
-        self.masked = False
         self.registers: dict[str, str] = {}
-        self.now = ""
         self.held = {
             name: Held(register, sign, 0.0, pictures.limits_e[name], name)
             for name, (register, sign) in buckets.items()
@@ -125,20 +89,6 @@ class Lowering:
         self.everywhere()
 
     # --- registers
-
-    def word(self, made: Op, level: int | None = None) -> None:
-        """The next word."""
-        effect = made.operation.effect
-        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL):
-            self.masked = True
-        elif effect is Effect.FLAG_ALL:
-            self.masked = False
-        self.words.append((made, level))
-
-    def everywhere(self) -> None:
-        """FLAG is 1 in all pixels."""
-        if self.masked:
-            self.word(op("all"))
 
     def take(self) -> str:
         """A register that is free."""

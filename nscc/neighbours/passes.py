@@ -8,11 +8,12 @@ from fractions import Fraction
 from math import ceil, log2
 
 from nscc.diagnostics.diagnostic import Diagnostic, Label, Severity
-from nscc.neighbours.lower import Leveled, Lowering, Refused
-from nscc.neighbours.meaning import reaches
+from nscc.neighbours.held import Leveled, Refused
+from nscc.neighbours.lower import Lowering
 from nscc.neighbours.synthesis import STEPS_OF_LEVEL, Synthesis
 from nscc.operations import Op
 from nscc.program.program import Program
+from nscc.prove.meaning import reaches
 from nscc.source import Span
 from nscc.syntax.parse import parse
 from nscc.syntax.tree import Image, Plane

@@ -132,8 +132,6 @@ class Reader:
         return _sum((Fraction(1, number), self._image(left)))
 
     def _no_power(self, number: int, span: Span) -> _Wrong:
-        from nscc.program.pictures import nearest_power
-
         helps: tuple[str, ...] = ("divide by 1, 2, 4, 8, ..",)
         fixes: tuple[Fix, ...] = ()
         if number > 0:
@@ -352,6 +350,12 @@ class Reader:
     ) -> _Wrong:
         self.problems.error(code, message, span, label, helps=helps, **more)
         return _Wrong()
+
+
+def nearest_power(number: int) -> int:
+    """The power of two whose ratio to a number above 0 is nearest to 1."""
+    low = 1 << (number.bit_length() - 1)
+    return low if number / low <= 2 * low / number else 2 * low
 
 
 def _sum(*terms: tuple[Fraction, p.Value]) -> p.Value:

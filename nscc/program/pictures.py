@@ -13,7 +13,7 @@ from nscc.program.constants import constant
 from nscc.program.expressions import Meaning
 from nscc.program.looking import level_e
 from nscc.program.names import Declarations
-from nscc.program.picture_expressions import Reader
+from nscc.program.picture_expressions import Reader, nearest_power
 from nscc.program.problems import Problems, clipped, counted
 from nscc.program.scopes import constants_scope
 from nscc.source import Span
@@ -275,12 +275,6 @@ class _Maker:
                 continue
             limits.update(dict.fromkeys(names, most_e))
         return limits
-
-
-def nearest_power(number: int) -> int:
-    """The power of two whose ratio to a number above 0 is nearest to 1."""
-    low = 1 << (number.bit_length() - 1)
-    return low if number / low <= 2 * low / number else 2 * low
 
 
 def _kernel_fault(rows: list[tuple[Any, ...]]) -> str | None:

@@ -1,6 +1,6 @@
 """The proof of images and planes: the words after the exposure, replayed on a small array.
 
-Registers hold exact forms in the exposures of pixels (`nscc.neighbours.forms`), bits are decision
+Registers hold exact forms in the exposures of pixels (`nscc.prove.forms`), bits are decision
 diagrams over answers of comparisons. The array is just so large that its pixels meet the border in
 every way in which a pixel of a larger one can: the middle one sees all that it depends on. What the
 words leave must be what the text says, for all exposures and answers, in every pixel but those that
@@ -14,13 +14,13 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 
 from nscc.chips.target import Target
-from nscc.neighbours.diagrams import TooLarge
-from nscc.neighbours.forms import IN, Form, Forms
-from nscc.neighbours.meaning import Bits, Fields, Meaning, Reach, reaches
+from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
+from nscc.prove.diagrams import TooLarge
+from nscc.prove.forms import IN, Form, Forms
+from nscc.prove.meaning import Bits, Fields, Meaning, Reach, reaches
 from nscc.words.container import Container
-from nscc.words.encoding import matching
-from nscc.words.legality import picture_fault, split_pairs
+from nscc.words.legality import picture_words
 
 
 class Wrong(Exception):
@@ -29,24 +29,6 @@ class Wrong(Exception):
 
 Launched = Sequence[tuple[Op, int | None]]
 """Words in the order in which they run, each with the steps of IN; None: IN is not set."""
-
-
-def picture_words(container: Container) -> list[tuple[Op, int | None]]:
-    """The words that follow the exposure; raises Wrong for what is no word of the target."""
-    pictures, target = container.pictures, container.target
-    assert pictures is not None
-    kernels = []
-    for words in pictures.kernels:
-        ops = []
-        for word in words:
-            op = matching(word, target.words)
-            if op is None or picture_fault(op, target) is not None:
-                raise Wrong(f"the target does not take the word {word}")
-            ops.append(op)
-        if split_pairs("pictures", ops):
-            raise Wrong("half of a pair of words stands alone")
-        kernels.append(ops)
-    return [(op, launch.level) for launch in pictures.launches for op in kernels[launch.kernel]]
 
 
 def pictures_fault(container: Container) -> str | None:
@@ -66,6 +48,8 @@ def pictures_fault(container: Container) -> str | None:
         return _difference(container, replay, Meaning(pictures, forms), (size.left, size.up))
     except Wrong as wrong:
         return str(wrong)
+    except Rejected as rejected:
+        return rejected.diagnostics[0].message
     except TooLarge:
         return "its planes depend on too many comparisons to be proved"
 

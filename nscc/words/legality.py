@@ -75,6 +75,36 @@ def decoded(container: Container) -> tuple[tuple[Op, ...], ...]:
     return tuple(kernels)
 
 
+def picture_words(container: Container) -> list[tuple[Op, int | None]]:
+    """The words of a container's images and planes in the order in which they run, each with the
+    steps of IN; None: IN is not set.
+
+    Raises Rejected as `decoded`.
+    """
+    pictures, target = container.pictures, container.target
+    found: list[Diagnostic] = []
+    kernels: list[list[Op]] = []
+    for number, words in enumerate(pictures.kernels if pictures else ()):
+        ops = []
+        for index, word in enumerate(words):
+            where = f"word {index} of kernel {number} of the images"
+            operation = matching(word, target.words)
+            if operation is None:
+                found.append(no_operation(word, where))
+                continue
+            fault = picture_fault(operation, target)
+            if fault is not None:
+                found.append(_not_on_target(operation, where, fault, target))
+            ops.append(operation)
+        if len(ops) == len(words):
+            found.extend(split_pairs(f"{number} of the images", ops))
+        kernels.append(ops)
+    if found:
+        raise Rejected(found[:_MOST_SHOWN])
+    launches = pictures.launches if pictures else ()
+    return [(op, launch.level) for launch in launches for op in kernels[launch.kernel]]
+
+
 def target_fault(operation: Op, target: Target) -> str | None:
     """Why `target` does not take this word while it exposes, as half a sentence; None if it does.
 

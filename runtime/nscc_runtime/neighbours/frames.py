@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.prove.pictures import picture_words
 from nscc.words.container import Container
+from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, Report
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from nscc.neighbours.forms import IN, Form, Forms
+from nscc.prove.forms import IN, Form, Forms
 from nscc.words import pictures as p
 
 Place = tuple[int, int]

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from nscc.neighbours.diagrams import Diagrams
+from nscc.prove.diagrams import Diagrams
 
 Unknown = tuple[str, int, int]
 """A bucket and its pixel, or another kind of unknown with numbers that tell it from others."""
