@@ -2,6 +2,7 @@
 # make test       set up the test environment (torch included); lint, types and tests
 # make quick      lint and the tests of the compiler's front and of the house: within a minute
 # make test-pages what docs, messages and README show, run as it stands
+# make test-site  the site that `make docs` built, in a browser
 # make test-slow  the tests that take minutes
 # make docs       the site in build/site: runs the tutorials, draws the gallery; some minutes
 # make bench      measure: speed beside numpy, words of logic beside the best known; minutes
@@ -27,7 +28,7 @@ EXAMPLES := $(wildcard examples/*.nsl)
 BUILT := $(EXAMPLES:examples/%.nsl=$(OUT)/%.icw)
 SOURCES := $(shell find cli nscc runtime training grammars -name '*.py' -o -name '*.toml' -o -name '*.lark')
 
-.PHONY: help demo test quick test-pages test-slow bench docs linkcheck mutants pictures figures vsix lint format types clean
+.PHONY: help demo test quick test-pages test-site test-slow bench docs linkcheck mutants pictures figures vsix lint format types clean
 
 help:
 	@sed -n '1,/^$$/s/^# \{0,1\}//p' Makefile
@@ -115,6 +116,9 @@ quick: lint
 # What pages show, run as it stands.
 test-pages: $(VENV)/.test-installed $(VENV)/.compiled
 	$(PYTEST) -m "pages and not slow"
+
+test-site: $(VENV)/.test-installed
+	$(BIN)/pytest --quiet -m site tests/site
 
 test-slow: $(VENV)/.test-installed $(VENV)/.compiled
 	$(PYTEST) -m slow

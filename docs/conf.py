@@ -64,6 +64,12 @@ linkcheck_timeout = 20
 
 html_theme = "furo"
 html_title = f"nscc {version}"
+html_logo = html_favicon = "static/logo.svg"
+html_theme_options = {"sidebar_hide_name": False}
+
+# What is copied are commands: neither their prompt nor what they print.
+copybutton_prompt_text = r"\$ |>>> |\.\.\. "
+copybutton_prompt_is_regexp = True
 html_static_path = ["static"]
 html_css_files = ["site.css"]
 html_extra_path = ["static/index.html"]

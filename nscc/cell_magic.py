@@ -15,13 +15,15 @@ import argparse
 import shlex
 import warnings
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, NoReturn, get_args
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.lower.plan import LOWERINGS
 from nscc.pipeline import LEVELS, Options
 from nscc.program.program import Codes
-from nscc.shutter_program import ShutterProgram, compile
+from nscc.shutter_program import ShutterProgram, compiled
+from nscc.source import Source
 
 
 class Refused(Rejected):
@@ -72,13 +74,11 @@ def load_ipython_extension(shell: Any) -> None:
         name = given.pop("name")
         if name is not None and not name.isidentifier():
             raise _Usage(f"%%nsl: {name!r} is no name of a variable")
-        defaults = Options()
-        options = {
-            key: getattr(defaults, key) if value is None else value for key, value in given.items()
-        }
+        options = Options(**{key: value for key, value in given.items() if value is not None})
+        text = Source(f"In [{shell.execution_count}]", cell)
         try:
             with warnings.catch_warnings(action="ignore"):  # the card shows them
-                program = compile(cell, **options)
+                program = compiled(text, Path(), options)
         except Rejected as rejected:
             raise Refused(rejected.diagnostics, rejected.status) from None
         if name is None:

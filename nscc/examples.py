@@ -7,6 +7,7 @@ from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
 from nscc.diagnostics.suggest import meant
+from nscc.notebooks import notebook
 
 _ENDINGS = (".nsl", ".toml")
 
@@ -40,11 +41,27 @@ pixels stop  = tile [[64, 32],
 
 
 def examples() -> Mapping[str, Path]:
-    """The example programs and configurations by name, a file's without `.nsl`."""
-    installed = Path(__file__).with_name("example_files")
-    folder = installed if installed.is_dir() else Path(__file__).resolve().parents[1] / "examples"
-    files = sorted(path for path in folder.iterdir() if path.suffix in _ENDINGS)
-    return {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
+    """The example programs, configurations and tutorials by name, a program's without `.nsl`.
+
+    A tutorial has the name of its notebook, and the path of the page that `contents` makes it from.
+    """
+    files = sorted(path for path in _folder("example_files", "examples").iterdir()
+                   if path.suffix in _ENDINGS)  # fmt: skip
+    known = {path.stem if path.suffix == ".nsl" else path.name: path for path in files}
+    tutorials = sorted(_folder("tutorial_files", "docs/tutorials").glob("*.md"))
+    return known | {f"{path.stem}.ipynb": path for path in tutorials if path.stem != "index"}
+
+
+def _folder(installed: str, of_sources: str) -> Path:
+    folder = Path(__file__).with_name(installed)
+    return folder if folder.is_dir() else Path(__file__).resolve().parents[1] / of_sources
+
+
+def contents(path: Path) -> tuple[str, bytes]:
+    """The name and the bytes of the file that a user gets of an example."""
+    if path.suffix != ".md":
+        return path.name, path.read_bytes()
+    return f"{path.stem}.ipynb", notebook(path.read_text(encoding="utf-8"))
 
 
 def example(name: str) -> Path:
@@ -64,9 +81,14 @@ def example(name: str) -> Path:
 
 
 def about(path: Path) -> str:
-    """What an example says of itself: the first sentence of the comment at its head."""
+    """What an example says of itself: a tutorial's title, or the first sentence of the comment at
+    the head of a file."""
+    lines = path.read_text(encoding="utf-8").splitlines()
+    if path.suffix == ".md":
+        title = next((line for line in lines if line.startswith("# ")), "")
+        return f"Tutorial: {title.lstrip('# ')}"
     words: list[str] = []
-    for line in path.read_text(encoding="utf-8").splitlines():
+    for line in lines:
         if not line.startswith("#"):
             break
         words += line.lstrip("# ").split()

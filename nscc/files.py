@@ -180,6 +180,7 @@ def _put_beside(path: Path, data: Product) -> list[tuple[Path, Path]]:
     temporary.unlink(missing_ok=True)
     kept = final.stat().st_mode & 0o777 if final.exists() else None
     asked = 0o666 if kept is None else kept
+    final.parent.mkdir(parents=True, exist_ok=True)
     try:
         # Not even for a moment may others read what they could not read before.
         with open(temporary, "xb", opener=lambda name, flags: os.open(name, flags, asked)) as file:
@@ -213,9 +214,5 @@ def _fill(file: BinaryIO, data: Product) -> None:
 
 def _cannot_write(path: Path, error: OSError) -> Rejected:
     reason = error.strerror or str(error)
-    folder = path.parent
-    if not folder.is_dir():
-        help_text = f"make the folder '{folder}' first, or name another file"
-    else:
-        help_text = "name a file that you may write, in a folder with room"
+    help_text = "name a file that you may write, in a folder with room"
     return rejected("NS0784", f"cannot write '{path}': {reason}", helps=(help_text,))

@@ -3,27 +3,31 @@
 from __future__ import annotations
 
 import platform
+import warnings
 from collections.abc import Iterator
-from importlib import metadata
+from contextlib import redirect_stderr
+from importlib import import_module, metadata
+from io import StringIO
 from pathlib import Path
 from typing import NamedTuple
 
 from nscc.cache.store import MOST_BYTES, Store, cache_folder
 from nscc.chips.load import load_target, target_names
 from nscc.diagnostics.diagnostic import Rejected
-from nscc.requirements import extras, install_line
+from nscc.requirements import extras, install_line, module_of
 from nscc.source import Source
 from nscc.syntax.parse import parse
 from nscc.version import __version__
 
-GOOD, ABSENT, WRONG = "ok", "absent", "WRONG"
+GOOD, ABSENT, BROKEN, WRONG = "ok", "absent", "broken", "WRONG"
 
 _OWN_WORK = ("bench", "test")
 """Extras of those who work on nscc itself."""
 
 
 class Finding(NamedTuple):
-    """What was looked at and its state: GOOD, ABSENT (which only some commands need) or WRONG."""
+    """What was looked at and its state: GOOD, ABSENT or BROKEN (which only some commands need), or
+    WRONG."""
 
     state: str
     text: str
@@ -47,10 +51,14 @@ def _packages() -> Iterator[Finding]:
         held = {name: _version(name) for name in sorted(of) if of[name] == extra}
         label = f"[{extra}] " if extra else ""
         missing = [name for name, version in held.items() if not version]
+        broken = {name: why for name in held if held[name] and (why := _import_error(name))}
+        if broken:
+            texts = (f"{name} {held[name]} cannot be imported ({broken[name]})" for name in broken)
+            yield Finding(BROKEN if extra else WRONG, label + "; ".join(texts))
         if missing:
             state = ABSENT if extra else WRONG
             yield Finding(state, f"{label}{', '.join(missing)}: {install_line(extra)}")
-        else:
+        elif not broken:
             yield Finding(GOOD, label + ", ".join(f"{n} {version}" for n, version in held.items()))
 
 
@@ -59,6 +67,16 @@ def _version(distribution: str) -> str:
         return metadata.version(distribution)
     except metadata.PackageNotFoundError:
         return ""
+
+
+def _import_error(distribution: str) -> str:
+    """Return why what a distribution brings cannot be imported; "" where it can."""
+    try:
+        with redirect_stderr(StringIO()), warnings.catch_warnings(action="ignore"):
+            import_module(module_of(distribution))
+    except Exception as error:  # a package may raise anything while it is imported
+        return " ".join(f"{type(error).__name__}: {error}".split())[:100]
+    return ""
 
 
 def _grammar() -> Finding:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from functools import cache
 
-_MODULES = {"cv2": "opencv-python-headless", "pil": "pillow", "pillow_heif": "pillow-heif",
-            "serial": "pyserial"}  # fmt: skip
-"""Modules, in lower case, that are not named after the distribution that brings them."""
+_MODULES = {"cv2": "opencv-python-headless", "PIL": "pillow", "pillow_heif": "pillow-heif",
+            "serial": "pyserial", "OpenEXR": "openexr", "pyxel": "pyxel-sim"}  # fmt: skip
+"""Modules that are not named after the distribution that brings them."""
 
 _REQUIREMENT = re.compile(
     r"""(?P<name>[\w.-]+)\s*(?:\[[\w,\s-]*\])?[^;]*(?:;.*\bextra\s*==\s*['"](?P<extra>[\w-]+)['"])?"""
@@ -38,7 +38,13 @@ def extras() -> dict[str, str]:
 def distribution_of(module: str) -> str:
     """The name under which a module, or one inside of it, is installed."""
     top = module.partition(".")[0]
-    return _MODULES.get(top.lower(), top)
+    return next((name for known, name in _MODULES.items() if known.lower() == top.lower()), top)
+
+
+def module_of(distribution: str) -> str:
+    """The module that a distribution brings."""
+    names = {name: module for module, name in _MODULES.items()}
+    return names.get(distribution, distribution.replace("-", "_"))
 
 
 def install_line(extra: str) -> str:

@@ -374,8 +374,12 @@ def compile(
         level=int(level), codes=codes, lowering=lowering, target=chip, cache=bool(cache),
         max_words_per_slot=max_words_per_slot,
     )  # fmt: skip
-    text, base = _source(source, folder)
-    made = compile_source(text, base, options)
+    return compiled(*_source(source, folder), options)
+
+
+def compiled(text: Source, folder: Path, options: Options) -> ShutterProgram:
+    """Compile a text whose messages have its own name; raises and warns as `compile`."""
+    made = compile_source(text, folder, options)
     assert made.container is not None  # what does not fit is rejected
     warn(made.diagnostics)
     return ShutterProgram(text.name, made.container, made, options)

@@ -1,9 +1,14 @@
-"""Random programs of version 2, as texts."""
+"""Random programs of version 2, as texts, and the reference's frames of such programs."""
 
 from __future__ import annotations
 
+from functools import partial
 from random import Random
 
+from nscc_runtime.looked_frames import frames
+
+looking_frames = partial(frames, by_words=True)
+"""Frames of a program that looks, by the reference."""
 LEVELS = ("12%", "25%", "45%", "22.5%", "9000e", "40lsb", "100lsb", "70%")
 
 

@@ -34,9 +34,10 @@ _MOST_SLOTS = 4096
 
 
 @click.command("design", cls=CommonCommand)
-@click.option("--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-              help="A scene as nscc run takes it; of several the mean of the decibels "
-              "counts.")  # fmt: skip
+@shared.section(shared.SCENE, click.option(
+    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+    help="A scene as nscc run takes it; of several the mean of the decibels counts.",
+))  # fmt: skip
 @click.option("--looks", type=click.IntRange(2, _MOST_LOOKS), metavar="K",
               help="Design pixels that look: K exposures, the last the whole frame.")  # fmt: skip
 @click.option("--criterion", type=click.Choice([*_CURVES, _SVE_RISK]), help="What is least: the "
@@ -58,8 +59,10 @@ _MOST_SLOTS = 4096
 @shared.scene_options
 @shared.fit_option("crop")
 @shared.sensor_options
-@click.option("-o", "out", type=OUT, help="The program (default: looks-K.nsl or sve-risk.nsl in "
-              "this folder).")  # fmt: skip
+@shared.section(shared.OUTPUT, click.option(
+    "-o", "out", type=OUT,
+    help="The program (default: looks-K.nsl or sve-risk.nsl in this folder).",
+))  # fmt: skip
 def command(
     scenes: tuple[str, ...], looks: int | None, criterion: str | None, motion: Kind | None,
     level: int, out: Path | None, **options: Any,

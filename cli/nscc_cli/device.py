@@ -36,9 +36,9 @@ def command() -> None:
 
 
 @command.command("serve", cls=CommonCommand)
-@click.option(
+@shared.section(shared.SCENE, click.option(
     "--scene", type=SCENE, help="What the stand-in sees: a file, a folder or builtin:NAME."
-)
+))  # fmt: skip
 @click.option(
     "--target", type=TARGET, default="scamp5", show_default=True, metavar="NAME|FILE.toml"
 )

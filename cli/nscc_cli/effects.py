@@ -27,22 +27,31 @@ _WIDTH = 98
 @click.option("--json", "as_json", is_flag=True, help="Print every effect for programs.")
 @click.option("--toml", is_flag=True, help="Print a complete file that --sensor accepts.")
 @click.option("--cost", is_flag=True, help="Print what simulating takes on this machine.")
+@click.option("--plan", type=PATH, metavar="FILE",
+              help="Print the table of a plan: of the file of `nscc run --plan`, or of a "
+              "frame.")  # fmt: skip
 @click.option("--target", type=TARGET, metavar="NAME|FILE.toml", default=DEFAULT_NAME,
               show_default=True,
               help="The chip whose figures are the defaults.")  # fmt: skip
 @click.option("--sensor", type=PATH, help="Show this file's values, not the defaults.")
 @click.option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one value.")
 def command(
-    name: str | None, as_json: bool, toml: bool, cost: bool, target: str, **options: Any
-) -> None:
+    name: str | None, as_json: bool, toml: bool, cost: bool, plan: Path | None, target: str,
+    **options: Any,
+) -> None:  # fmt: skip
     """List the effects of the sensor, or show all about one (EFFECT)."""
     from nscc_runtime.effects import effects_json
     from nscc_runtime.sensor import sensor_toml
 
-    if as_json + toml + cost + (name is not None) > 1:
+    if as_json + toml + cost + (plan is not None) + (name is not None) > 1:
         raise click.UsageError(
-            "EFFECT, --json, --toml and --cost print different things: give one of them"
+            "EFFECT, --json, --toml, --cost and --plan print different things: give one of them"
         )
+    if plan is not None:
+        from nscc_runtime.planning.plan_file import plan_of
+
+        click.echo(plan_of(plan))
+        return
     found = sensor_of(load_target(target, Path()), options)
     if cost:
         click.echo(costs())

@@ -26,13 +26,13 @@ def explain(code: str | None) -> None:
               help="Where copies go (default: this folder).")  # fmt: skip
 def examples(names: tuple[str, ...], folder: Path) -> None:
     """List the programs that come with nscc, or copy those that are named."""
-    from nscc.examples import about, example, examples
+    from nscc.examples import about, contents, example, examples
     from nscc.files import write_new
 
     if names:
-        files = [example(name) for name in names]
-        write_new({folder / path.name: path.read_bytes() for path in files})
-        done("\n".join(f"wrote {(folder / path.name).as_posix()}" for path in files))
+        files = dict(contents(example(name)) for name in names)
+        write_new({folder / name: data for name, data in files.items()})
+        done("\n".join(f"wrote {(folder / name).as_posix()}" for name in files))
         return
     known = examples()
     width = max(map(len, known))

@@ -36,6 +36,24 @@ def together(*options: Callable[[Any], Any]) -> Callable[[Command], Command]:
     return add
 
 
+def section(title: str, *options: Callable[[Any], Any]) -> Callable[[Command], Command]:
+    """Several options as one decorator; `--help` lists them under this title."""
+
+    def add(function: Command) -> Command:
+        known = list(getattr(function, "__click_params__", ()))
+        function = together(*options)(function)
+        for parameter in function.__click_params__:  # type: ignore[attr-defined]  # of click
+            if parameter not in known:
+                parameter.section = title
+        return function
+
+    return add
+
+
+SCENE, EFFECTS, COMPILE, DEVICE, OUTPUT = "Scene", "Sensor effects", "Compile", "Device", "Output"
+"""Titles of sections, in the order in which commands list them."""
+
+
 def some(names: Sequence[str]) -> Callable[[click.Context, click.Parameter, str], tuple[str, ...]]:
     """Reads an option's value: some of the names, separated by commas; in the order given here."""
 
@@ -57,11 +75,12 @@ def some_option(
 
 
 program_argument = argument("program", metavar="FILE.nsl|FILE.icw", type=PATH)
-pixels_option = option(
+pixels_option = section(COMPILE, option(
     "--pixels", type=PATH, help="The pixels' codes (.npz), or a mask (.npy .npz .mat)."
-)
+))  # fmt: skip
 
-build_options = together(
+build_options = section(
+    COMPILE,
     option("-O", "level", type=LEVEL,
            help="How long to search for fewer words (default: 2; check: 1)."),
     option("--codes", type=Choice(["fixed", "open"]),
@@ -77,7 +96,8 @@ build_options = together(
 )  # fmt: skip
 """How a program is compiled; `nscc_cli.programs` takes them."""
 
-link_options = together(
+link_options = section(
+    DEVICE,
     option("--baud", type=IntRange(1200, 12_000_000), default=DEFAULT_BAUD, show_default=True,
            help="Speed of the device's port."),
     option("--patience", type=NumberRange(0.1, 3600), default=DEFAULT_PATIENCE_S,
@@ -85,7 +105,8 @@ link_options = together(
 )  # fmt: skip
 """Of what opens a port."""
 
-scene_options = together(
+scene_options = section(
+    SCENE,
     option("--exposure", metavar="E[@P]", help="Electrons over the frame at percentile P (99)."),
     option("--transfer", type=Choice(["linear", "srgb", "pq", "hlg"]), help="The scene's curve."),
     option("--white", type=float, metavar="W",
@@ -111,36 +132,47 @@ def _tone(_context: Context, _option: Parameter, name: str | None) -> str | None
     return name
 
 
-tone_option = option("--tone", metavar="CURVE", callback=_tone,
-                     help="How light becomes greys in .png, .gif and .mp4: log, reinhard, mu-law, "
-                     "srgb, linear.")  # fmt: skip
+tone_option = section(OUTPUT, option(
+    "--tone", metavar="CURVE", callback=_tone,
+    help="How light becomes greys in .png, .gif and .mp4: log, reinhard, mu-law, srgb, linear.",
+))  # fmt: skip
 
 
 def fit_option(default: str) -> Callable[..., Any]:
     """What becomes of pictures that do not have the array's size."""
-    return option("--fit", type=Choice(["crop", "scale", "tiles"]), default=default,
-                  show_default=True, help="Of a picture of another size than the array: its "
-                  "middle, all of it scaled, or all of it in pieces.")  # fmt: skip
+    return section(SCENE, option(
+        "--fit", type=Choice(["crop", "scale", "tiles"]), default=default, show_default=True,
+        help="Of a picture of another size than the array: its middle, all of it scaled, or all "
+        "of it in pieces.",
+    ))  # fmt: skip
 
 
-first_option = option("--first", type=IntRange(min=0), default=0, metavar="K",
-                      help="The frame that a clip begins with, from 0.")  # fmt: skip
-still_option = option("--still", "single", is_flag=True,
-                      help="Take that frame of a clip as a still.")  # fmt: skip
-color_option = option("--color", is_flag=True,
-                      help="Expose red, green and blue, one after the other.")  # fmt: skip
+first_option = section(SCENE, option(
+    "--first", type=IntRange(min=0), default=0, metavar="K",
+    help="The frame that a clip begins with, from 0.",
+))  # fmt: skip
+still_option = section(SCENE, option(
+    "--still", "single", is_flag=True, help="Take that frame of a clip as a still."
+))  # fmt: skip
+color_option = section(SCENE, option(
+    "--color", is_flag=True, help="Expose red, green and blue, one after the other."
+))  # fmt: skip
 
-sensor_options = together(
+sensor_options = section(
+    EFFECTS,
     option("--sensor", type=PATH, help="The sensor's numbers (nscc effects --toml)."),
     option("--sensor-set", type=SETTING, multiple=True, metavar="K=V", help="Change one of them."),
 )
 
-csv_options = together(
+csv_options = section(
+    OUTPUT,
     option("--csv", "csv_path", type=OUT, help="Write the CSV file here."),
     option("--png", "png_path", type=OUT, help="Write the diagram here."),
 )
-tradeoff_options = together(
-    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."), csv_options
+tradeoff_options = section(
+    OUTPUT,
+    option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv and OUT.png."),
+    csv_options,
 )
 """Where a tradeoff's products go."""
 

@@ -9,12 +9,14 @@ from typing import TYPE_CHECKING, Literal
 import click
 
 from nscc.files import refuse_same, write_together
+from nscc.requirements import line_for
 from nscc_cli.completion import RUN_OR_ANY
 from nscc_cli.options import OUT, PATH, tone_option, trust_code_option
 from nscc_cli.support import CommonCommand, done, say
 
 if TYPE_CHECKING:
-    from nscc_training.reconstruct import Reconstruction
+    from nscc_training.reconstruction import Reconstruction
+    from nscc_training.untrained import Method
 
 
 @click.command("reconstruct", cls=CommonCommand)
@@ -30,6 +32,9 @@ if TYPE_CHECKING:
 @click.option("--as", "kind", type=click.Choice(("image", "video")),
               help="With any: a picture or a clip. Default: a picture where all shutters open with "
               "the frame (class b), else a clip.")  # fmt: skip
+@click.option("--method", type=click.Choice(("network", "merge", "gap-tv")),
+              help="With any: the network (default), or without torch: merge neighbours of a "
+              "picture, total variation (GAP-TV) of a clip.")  # fmt: skip
 @click.option("--program", type=PATH, metavar="FILE",
               help="With any: the program that exposed FRAME, where the file is an older one that "
               "does not hold its shutters.")  # fmt: skip
@@ -43,8 +48,8 @@ if TYPE_CHECKING:
 @trust_code_option
 def command(
     run: str, frame: Path | None, out: Path, png: Path | None, tone: str | None,
-    dark: Path | None, kind: Literal["image", "video"] | None, program: Path | None,
-    mask: Path | None, noise: str | None, force: bool, trust_code: bool,
+    dark: Path | None, kind: Literal["image", "video"] | None, method: Method | None,
+    program: Path | None, mask: Path | None, noise: str | None, force: bool, trust_code: bool,
 ) -> None:  # fmt: skip
     """Make a picture or a clip of FRAME, which `nscc run` wrote.
 
@@ -60,8 +65,12 @@ def command(
     In an .npz there is `image` (rows, cols), electrons over the frame, or `video` (T, rows, cols),
     electrons a slot: the unit of the frame file's `truth_e`.
     """
-    if run != "any" and (kind or program):
-        raise click.UsageError("--as and --program are for `nscc reconstruct any`: a run has both")
+    if run != "any" and (kind or program or method):
+        raise click.UsageError(
+            "--as, --method and --program are for `nscc reconstruct any`: a run has them"
+        )
+    if (method, kind) in (("merge", "video"), ("gap-tv", "image")):
+        raise click.UsageError("--method merge makes pictures, gap-tv clips: leave --as out")
     if run != "any" and (mask or noise):
         raise click.UsageError("--mask and --noise are for `nscc reconstruct any`")
     if run == "any" and frame is not None and force:
@@ -73,18 +82,29 @@ def command(
     if png is not None:
         check_ending(png, (".png",), "a picture")
         refuse_same([out, png], "-o and --png")
+    if frame is not None:
+        from nscc_training.frame_reading import refuse_missing
+
+        refuse_missing(frame)
     if frame is None:
         from nscc_runtime.frame_arrays import image_of
+        from nscc_training.frame_reading import frame_arrays
+        from nscc_training.reconstruction import overexposed
 
         image = image_of(Path(run))
+        say([*overexposed(run, frame_arrays(Path(run)).saturated)])
         content = Content({"image": image}, image)
-    elif run == "any" and (made := _of_measurement(frame, mask, noise, kind, program, dark)):
+    elif run == "any" and (
+        made := _of_measurement(frame, mask, noise, method, kind, program, dark)
+    ):
+        _say_method(made, method)
         content = made.content
     elif run == "any":
         from nscc_training.reconstruct_any import reconstruct_any
 
-        made = reconstruct_any(frame, program, kind, dark)
+        made = reconstruct_any(frame, program, kind, dark, method)
         say(made.messages)
+        _say_method(made, method)
         content = made.content
     else:
         from nscc_training.reconstruct import reconstruct
@@ -107,8 +127,15 @@ def command(
         done(f"shown with the {content.tone_text}")
 
 
+def _say_method(made: Reconstruction, asked: Method | None) -> None:
+    """Say how the light was found where torch is missing and nobody named the method."""
+    if asked is None and made.method != "network":
+        what = "neighbours were merged" if made.still else "GAP-TV found the clip"
+        done(f"without torch {what} (method {made.method}); {line_for('torch')} brings the network")
+
+
 def _of_measurement(
-    path: Path, mask: Path | None, noise: str | None, *of_frames: object
+    path: Path, mask: Path | None, noise: str | None, method: Method | None, *of_frames: object
 ) -> Reconstruction | None:
     """The clip of an own measurement; None where the file is a frame of nscc. `of_frames` are the
     options that only frames have."""
@@ -125,7 +152,9 @@ def _of_measurement(
         return None
     if any(of_frames):
         raise click.UsageError("--as, --program and --dark are for frames of `nscc run`")
+    if method == "merge":
+        raise click.UsageError("--method merge makes pictures, and own measurements are of clips")
     model = NoiseModel.parse(noise or "0")
     measurement = read_measurement(path, mask)
     done(f"measurement: {measurement.axes}\nnoise model: {model}")
-    return reconstruct_measurement(measurement, model)
+    return reconstruct_measurement(measurement, model, method)

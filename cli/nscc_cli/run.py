@@ -37,47 +37,62 @@ _SIMULATION = (
 
 @click.command(name="run", cls=CommonCommand)
 @click.argument("program", metavar="[FILE.nsl|FILE.icw]", required=False, type=PATH)
-@click.option("--like", type=RUN, metavar="RUN", help="Expose as a run's decoder knows it: its "
-              "exposure and sensor, and without a FILE its program.")  # fmt: skip
-@click.option("--scene", type=SCENE,
-              help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
-              "builtin:flat:E, builtin:dark.")  # fmt: skip
-@click.option(
-    "-o", "out", type=OUT, help="The frame file (default: NAME.frame.npz in this folder), or "
-    "what of it .npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold.",
+@shared.section(
+    shared.SCENE,
+    click.option("--scene", type=SCENE,
+                 help="A file, a folder of pictures, or builtin:hdr, builtin:motion, "
+                 "builtin:flat:E, builtin:dark."),
+    click.option("--like", type=RUN, metavar="RUN",
+                 help="Expose as a run's decoder knows it: its exposure and sensor, and without a "
+                 "FILE its program."),
 )  # fmt: skip
-@click.option("--png", type=OUT, help="Also write a picture of the frame.")
-@click.option("--effects", type=EFFECTS,
-              help="Sensor effects: auto, all, none (the default), or names; +NAME "
-              "forces one on, -NAME off.")  # fmt: skip
-@click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0).")
-@click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0).")
-@click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames.")
-@click.option(
-    "--keep", type=KEPT, default="", help="Also keep, comma separated: light,truth,shutter,codes."
-)
-@shared.pixels_option
 @shared.scene_options
 @shared.fit_option("crop")
 @shared.color_option
 @shared.first_option
 @shared.still_option
-@shared.tone_option
-@click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
-              help="Where to run: a serial port is a device's.")  # fmt: skip
-@shared.link_options
-@click.option("--fidelity", type=click.Choice(["planned", "reference"]),
-              help="reference: effects slot by slot, exactly (slow). planned (default): to a "
-              "tolerance.")  # fmt: skip
-@click.option("--tolerance", metavar="5e|0.1lsb|1%",
-              help="RMS error that a plan may make; %: of the mean signal. Without it, 0.15noise: "
-              "of the frame's own.")  # fmt: skip
-@click.option("--tolerance-max", metavar="T", help="The same of the worst pixel (default: any).")
-@click.option("--audit", is_flag=True, help="Compare with the reference; exit 1 if it broke.")
-@click.option("--plan", type=PATH, help="Use this plan; if there is none, write it.")
+@shared.section(
+    shared.EFFECTS,
+    click.option("--effects", type=EFFECTS,
+                 help="Sensor effects: auto, all, none (the default), or names; +NAME "
+                 "forces one on, -NAME off."),
+    click.option("--tolerance", metavar="5e|0.1lsb|1%",
+                 help="RMS error that a plan may make; %: of the mean signal. Without it, "
+                 "0.15noise: of the frame's own."),
+    click.option("--tolerance-max", metavar="T",
+                 help="The same of the worst pixel (default: any)."),
+    click.option("--fidelity", type=click.Choice(["planned", "reference"]),
+                 help="reference: effects slot by slot, exactly (slow). planned (default): to a "
+                 "tolerance."),
+    click.option("--audit", is_flag=True,
+                 help="Compare with the reference; exit 1 if it broke."),
+    click.option("--plan", type=PATH, help="Use this plan; if there is none, write it."),
+    click.option("--seed", type=SEED, help="Seed of a frame's noise (default: 0)."),
+    click.option("--device-seed", type=SEED, help="Seed of fixed patterns (default: 0)."),
+    click.option("--repeat", type=click.IntRange(1, _MOST_REPEATS), help="Expose K frames."),
+)  # fmt: skip
 @shared.sensor_options
-@click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file.")
+@shared.pixels_option
 @shared.build_options
+@shared.section(
+    shared.DEVICE,
+    click.option("--on", "place", default="emulator", show_default=True, metavar="emulator|PORT",
+                 help="Where to run: a serial port is a device's."),
+)  # fmt: skip
+@shared.link_options
+@shared.section(
+    shared.OUTPUT,
+    click.option("-o", "out", type=OUT,
+                 help="The frame file (default: NAME.frame.npz in this folder), or what of it "
+                 ".npy .mat .hdr .exr .pfm .tiff .png .gif .mp4 hold."),
+    click.option("--png", type=OUT, help="Also write a picture of the frame."),
+    click.option("--keep", type=KEPT, default="",
+                 help="Also keep, comma separated: light,truth,shutter,codes."),
+    click.option("--timings", type=OUT, help="Write seconds spent, as JSON, to a file."),
+    click.option("--verbose", is_flag=True,
+                 help="Print the plan's table: each effect, its error and why it was chosen."),
+)  # fmt: skip
+@shared.tone_option
 def command(program: Path | None, like: Path | None, **options: Any) -> None:
     """Expose one frame of a scene with a program, and write it as an .npz file.
 
@@ -129,13 +144,17 @@ def _run_on_emulator(
         f"{program.name}  ·  {scene.name.rstrip('/').rsplit('/', 1)[-1]}", timings,
         lambda: exposed.response(sensor), taken.plan_file,
     )  # fmt: skip
-    if taken.plan is not None:
+    if taken.plan is not None and options["verbose"]:
         from nscc_runtime.planning.plan_file import plan_table
 
         table = plan_table(taken.plan, taken.audit)
         if exposed.pieces > 1:
             table = f"of {exposed.pieces} exposures the one that is furthest off:\n{table}"
         done(table + "\n")
+    elif taken.plan is not None:
+        done(f"{taken.plan.line}; {timings.emulation_s:.2g} s")
+        if taken.audit is not None:
+            done(str(taken.audit))
     alike = request.effects.noiseless and not (container.machine and container.machine.keeps)
     colours = "colours" in exposed.laid
     done(summary(container, frame, files, alike=alike, colours=colours))

@@ -121,7 +121,7 @@ def done(text: str) -> None:
 def say_compiling(loop: Any, what: str) -> None:
     """Say that a loop has yet to be compiled, where that is so: the user will wait for it."""
     if not loop.is_compiled():
-        done(f"compiling {what} for this processor: once, some seconds")
+        done(loop.compiling(what))
 
 
 def _with_reproducer(diagnostic: Diagnostic, of: Session) -> Diagnostic:
@@ -171,6 +171,21 @@ class CommonCommand(click.Command):
             ),
         ]  # fmt: skip
 
+    def option_sections(self, ctx: click.Context) -> dict[str, list[tuple[str, str]]]:
+        """The options and their help texts, by the title of the section that lists them."""
+        sections: dict[str, list[tuple[str, str]]] = {}
+        for param in self.get_params(ctx):
+            record = param.get_help_record(ctx) if isinstance(param, click.Option) else None
+            if record is not None:
+                sections.setdefault(getattr(param, "section", "Options"), []).append(record)
+        return sections
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the options by sections."""
+        for title, records in self.option_sections(ctx).items():
+            with formatter.section(title):
+                formatter.write_dl(records)
+
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command, its inputs kept from its own products."""
         with inputs_kept():
@@ -199,6 +214,11 @@ class Subcommands(CommonCommand, click.Group):
 
     unknown = "command '{}'"
     """What a name is called that is none of them."""
+
+    def format_options(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
+        """List the options, then the commands."""
+        super().format_options(ctx, formatter)
+        self.format_commands(ctx, formatter)
 
     def resolve_command(
         self, ctx: click.Context, args: list[str]

@@ -28,12 +28,10 @@ if TYPE_CHECKING:
 
 @click.command("emulator", cls=CommonCommand)
 @click.argument("program", required=False, metavar="[FILE.nsl|FILE.icw]", type=PATH)
-@click.option("--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
-              help="As in nscc run; more than "
-              "once for several (default: three builtin ones).")  # fmt: skip
-@click.option("-o", "out", type=OUT, metavar="OUT", help="Write OUT.csv, OUT.png, "
-              "OUT_calibration.png and OUT_budget.png.")  # fmt: skip
-@shared.csv_options
+@shared.section(shared.SCENE, click.option(
+    "--scene", "scenes", type=SCENE, multiple=True, metavar="SCENE",
+    help="As in nscc run; more than once for several (default: three builtin ones).",
+))  # fmt: skip
 @click.option("--tolerances", metavar="T,..", default="0.5e,1e,2e,5e,10e,20e,50e",
               show_default=True,
               help="Tolerances to plan for: electrons (5e), codes (0.1lsb), or a part of each "
@@ -50,6 +48,11 @@ if TYPE_CHECKING:
 @shared.scene_options
 @shared.sensor_options
 @shared.build_options
+@shared.section(shared.OUTPUT, click.option(
+    "-o", "out", type=OUT, metavar="OUT",
+    help="Write OUT.csv, OUT.png, OUT_calibration.png and OUT_budget.png.",
+))  # fmt: skip
+@shared.csv_options
 def command(program: Path | None, **options: Any) -> int:
     """Measure what the emulator's time buys: error against the reference and time of one frame.
 

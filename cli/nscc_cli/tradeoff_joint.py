@@ -23,7 +23,7 @@ _LEVELS = [str(level) for level in LEVELS]
 
 @click.command("of", cls=CommonCommand)
 @click.argument("program", metavar="FILE.nsl|FILE.icw|RUN", type=PATH)
-@click.option("--scene", type=SCENE, help="As in nscc run.")
+@shared.section(shared.SCENE, click.option("--scene", type=SCENE, help="As in nscc run."))
 @click.option("--target-error", metavar="1%|5e|0.1lsb|1noise", default="1%", show_default=True,
               help="The error to stay within: of the scene's mean signal, in electrons, in codes "
               "of the ADC, or of the frame's own noise.")  # fmt: skip

@@ -5,9 +5,11 @@ Pages go into `docs/generated` before Sphinx reads its sources; none of them is 
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from nscc.examples import contents, examples
 from nscc_site.digest import source_digest
 from nscc_site.docstrings import as_rst
 from nscc_site.gallery import gallery_pages
@@ -26,9 +28,27 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """What Sphinx asks an extension for."""
     app.add_lexer("nsl", NslLexer)
     app.connect("builder-inited", generate)
+    app.connect("source-read", offer_notebook)
     app.connect("doctree-read", pair_pictures)
     app.connect("autodoc-process-docstring", as_rst)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def notebooks() -> dict[str, bytes]:
+    """The notebook of each tutorial, by its name."""
+    return dict(contents(path) for path in examples().values() if path.suffix == ".md")
+
+
+def offer_notebook(_app: Sphinx, docname: str, source: list[str]) -> None:
+    """Say below a tutorial's title where its notebook is."""
+    name = docname.removeprefix("docs/tutorials/")
+    if name in (docname, "index"):
+        return
+    title = re.search(r"^# .*$", source[0], re.MULTILINE)
+    assert title is not None
+    file = f"<../generated/notebooks/{name}.ipynb>"
+    text = f"{{download}}`This page as a notebook {file}`; `nscc examples {name}.ipynb` copies it."
+    source[0] = f"{source[0][: title.end()]}\n\n{text}{source[0][title.end() :]}"
 
 
 def generate(_app: Sphinx) -> None:
@@ -43,6 +63,7 @@ def generate(_app: Sphinx) -> None:
     pages |= reference_pages()
     pages |= gallery_pages(REPOSITORY / "examples")
     pages |= draw_pictures(REPOSITORY)
+    pages |= {f"notebooks/{name}": data for name, data in notebooks().items()}
     for name, content in pages.items():
         path = GENERATED / name
         data = content.encode() if isinstance(content, str) else content

@@ -1,84 +1,165 @@
-"""The gallery: for every example its shutters, what it makes of a scene, and what it costs."""
+"""The gallery: examples by task, each with its shutters, a frame, and a reconstruction."""
 
 from __future__ import annotations
 
+import io
 import shutil
+from dataclasses import dataclass
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-import numpy as np
+from PIL import Image
 
-from nscc.containers import load_container
-from nscc_runtime.pictures.look import LOOKS, looking
-from nscc_site.tool import block, said
+from nscc_runtime.pictures.picture_colours import LOOKS, looking
+from nscc_site.tool import block, grid, said
 
-_STILL = "builtin:hdr --exposure 1000000"
-_CLIP = "builtin:motion --exposure {:.0f}"
-_WELL_E = 30000
-"""Electrons that a pixel of mean open time gets in bright parts of the clip: what it can hold."""
-_STILL_CLASSES = ("a", "b")
-"""Shutters that open with the frame: what they can do shows on a still of many decades of light."""
+_THUMBNAIL = (440, 330)
+"""Pixels of a thumbnail, at most."""
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """A scene that suits a program, and how its frame is reconstructed.
+
+    `exposure` is in electrons over the frame; `how` are the arguments of `nscc reconstruct`.
+    """
+
+    scene: str
+    exposure: int
+    how: str
+
+
+_STILL = _Shown("builtin:hdr", 1_000_000, "any frame.npz --as image")
+_LOOKING = _Shown("builtin:hdr", 1_000_000, "frame.npz")
+
+
+def _clip(exposure: int) -> _Shown:
+    return _Shown("builtin:motion", exposure, "any frame.npz --method gap-tv")
+
+
+_TASKS: dict[str, dict[str, _Shown]] = {
+    "High dynamic range": {
+        "hdr_2x2": _STILL, "hdr_doubling": _STILL, "class_b": _STILL, "class_b_4096": _STILL,
+        "skip_one": _STILL,
+    },
+    "Pixels that look at the light": {
+        "float_pixel": _LOOKING, "auto_exposure": _LOOKING, "spike": _LOOKING,
+        "first_light": _Shown("builtin:motion", 1_000_000, "frame.npz"),
+    },
+    "A fast clip from one frame": {
+        "flutter": _clip(400_000), "class_c": _clip(240_000), "class_d": _clip(120_000),
+        "class_e": _clip(60_000), "codebook": _clip(60_000), "staggered": _clip(60_000),
+        "foveated": _clip(200_000),
+    },
+    "A sharp picture of a moving scene": {
+        "class_a": _Shown("builtin:motion", 30_000, "any frame.npz --as image"),
+        "deblur": _Shown("builtin:motion", 60_000, "any frame.npz --method gap-tv"),
+    },
+    "Two exposures in one frame": {
+        "two_buckets": _clip(60_000), "coded_two_buckets": _clip(60_000),
+        "modulated": _clip(60_000),
+    },
+}  # fmt: skip
 
 
 def gallery_pages(examples: Path) -> dict[str, str | bytes]:
-    """The page and its pictures, light and dark, by their path in `docs/generated`."""
+    """The pages and their pictures, light and dark, by their path in `docs/generated`.
+
+    Raises KeyError for an example without a task.
+    """
     pages: dict[str, str | bytes] = {}
     parts = [
         "# Gallery\n",
-        "Every program of [examples](../../examples/README.md): its shutters, which pixel has "
-        "which, and a frame of a builtin scene without effects of the sensor.\n",
+        "Every program of [examples](../../examples/README.md) by its task: a frame of a scene "
+        "that suits it, and the light that was reconstructed from the frame. The pages behind the "
+        "pictures have the program, its shutters, its cost, and the commands.\n",
     ]
-    for path in sorted(examples.glob("*.nsl")):
-        with TemporaryDirectory() as made:
-            folder = Path(made)
-            for each in examples.iterdir():
-                shutil.copy(each, folder / each.name)
-            pages |= _pictures(path, folder)
-            parts.append(_section(path, folder))
+    missing = {path.stem for path in examples.glob("*.nsl")}.difference(*_TASKS.values())
+    if missing:
+        raise KeyError(f"the gallery has no task for {', '.join(sorted(missing))}")
+    for task, programs in _TASKS.items():
+        cards = []
+        for name, shown in programs.items():
+            path = examples / f"{name}.nsl"
+            with TemporaryDirectory() as made:
+                folder = Path(made)
+                for file in examples.iterdir():
+                    shutil.copy(file, folder / file.name)
+                pages |= _pictures(path.name, shown, folder)
+                pages[f"gallery/{name}.md"] = _page(path, shown, folder)
+            thumbnails = " ".join(
+                f"[![{what} of {name}](pictures/{name}_{kind}_small_light.png)](gallery/{name}.md)"
+                for kind, what in (("frame", "A frame"), ("light", "The reconstruction"))
+            )
+            cards.append(f"{thumbnails}\n\n[{name}](gallery/{name}.md): {_remark(path, 1)}")
+        parts += [f"## {task}\n", grid(cards)]
+    parts.append("```{toctree}\n:hidden:\n:glob:\n\ngallery/*\n```\n")
     pages["gallery.md"] = "\n".join(parts)
     return pages
 
 
-def _scene(container_path: Path) -> str:
-    """The scene and exposure that show what a program does."""
-    container, _ = load_container(container_path)
-    if container.notes.get("class") in _STILL_CLASSES:
-        return _STILL
-    open_us = container.table.shutters @ np.array(container.slot_us)
-    share = open_us[open_us > 0].mean() / sum(container.slot_us)
-    return _CLIP.format(round(_WELL_E / share, -3))
+def _commands(program: str, shown: _Shown) -> list[str]:
+    """What a reader types for the pictures of a page."""
+    return [
+        f"view {program} -o shutters.png",
+        f"run {program} --scene {shown.scene} --exposure {shown.exposure} -o frame.npz "
+        "--png frame.png",
+        f"reconstruct {shown.how} -o light.npz --png light.png",
+    ]
 
 
-def _pictures(path: Path, folder: Path) -> dict[str, str | bytes]:
-    """The pictures of one example, drawn by the commands that a reader would type."""
-    said(f"build {path.name} -O1 -o p.icw", folder)
-    scene = _scene(folder / "p.icw")
+def _pictures(program: str, shown: _Shown, folder: Path) -> dict[str, str | bytes]:
+    """The pictures of one example, drawn by these commands, and thumbnails."""
+    view, run, reconstruct = _commands(program, shown)
+    view, run = (command.replace(program, f"{program} -O1") for command in (view, run))
     pictures: dict[str, str | bytes] = {}
-    for name, look in LOOKS.items():
+    for number, (name, look) in enumerate(LOOKS.items()):
         with looking(look):
-            said(f"view {path.name} -O1 -o shutters.png", folder)
-            said(f"run {path.name} -O1 --scene {scene} -o f.npz --png frame.png", folder)
-        for kind in ("shutters", "frame"):
-            found = (folder / f"{kind}.png").read_bytes()
-            pictures[f"pictures/{path.stem}_{kind}_{name}.png"] = found
+            said(view, folder)
+            said(run, folder)
+            said("view light.npz -o light.png" if number else reconstruct, folder)
+        for kind in ("shutters", "frame", "light"):
+            data = (folder / f"{kind}.png").read_bytes()
+            stem = f"pictures/{Path(program).stem}_{kind}"
+            pictures[f"{stem}_{name}.png"] = data
+            if kind != "shutters":
+                pictures[f"{stem}_small_{name}.png"] = _thumbnail(data)
     return pictures
 
 
-def _section(path: Path, folder: Path) -> str:
-    text = path.read_text()
-    remark = " ".join(
-        line.lstrip("# ") for line in text.partition("\nnsl ")[0].splitlines() if line[:1] == "#"
+def _thumbnail(data: bytes) -> bytes:
+    """The picture, small enough for a card."""
+    picture = Image.open(io.BytesIO(data)).convert("RGB")
+    picture.thumbnail(_THUMBNAIL)
+    out = io.BytesIO()
+    picture.save(out, "png", optimize=True)
+    return out.getvalue()
+
+
+def _remark(path: Path, sentences: int | None = None) -> str:
+    """The comment at the head of a program, or its first sentences."""
+    text = " ".join(
+        line.lstrip("# ")
+        for line in path.read_text().partition("\nnsl ")[0].splitlines()
+        if line[:1] == "#"
     )
-    scene = _scene(folder / "p.icw")
+    return text if sentences is None else text.replace(": ", ". ").partition(". ")[0] + "."
+
+
+def _page(path: Path, shown: _Shown, folder: Path) -> str:
+    text, name = path.read_text(), path.stem
+    commands = "\n".join(f"$ nscc {command}" for command in _commands(path.name, shown))
     return "\n".join((
-        f"## {path.name}\n", f"{remark}\n",
-        f"![The shutters of {path.name}](pictures/{path.stem}_shutters_light.png)\n",
-        f"![A frame of {scene.split()[0]}](pictures/{path.stem}_frame_light.png)\n",
+        f"# {name}\n", f"{_remark(path)}\n",
+        f"![A frame of {shown.scene}](../pictures/{name}_frame_light.png)\n",
+        "Light that was reconstructed from the frame:\n",
+        f"![The reconstruction](../pictures/{name}_light_light.png)\n",
+        "## Shutters\n",
+        f"![The shutters of {path.name}](../pictures/{name}_shutters_light.png)\n",
+        "## Program\n",
         block(text, "nsl"),
-        block(
-            f"$ nscc check examples/{path.name}\n{said(f'check {path.name}', folder)}\n"
-            f"$ nscc view examples/{path.name} -o shutters.png\n"
-            f"$ nscc run examples/{path.name} --scene {scene} -o frame.npz --png frame.png",
-            "console",
-        ),
+        block(f"$ nscc examples {name}\n$ nscc check {path.name}", "console"),
+        block(said(f"check {path.name}", folder)),
+        "The pictures:\n",
+        block(commands, "console"),
     ))  # fmt: skip

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from docutils import nodes
 
 from nscc.tradeoff.points import Point
-from nscc_runtime.pictures.look import LOOKS, looking
+from nscc_runtime.pictures.picture_colours import LOOKS, looking
 from nscc_runtime.pictures.sheet import png_of
 from nscc_site.editor import editor_picture
 from nscc_site.tool import said
@@ -47,7 +47,15 @@ def _decoders(repository: Path) -> bytes:
     return png_of(decoder_diagram, points, 1, rows[0]["device"])
 
 
+def _sheet(repository: Path) -> bytes:
+    """What `nscc demo` shows of the built-in still."""
+    with TemporaryDirectory() as made:
+        said(f"demo builtin:hdr -o {made}", repository)
+        return (Path(made) / "picture_sheet.png").read_bytes()
+
+
 KEPT: dict[str, Callable[[Path], bytes]] = {
+    "docs/images/demo.png": _sheet,
     "docs/images/hdr.png": _shown(
         "run examples/hdr_2x2.nsl --scene builtin:hdr --exposure 1000000 -o OUT.npz --png OUT"
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import tomllib
 from pathlib import Path
 
@@ -11,11 +12,14 @@ from nscc.chips.load import builtin_target, target_names
 from nscc.diagnostics.explain import page
 from nscc.diagnostics.render import names
 from nscc_cli.group import group
+from nscc_cli.support import CommonCommand
 from nscc_cli.table import COMMANDS
 from nscc_runtime.effects import registered
 from nscc_runtime.sensor import default_sensor
 from nscc_site.tool import block, said, table
 
+_OF_ALL = ("-h", "--help", "--message-format", "--deny-warnings")
+"""Options of all commands."""
 _PROTOCOLS = Path(__file__).resolve().parents[2] / "training" / "protocols"
 
 
@@ -32,15 +36,31 @@ def reference_pages() -> dict[str, str]:
 
 
 def _commands() -> str:
-    """Every command's help, and those of its parts."""
-    parts = ["# Commands\n", "What `--help` says of each.\n", block(said("--help"))]
+    """All commands, and for each of them its use and a table of its options."""
+    names = [("command", "does")]
+    names += [(f"[{name}](#nscc-{name})", text) for name, text in COMMANDS.items()]
+    parts = ["# Commands\n", "`nscc COMMAND --help` prints what stands here.\n", table(names)]
     for name in COMMANDS:
-        parts += [f"## nscc {name}\n", block(said(f"{name} --help"))]
         command = group.get_command(click.Context(group), name)
-        if isinstance(command, click.Group):
-            for part in command.commands:
-                parts += [f"### nscc {name} {part}\n", block(said(f"{name} {part} --help"))]
+        assert command is not None  # it is in the table
+        parts += [f"## nscc {name}\n", _command(command, f"nscc {name}")]
+        for part, inner in command.commands.items() if isinstance(command, click.Group) else ():
+            parts += [f"### nscc {name} {part}\n", _command(inner, f"nscc {name} {part}")]
     return "\n".join(parts)
+
+
+def _command(command: click.Command, path: str) -> str:
+    """The usage line, the text, and the options by sections; those of all commands are left out."""
+    context = click.Context(command, info_name=path)
+    usage = " ".join([path, *command.collect_usage_pieces(context)])
+    parts = [block(usage), f"{_plain(inspect.cleandoc(command.help or ''))}\n"]
+    assert isinstance(command, CommonCommand)
+    rows = [("option", "meaning")]
+    for title, records in command.option_sections(context).items():
+        known = [(f"`{option}`", _plain(text)) for option, text in records
+                 if not option.startswith(_OF_ALL)]  # fmt: skip
+        rows += [(f"**{title}**", "")] * (bool(known) and title != "Options") + known
+    return "\n".join(parts + [table(rows)] * (len(rows) > 1))
 
 
 def _messages() -> dict[str, str]:

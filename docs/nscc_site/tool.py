@@ -33,3 +33,9 @@ def table(rows: list[tuple[str, ...]]) -> str:
     lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     lines.insert(1, "|---" * len(rows[0]) + "|")
     return "\n".join(lines) + "\n"
+
+
+def grid(cards: list[str]) -> str:
+    """Cards side by side, as many in a row as there is room for."""
+    parts = (f":::{{container}} card\n{card}\n:::" for card in cards)
+    return "::::{container} cards\n" + "\n".join(parts) + "\n::::\n"

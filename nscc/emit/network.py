@@ -34,7 +34,8 @@ from __future__ import annotations
 
 import io
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 
 import networkx as nx
 
@@ -44,66 +45,93 @@ from nscc.lower.lowered import Lowered
 from nscc.operations import Op
 
 
+class NetworkMaker:
+    """A network in the making: its nodes, and the value that each register holds by now."""
+
+    def __init__(self, lowered: Lowered, encoding: str) -> None:
+        plan = lowered.plan
+        self.lowered = lowered
+        self.places = lowered.schedule.allocation.places
+        self.kernels = KernelFinder(lowered)
+        self.network = nx.DiGraph(
+            encoding=encoding, lowering=plan.lowering, shutters=plan.shutters, slots=plan.slots
+        )
+        self.holds: dict[str, str] = {}
+        self._counts = Counter[str]()
+
+    def planes(self, vectors: Iterable[int], holders: Iterable[str]) -> None:
+        """Adds what the code registers hold when the frame starts."""
+        for i, (vector, holder) in enumerate(zip(vectors, holders, strict=True)):
+            self.plane(f"p{i}", self.places[f"p{i}"], holder, vector)
+
+    def plane(self, name: str, register: str, holder: str, vector: int) -> None:
+        """Adds what a register holds when the frame starts."""
+        self.network.add_node(
+            name, kind="plane", register=register, name=name, holder=holder, bits=f"{vector:#x}"
+        )
+        self.holds[name] = name
+
+    def gate(self, gate: Gate, boundary: int) -> None:
+        """Adds a gate, with edges from the values that it reads."""
+        written = words((gate,), self.lowered.schedule.allocation)
+        node = self.value("gate", gate.name, gate.destination, written, boundary)
+        roles = {self.holds[source]: ["source"] for source in gate.sources}
+        if gate.mask is not None:
+            for register, role in ((gate.mask, "mask"), (gate.destination, "kept")):
+                if register in self.holds:
+                    roles.setdefault(self.holds[register], []).append(role)
+        for value, names in roles.items():
+            said = {} if gate.mask is None else {"role": " ".join(names)}
+            self.network.add_edge(value, node, **said)
+        self.holds[gate.destination] = node
+
+    def value(
+        self, kind: str, function: str, name: str, written: Sequence[Op], boundary: int,
+        **look: str | int,
+    ) -> str:  # fmt: skip
+        """Adds what words of a boundary write into the register `name`: a gate or a look."""
+        node = self._named(kind[0])
+        self.network.add_node(
+            node, kind=kind, function=function, name=name, register=self.places.get(name, name),
+            **look or {"words": len(written)}, boundary=boundary,
+            kernel=self.kernels.kernel_of(tuple(written), boundary),
+        )  # fmt: skip
+        return node
+
+    def demand(self, edge: str, bucket: str, boundary: int) -> None:
+        """Adds a demand on FLAG."""
+        node = self._named("d")
+        self.network.add_node(node, kind="demand", edge=edge, bucket=bucket, boundary=boundary)
+        self.network.add_edge(self.holds["FLAG"], node)
+
+    def end(self, node: str, name: str, **attributes: str | int) -> None:
+        """Adds what the register `name` must hold when the frame ends."""
+        register, slots = self.places[name], self.lowered.plan.slots
+        self.network.add_node(node, **attributes, register=register, boundary=slots)
+        self.network.add_edge(self.holds[name], node)
+
+    def _named(self, letter: str) -> str:
+        self._counts[letter] += 1
+        return f"{letter}{self._counts[letter] - 1}"
+
+
 def gate_network(lowered: Lowered) -> nx.DiGraph:
     """The network of a program's gates, whose shutters are fixed; see the module for nodes and
     attributes. `nscc.emit.looking_network` has that of any program."""
-    solution, program = lowered.solution, lowered.program
-    allocation = lowered.schedule.allocation
-    network = nx.DiGraph(
-        encoding=solution.encoding, lowering=lowered.plan.lowering,
-        shutters=lowered.plan.shutters, slots=lowered.plan.slots,
-    )  # fmt: skip
-    holds: dict[str, str] = {}
-
-    def plane(name: str, register: str, holder: str, vector: int) -> None:
-        bits = f"{vector:#x}"
-        network.add_node(name, kind="plane", register=register, name=name, holder=holder, bits=bits)
-        holds[name] = name
-
-    for i, (vector, holder) in enumerate(zip(solution.planes, solution.holders, strict=True)):
-        plane(f"p{i}", allocation.places[f"p{i}"], holder, vector)
+    solution = lowered.solution
+    maker = NetworkMaker(lowered, solution.encoding)
+    maker.planes(solution.planes, solution.holders)
     if solution.state_in_flag:
-        plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
-    kernels = KernelFinder(lowered)
-    gates = demands = 0
+        maker.plane("FLAG", "FLAG", "1 in every pixel", lowered.plan.everywhere)
     for boundary, item in _in_order(lowered):
         if isinstance(item, Gate):
-            node = f"g{gates}"
-            written = words((item,), allocation)
-            network.add_node(
-                node, kind="gate", function=item.name, name=item.destination,
-                register=allocation.places.get(item.destination, item.destination),
-                words=len(written), boundary=boundary, kernel=kernels.kernel_of(written, boundary),
-            )  # fmt: skip
-            add_reads(network, node, item, holds)
-            holds[item.destination] = node
-            gates += 1
+            maker.gate(item, boundary)
         else:
             edge, bucket = item
-            network.add_node(
-                f"d{demands}", kind="demand", edge=edge, bucket=program.buckets[bucket].name,
-                boundary=boundary,
-            )  # fmt: skip
-            network.add_edge(holds["FLAG"], f"d{demands}")
-            demands += 1
+            maker.demand(edge, lowered.program.buckets[bucket].name, boundary)
     for i in range(len(solution.planes)):
-        register = allocation.places[f"p{i}"]
-        network.add_node(f"e{i}", kind="end", register=register, boundary=lowered.plan.slots)
-        network.add_edge(holds[f"p{i}"], f"e{i}")
-    return measured(network)
-
-
-def add_reads(network: nx.DiGraph, node: str, gate: Gate, holds: Mapping[str, str]) -> None:
-    """Edges from the values that a gate reads; `holds` has the value that is in each register."""
-    roles = {holds[source]: ["source"] for source in gate.sources}
-    if gate.mask is None:
-        network.add_edges_from((value, node) for value in roles)
-        return
-    for register, role in ((gate.mask, "mask"), (gate.destination, "kept")):
-        if register in holds:
-            roles.setdefault(holds[register], []).append(role)
-    for value, names in roles.items():
-        network.add_edge(value, node, role=" ".join(names))
+        maker.end(f"e{i}", f"p{i}", kind="end")
+    return measured(maker.network)
 
 
 def measured(network: nx.DiGraph) -> nx.DiGraph:

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable, Iterable, Iterator
-from collections.abc import Generator as Yields
 from dataclasses import dataclass
+from math import inf
 from typing import Literal
 
 from nscc.diagnostics.diagnostic import Diagnostic, Rejected, Severity
 from nscc.logic import (
     encodings,
     events,
-    field_digits,
     halved_bumps,
     nested,
     paired_bumps,
-    spans,
     states,
     windows,
 )
@@ -39,8 +37,13 @@ MOST_COVERED = 512
 # A family's member of at most so many times the words that every solution needs ends the search.
 _CLOSE = 1.1
 
-# Cascades take seconds to search; they are tried where no family's member comes so near.
+# Cascades take seconds to search. They are tried where every other solution takes so many times the
+# words that are needed, and at -O2 for no more demands than these: they would not win.
 _WORTH_CASCADES = {2: 3.0, 3: 1.1}
+_MOST_CASCADED = {2: 32, 3: 1 << 20}
+# They get all steps where every other solution takes so many times the words, fewer where one is
+# nearer.
+_ALL_STEPS = 15.0
 
 Kind = Literal["direct", "family", "equality", "cascade", "cover", "last"]
 
@@ -92,11 +95,9 @@ GENERATORS: dict[str, Generator] = {
     "counted": Generator("family", nested.counted),
     "windows": Generator("family", windows.windows),
     "toggled_windows": Generator("family", windows.toggled_windows),
-    "stored_spans": Generator("family", spans.stored_spans),
     "paired_bumps": Generator("family", paired_bumps.paired_bumps, from_level=1),
     "halved_bumps": Generator("family", halved_bumps.halved_bumps, from_level=1),
     "equalities": Generator("family", events.equalities),
-    "field_digits": Generator("family", field_digits.field_digits),
     "gray_times": _emitted("equality", encodings.gray_times),
     "gray_index": _emitted("equality", encodings.gray_index),
     "state_register": _one("equality", states.state_register),
@@ -184,38 +185,40 @@ def solutions(
     generators = _asked(level)
     steps = SEARCH_STEPS[level]
 
-    def made(*kinds: Kind, allowed: int = steps) -> Yields[Solution, None, bool]:
-        """Solutions of generators of these kinds; returns whether there were any."""
-        some = False
+    def made(*kinds: Kind, allowed: int = steps) -> Iterator[Solution]:
+        """Solutions of generators of these kinds."""
         for kind in kinds:
             for name, each in generators.items():
                 if each.kind == kind:
                     try:
-                        for solution in _tried(name, each, problem, machine, allowed):
-                            yield solution
-                            some = True
+                        yield from _tried(name, each, problem, machine, allowed)
                     except Exception as error:
                         note_fault(error, name, level, faults)
-        return some
 
     direct = list(made("direct"))
     if direct:
         yield min(direct, key=lambda s: len(s.planes))
         return
-    fewest = float("inf")
-    for solution in made("family"):
-        yield solution
-        fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
+    fewest = inf
+
+    def counted(found: Iterable[Solution]) -> Iterator[Solution]:
+        """Solutions, the words of the best one noted."""
+        nonlocal fewest
+        for solution in found:
+            fewest = min(fewest, sum(gate.words for s in solution.segments() for gate in s))
+            yield solution
+
     least = _fewest_words(problem, machine)
+    yield from counted(made("family"))
     close = fewest <= _CLOSE * least
-    found = yield from made("equality")
-    found |= fewest < float("inf")
-    if fewest > _WORTH_CASCADES.get(level, 0.0) * least:
-        found |= yield from made("cascade")
-    if found and (close or problem.shutters > MOST_COVERED):
-        return
-    found |= yield from made("cover")
-    if not found:
+    yield from counted(made("equality"))
+    if fewest == inf or not (close or problem.shutters > MOST_COVERED):
+        yield from counted(made("cover"))
+    worth = fewest >= _WORTH_CASCADES.get(level, inf) * least
+    if worth and len(problem.demands) <= _MOST_CASCADED.get(level, 0):
+        share = min(1.0, fewest / (_ALL_STEPS * least))
+        yield from counted(made("cascade", allowed=int(share * steps)))
+    if fewest == inf:
         yield from made("cover", "last", allowed=PATIENT_STEPS)
 
 

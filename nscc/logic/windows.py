@@ -17,7 +17,7 @@ import numpy as np
 
 from nscc.logic.bumps import Bumps, bumps_of
 from nscc.logic.digits import binary_planes, radices_of, thermometers, turned_over
-from nscc.logic.gray import cycle, gray, rotation
+from nscc.logic.gray import cycle, gray
 from nscc.logic.problem import Gate, GaveUp, Machine, Problem, Segment, Solution
 from nscc.logic.walk import Script, walk
 from nscc.truth import set_bits
@@ -27,11 +27,11 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
     """Offsets in mixed-radix thermometers, some planes held both ways round where there is room."""
     bumps = bumps_of(problem)
     length = _length(bumps)
-    bits = max(1, (-(-bumps.steps // length) - 1).bit_length())
+    if length > _LONGEST:
+        raise GaveUp("covers of longer bumps become shorter than windows")
     groups = -(-bumps.steps // length)
-    # In the order of `cycle` planes are turned in place, two words each; in that of `rotation` into
-    # the free register, one word, as `improve.recolour` will do.
-    orders = [codes for codes in (cycle(groups, bits), rotation(groups, bits)) if codes]
+    bits = max(1, (groups - 1).bit_length())
+    codes = cycle(groups, bits)
     room = machine.registers - 1 - bits
     tried = 0
     choices = radices_of(room + length.bit_length(), length)
@@ -41,16 +41,17 @@ def windows(problem: Problem, machine: Machine, steps: int) -> Iterator[Solution
             if held * (1 + doubled) + low > room:
                 continue
             for turns in _Turns if low < bits else (_Turns.WITH,):
-                for codes in orders:
-                    script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
-                    for solution in walk(problem, machine, script, steps):
-                        yield solution
-                        tried += 1
+                script = _script(bumps, length, chosen, codes, bits, doubled, low, turns)
+                for solution in walk(problem, machine, script, steps):
+                    yield solution
+                    tried += 1
             # A walk takes as long as the frame has steps.
             if tried >= (_MOST_TRIED if bumps.steps <= 256 else _MOST_TRIED // 4):
                 return
 
 
+# Longer bumps take fewer words as covers of the shutter's number, once these are improved.
+_LONGEST = 5
 _MOST_TRIED = 48
 
 
@@ -183,6 +184,4 @@ def _script(
     name = f"groups of {length} in Gray code, offset in digits {radices}"
     if doubled or low:
         name += ", some both ways round"
-    if tuple(codes) != cycle(len(codes), bits):
-        name += ", for turns into a free register"
     return Script(name, planes, before=before, closing=closing)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from fractions import Fraction
 
 import numpy as np
 
@@ -214,18 +213,22 @@ class _Maker:
         return None if None in steps else tuple(step for step in steps if step is not None)
 
     def _step(self, level: tree.Amount | tree.Levels | tree.Expr, target: Target) -> int | None:
-        """A level in steps of IN; a plain number is in codes of the ADC."""
+        """A level in steps of IN."""
         if isinstance(level, tree.Levels):
             self.problems.error("NS0320", "a list of lists is no level", level.span, "")
             return None
-        unit, value = "lsb", Fraction(0)
-        if isinstance(level, tree.Amount):
-            unit, value = level.unit, level.value
-        else:
+        if not isinstance(level, tree.Amount):
             number = constant(level, self.constants, self.problems, "a level")
-            if number is None:
-                return None
-            value = Fraction(number)
+            if number is not None:
+                self.problems.error(
+                    "NS0320", f"the level {number} has no unit", level.span, "of what?",
+                    helps=(
+                        f"write {number}% of a full well, {number}e electrons or {number}lsb codes "
+                        "of the ADC; a field of the code is in codes",
+                    ),
+                )  # fmt: skip
+            return None
+        unit, value = level.unit, level.value
         most_e, full_e = target.in_high * target.electrons_per_step, _full_e(target)
         least, most = (
             100 * e / target.full_well_e for e in (target.electrons_per_step, min(most_e, full_e))

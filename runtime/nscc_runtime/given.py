@@ -1,8 +1,6 @@
 """What Python users give to the emulator, as what it takes; or a sentence that says what is wrong.
-
 Programs are `nscc.ShutterProgram`, which this floor does not know: anything with a `container` of
-words is one.
-"""
+words is one."""
 
 from __future__ import annotations
 
@@ -90,9 +88,7 @@ def laid_of(
 
 def sensor_of(call: str, sensor: SensorLike, target: Target) -> Sensor:
     """A sensor; of its file, or of some of its numbers by name, where others have their defaults.
-
-    Raises WrongArgument, and Rejected as `load_sensor`.
-    """
+    Raises WrongArgument, and Rejected as `load_sensor`."""
     if isinstance(sensor, Sensor):
         return sensor
     if sensor is None:

@@ -21,10 +21,14 @@ def _loops() -> Finding:
         return Finding(ABSENT, "the emulator's loops: numba compiles them")
     from nscc_runtime.emulator.loops import expose_block
 
+    kept = expose_block.is_compiled()
     try:
         expose_block.load()
-    except (ImportError, OSError, RuntimeError) as error:
+    except (ImportError, OSError, RuntimeError, AttributeError) as error:
         return Finding(WRONG, f"the emulator's loops do not compile: {error}")
+    if not kept and not expose_block.is_kept():
+        text = expose_block.compiling("the emulator's loops")
+        return Finding(ABSENT, f"the emulator's loops are not kept: {text}")
     return Finding(GOOD, "the emulator's loops are compiled for this processor")
 
 

@@ -67,9 +67,10 @@ def told_frame(
     return replace(frame, told=told_by(container, executed.planes, frame, sensor, effects))
 
 
-def exposer(ways: Ways, effects: Selection, threads: int = 1) -> Exposing:
-    """What exposes (scene, loaded, seeds, frame, rows) with these effects."""
-    if ways.lacks(effects):
+def exposer(ways: Ways, effects: Selection, threads: int = 1, by_words: bool = False) -> Exposing:
+    """What exposes (scene, loaded, seeds, frame, rows) with these effects: the ways, or the
+    reference where they lack an effect or `by_words` asks for it."""
+    if by_words or ways.lacks(effects):
         return LookingReference(ways.container, ways.sensor, effects, threads).expose
     return lambda scene, loaded, seeds, frame, rows: ways.expose(
         scene, loaded, effects, seeds, frame, rows, threads
@@ -77,34 +78,15 @@ def exposer(ways: Ways, effects: Selection, threads: int = 1) -> Exposing:
 
 
 def frames(
-    container: Container,
-    light: Light,
-    sensor: Sensor,
-    effects: Selection,
-    *,
-    seed: int = 0,
-    device_seed: int = 0,
-    count: int = 1,
-    previous: Light | None = None,
-    threads: int | None = None,
-) -> Iterator[Frame]:
-    """As `looking_frames`, by ways; `threads`, by default all processors, change no bit."""
-    check(container, light)
-    check_adc(container.target)
-    ways = ways_of(container, sensor)
-    expose = exposer(ways, effects, threads_of(threads))
-    scene = scene_of(container, light, previous)
-    return film(expose, container, scene, sensor, effects, (seed, device_seed), count)
-
-
-def looking_frames(
     container: Container, light: Light, sensor: Sensor, effects: Selection, *,
-    seed: int = 0, device_seed: int = 0, count: int = 1, previous: Light | None = None,
-    threads: int | None = None,
+    seed: int = 0, device_seed: int = 0, count: int = 1, threads: int | None = None,
+    by_words: bool = False,
 ) -> Iterator[Frame]:  # fmt: skip
     """Frames 0 .. `count` - 1 of `light`, one after the other: kept states go on from frame to
-    frame. What can be refused is refused before the first one."""
+    frame, as `exposer` has them. `threads`, by default all processors, change no bit. What can be
+    refused is refused before the first frame."""
     check(container, light)
-    reference = LookingReference(container, sensor, effects, threads)
-    scene = scene_of(container, light, previous)
-    return film(reference.expose, container, scene, sensor, effects, (seed, device_seed), count)
+    check_adc(container.target)
+    scene, threads = scene_of(container, light), threads_of(threads)
+    expose = exposer(ways_of(container, sensor), effects, threads, by_words)
+    return film(expose, container, scene, sensor, effects, (seed, device_seed), count)

@@ -12,6 +12,9 @@
 
     scaled(sizes=Sizes(pixels=9, factor=0.5), lanes=lanes, out=out)
 
+Arrays that belong together are one parameter: a NamedTuple, whose fields are annotated as arrays
+are.
+
 From that one declaration numba learns the types, and every call its order and what to check: an
 array's type, that it is contiguous, that it may be written where it is `Written`, and, where the
 declaration names its axes, its shape. Loops are called by name only.
@@ -25,8 +28,8 @@ from __future__ import annotations
 
 import ctypes
 import sys
-from collections.abc import Callable, Iterable, Iterator
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property, partial
 from pathlib import Path
 from types import CodeType, FunctionType, ModuleType
@@ -38,8 +41,6 @@ from typing import (
     TypeVar,
     cast,
     dataclass_transform,
-    get_args,
-    get_origin,
     get_type_hints,
 )
 
@@ -47,6 +48,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_runtime import machine_code
+from nscc_runtime.loop_given import WRITTEN, Parameter, Together, parameter_of, told
 
 _P = ParamSpec("_P")
 _T = TypeVar("_T")
@@ -59,8 +61,7 @@ Floats = NDArray[np.float64]
 Floats32 = NDArray[np.float32]
 Bytes = NDArray[np.uint8]
 
-_WRITTEN = object()
-Written = Annotated[_T, _WRITTEN]
+Written = Annotated[_T, WRITTEN]
 """An array that the loop writes."""
 
 _FIELDS: dict[type, Any] = {
@@ -128,7 +129,7 @@ class Loop(Generic[_P]):
         if values.keys() != self.parameters.keys():
             raise TypeError(f"{self.name}: {_unlike(self.parameters, values)}")
         axes: dict[str, int] = {}
-        self.entry(*[p.address(values[name], axes) for name, p in self.parameters.items()])
+        self.entry(*[a for n, p in self.parameters.items() for a in p.addresses(values[n], axes)])
 
     def bound(self, **values: Any) -> Bound:
         """The loop with some of its parameters checked and given."""
@@ -136,23 +137,36 @@ class Loop(Generic[_P]):
 
     def is_compiled(self) -> bool:
         """Whether the machine code is there: if not, its first use takes some seconds."""
+        return "linked" in vars(object_file(self.module)) or self.is_kept()
+
+    def is_kept(self) -> bool:
+        """Whether a file holds the machine code, for other runs too."""
         file = object_file(self.module)
-        return "linked" in vars(file) or machine_code.kept(file.name, file.folders) is not None
+        return machine_code.kept(file.name, file.folders) is not None
+
+    def compiling(self, what: str) -> str:
+        """Return a line which says that `what` is compiled, and whether it is kept."""
+        if machine_code.can_keep(object_file(self.module).folders):
+            return f"compiling {what} for this processor: once, some seconds"
+        return ("compiling loops: some seconds in every run, because no cache folder can be "
+                "written; XDG_CACHE_HOME names one")  # fmt: skip
 
     def load(self) -> None:
         """Have the machine code ready, compiled if need be."""
         object_file(self.module).linked  # noqa: B018  # made when it is asked for
 
     @cached_property
-    def parameters(self) -> dict[str, Parameter]:
+    def parameters(self) -> dict[str, Parameter | Together]:
         """What it is given, in order."""
         hints = get_type_hints(self.function, include_extras=True)
-        found = [Parameter.of(name, hints[name]) for name in hints if name != "return"]
-        axes = {name for each in found for name, _ in each.axes or ()}
-        return {
-            each.name: replace(each, lengths=tuple(n for n in each.kind.names or () if n in axes))
-            for each in found
-        }
+        found = [parameter_of(name, hints[name]) for name in hints if name != "return"]
+        axes = {name for each in found for part in each.parts for name, _ in part.axes or ()}
+        return {each.name: each.sized(axes) for each in found}
+
+    @property
+    def takes(self) -> int:
+        """How many addresses its machine code takes."""
+        return sum(len(each.parts) for each in self.parameters.values())
 
     @cached_property
     def entry(self) -> Callable[..., None]:
@@ -170,9 +184,9 @@ class Bound:
         self._open = {name: each for name, each in whole.parameters.items() if name not in values}
         if len(values) + len(self._open) != len(whole.parameters):
             raise TypeError(f"{whole.name}: {_unlike(whole.parameters, values)}")
-        self._addresses = dict.fromkeys(whole.parameters, 0)
+        self._addresses: dict[str, Sequence[int]] = dict.fromkeys(whole.parameters, ())
         for name, value in values.items():
-            self._addresses[name] = whole.parameters[name].address(value, self._axes)
+            self._addresses[name] = whole.parameters[name].addresses(value, self._axes)
 
     def __call__(self, **values: Any) -> None:
         """Run the loop with the rest of its parameters; see `Loop.__call__`."""
@@ -180,76 +194,8 @@ class Bound:
             raise TypeError(f"{self._loop.name}: {_unlike(self._open, values)}")
         addresses, axes = self._addresses.copy(), self._axes.copy()
         for name, parameter in self._open.items():
-            addresses[name] = parameter.address(values[name], axes)
-        self._loop.entry(*addresses.values())
-
-
-_DATA = object.__basicsize__
-"""Where an array keeps the address of its numbers: numpy's C interface has it first of all, after
-what every object begins with. Other ways there take four times as long."""
-
-
-@dataclass(frozen=True)
-class Parameter:
-    """What a loop is given under a name: a record, or an array of numbers or of records.
-
-    `axes` are the name and the surplus of each axis, None where any shape will do: an axis is as
-    long as the field of that name in a record, one of its `lengths`, and as in the other arrays.
-    """
-
-    name: str
-    kind: np.dtype[Any]
-    record: type[ctypes.Structure] | None = None
-    written: bool = False
-    axes: tuple[tuple[str, int], ...] | None = None
-    lengths: tuple[str, ...] = ()
-
-    @classmethod
-    def of(cls, name: str, hint: Any) -> Parameter:
-        """A parameter from its annotation."""
-        hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
-        if not get_origin(hint):
-            return cls(name, np.dtype(hint), hint)
-        records = [note for note in notes if isinstance(note, type)]
-        axes = [tuple(map(_axis, note.split())) for note in notes if isinstance(note, str)]
-        return cls(
-            name,
-            np.dtype(records[0] if records else get_args(get_args(hint)[1])[0]),
-            written=_WRITTEN in notes,
-            axes=axes[0] if axes else None,
-        )
-
-    def address(self, value: Any, axes: dict[str, int]) -> int:
-        """Where a value begins; raises TypeError for one that is not as declared.
-
-        `axes` are the lengths that are known, and are added to.
-        """
-        if self.record is not None:
-            if type(value) is not self.record:
-                raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
-            for name in self.lengths:
-                length = getattr(value, name)
-                if axes.setdefault(name, length) != length:
-                    raise self._unequal(name, length, axes)
-            return ctypes.addressof(value)
-        if not isinstance(value, np.ndarray) or value.dtype != self.kind:
-            raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
-        flags = value.flags
-        if not (flags.c_contiguous and flags.aligned):
-            raise TypeError(f"{self.name} does not lie in one piece, row after row")
-        if self.written and not flags.writeable:
-            raise TypeError(f"{self.name} is to be written, and is read-only")
-        if self.axes is not None:
-            shape = value.shape
-            if len(shape) != len(self.axes):
-                raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
-            for length, (axis, more) in zip(shape, self.axes):  # noqa: B905  # as long: checked
-                if axes.setdefault(axis, length - more) != length - more:
-                    raise self._unequal(axis, length - more, axes)
-        return ctypes.c_void_p.from_address(id(value) + _DATA).value or 0
-
-    def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
-        return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
+            addresses[name] = parameter.addresses(values[name], axes)
+        self._loop.entry(*[address for each in addresses.values() for address in each])
 
 
 @dataclass(frozen=True)
@@ -270,10 +216,7 @@ class ObjectFile:
             from nscc_runtime.loop_types import signature
 
             return machine_code.build(
-                (
-                    _for_numba(each.function),
-                    signature((p.kind, p.record is not None) for p in each.parameters.values()),
-                )
+                (_for_numba(each.function), signature(map(told, each.parameters.values())))
                 for each in self.loops
             )
 
@@ -282,7 +225,7 @@ class ObjectFile:
     @cached_property
     def linked(self) -> dict[str, Callable[..., None]]:
         """The loops of this process, by name."""
-        return machine_code.load(self.code(), {e.name: len(e.parameters) for e in self.loops})
+        return machine_code.load(self.code(), {e.name: e.takes for e in self.loops})
 
     @cached_property
     def name(self) -> str:
@@ -365,16 +308,6 @@ def _codes(code: CodeType) -> Iterator[CodeType]:
     for constant in code.co_consts:
         if isinstance(constant, CodeType):
             yield from _codes(constant)
-
-
-def _axis(text: str) -> tuple[str, int]:
-    """An axis as declared: `slots`, or `slots+1`."""
-    name, _, more = text.partition("+")
-    return name, int(more or 0)
-
-
-def _kind(value: Any) -> str:
-    return f"an array of {value.dtype}" if isinstance(value, np.ndarray) else type(value).__name__
 
 
 def _unlike(wanted: Iterable[str], given: Iterable[str]) -> str:

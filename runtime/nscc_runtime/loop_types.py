@@ -29,9 +29,14 @@ def _record(_context: Any, builder: Any, _signature: Any, values: tuple[Any, Any
 extending.lower_builtin(operator.getitem, Records, types.Integer)(_record)
 
 
-def signature(parameters: Iterable[tuple[np.dtype[Any], bool]]) -> Any:
-    """The types of a loop, for numba: of each parameter its kind, and whether it is one record."""
-    return types.void(*(_type(kind, is_record) for kind, is_record in parameters))
+def signature(parameters: Iterable[tuple[type | None, list[tuple[np.dtype[Any], bool]]]]) -> Any:
+    """The types of a loop, for numba: of each parameter the NamedTuple that it is, or None, and of
+    its parts, or itself, the kind, and whether it is one record."""
+    found = []
+    for together, parts in parameters:
+        kinds = [_type(*part) for part in parts]
+        found.append(kinds[0] if together is None else types.NamedTuple(kinds, together))
+    return types.void(*found)
 
 
 def _type(kind: np.dtype[Any], is_record: bool) -> Any:

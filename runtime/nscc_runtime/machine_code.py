@@ -15,9 +15,17 @@ import re
 import tempfile
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
+from time import perf_counter
 from typing import Any
 
 _DIGEST_BYTES = 32
+_COMPILE_S: list[float] = []
+"""Seconds that each object file took to compile in this process."""
+
+
+def working_s() -> float:
+    """Return a clock in seconds that stands still while loops are compiled."""
+    return perf_counter() - sum(_COMPILE_S)
 
 
 def folders(module: str) -> tuple[Path, ...]:
@@ -26,12 +34,23 @@ def folders(module: str) -> tuple[Path, ...]:
     return Path(module).parent / "__pycache__", Path(user) / "nscc"
 
 
+def can_keep(places: Sequence[Path]) -> bool:
+    """Whether object files can be written to a place, or to a folder made there."""
+    for place in places:
+        existing = next(path for path in (place, *place.parents) if path.exists())
+        if existing.is_dir() and os.access(existing, os.W_OK | os.X_OK):
+            return True
+    return False
+
+
 def object_code(name: str, places: Sequence[Path], build: Callable[[], bytes]) -> bytes:
     """The object file `name`: read from the first place that has it whole, else built and kept."""
     found = kept(name, places)
     if found is not None:
         return found
+    begin = perf_counter()
     code = build()
+    _COMPILE_S.append(perf_counter() - begin)
     for place in places:
         try:
             _write(place / name, hashlib.sha256(code).digest() + code)
@@ -119,13 +138,14 @@ def name(stem: str, sources: Iterable[str]) -> str:
 
 
 def _own_root(text: str) -> str:
-    """LLVM code with the processor's square root, for which numba calls the C library's."""
-    kept, calls = re.subn(r"^declare double @sqrt\(.*\n", "", text, flags=re.MULTILINE)
-    if not calls:
-        return text
-    intrinsic = "declare double @llvm.sqrt.f64(double"
-    kept = kept.replace("@sqrt(", "@llvm.sqrt.f64(")
-    return kept if intrinsic in kept else f"{kept}\n{intrinsic})\n"
+    """LLVM code with the processor's square roots, for which numba calls the C library's."""
+    for name, kind, intrinsic in (("sqrt", "double", "f64"), ("sqrtf", "float", "f32")):
+        text, calls = re.subn(rf"^declare {kind} @{name}\(.*\n", "", text, flags=re.MULTILINE)
+        declared = f"declare {kind} @llvm.sqrt.{intrinsic}({kind}"
+        text = text.replace(f"@{name}(", f"@llvm.sqrt.{intrinsic}(")
+        if calls and declared not in text:
+            text += f"\n{declared})\n"
+    return text
 
 
 def _machine(llvm: Any) -> Any:

@@ -1,7 +1,5 @@
-"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot.
-
-`nscc run` is this with files around it, `nscc_runtime.capture` is it for Python.
-"""
+"""One run of a program over a scene on the emulated chip: by a plan, or words slot by slot. `nscc
+run` is this with files around it, `nscc_runtime.capture` is it for Python."""
 
 from __future__ import annotations
 
@@ -32,6 +30,7 @@ from nscc_runtime.sensor import Sensor
 from nscc_runtime.timings import Timings
 
 if TYPE_CHECKING:  # a frame without effects starts without planning
+    from nscc_runtime.loop import Loop
     from nscc_runtime.planning.audit import Audit
     from nscc_runtime.planning.plan import Plan
     from nscc_runtime.planning.planned_scene import PlannedScene
@@ -118,15 +117,14 @@ class Request:
 @dataclass(frozen=True)
 class Listener:
     """Who is told how a run goes: a line of text, where somebody reads it, a warning (which may
-    raise), and progress.
-
-    `timings` gathers the seconds that were spent.
-    """
+    raise), and progress. `timings` gathers the seconds that were spent."""
 
     say: Callable[[str], None] | None = None
     warn: Callable[[Diagnostic], None] = lambda _diagnostic: None
     progress: Progress = unseen
     timings: Timings = field(default_factory=Timings)
+    said: set[str] = field(default_factory=set)
+    """Lines that are said once."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -198,7 +196,7 @@ def _streamed(
     from nscc_runtime.noise.noise_loops import fill_normals
     from nscc_runtime.reference.stream import absent_effects, stream_frames
 
-    _say_compiling(listener, fill_normals.is_compiled, "noise")
+    _say_compiling(listener, fill_normals, "noise")
     absent = absent_effects(container, request.effects)
     effects = request.effects.without(*absent)
     with listener.timings.part("expose_s"):
@@ -252,14 +250,14 @@ def _exact(
         from nscc_runtime.emulator import expose
         from nscc_runtime.emulator.loops import expose_block
 
-        _say_compiling(listener, expose_block.is_compiled, "emulator")
+        _say_compiling(listener, expose_block, "emulator")
         exact = expose(container, light, device_seed=request.device_seed, threads=request.threads)
         frame = frame_file.read_out(exact, container.target, sensor)
         return frame_file.repeated(frame, repeat) if repeat else frame
     from nscc_runtime.noise.noise_loops import fill_normals
     from nscc_runtime.reference import frames
 
-    _say_compiling(listener, fill_normals.is_compiled, "noise")
+    _say_compiling(listener, fill_normals, "noise")
     made = frames(
         container, light, sensor, request.effects,
         seed=request.seed, device_seed=request.device_seed, count=repeat or 1,
@@ -272,21 +270,19 @@ def _looking(
     container: Container, light: Light, sensor: Sensor, request: Request, listener: Listener
 ) -> Iterable[Frame]:
     """The frames of a program whose pixels look: kept states go on from one to the next."""
-    from nscc_runtime.looked_frames import frames, looking_frames
+    from nscc_runtime.looked_frames import frames
     from nscc_runtime.looking.way_loop import run_ways
     from nscc_runtime.noise.noise_loops import fill_normals
 
-    seed, device_seed, count = request.seed, request.device_seed, request.repeat or 1
-    if request.effects.noiseless:
-        _say_compiling(listener, run_ways.is_compiled, "emulator")
-        return frames(
-            container, light, sensor, request.effects,
-            seed=seed, device_seed=device_seed, count=count, threads=request.threads,
-        )  # fmt: skip
-    _say_compiling(listener, fill_normals.is_compiled, "noise")
-    return looking_frames(
-        container, light, sensor, request.effects,
-        seed=seed, device_seed=device_seed, count=count, threads=request.threads,
+    noiseless = request.effects.noiseless
+    if noiseless:
+        _say_compiling(listener, run_ways, "emulator")
+    else:
+        _say_compiling(listener, fill_normals, "noise")
+    return frames(
+        container, light, sensor, request.effects, seed=request.seed,
+        device_seed=request.device_seed, count=request.repeat or 1, threads=request.threads,
+        by_words=not noiseless,
     )  # fmt: skip
 
 
@@ -303,7 +299,7 @@ def _planned(
     planning = planning_of(
         container, sensor, light, device_seed, request.threads, request.torch_device
     )
-    _say_compiling(listener, lambda: planning.compiled, "planner")
+    _say_compiling(listener, planning.loop, "planner")
     check(container, light)
     digest = _digest(container)
     with timings.part("analyse_s"):
@@ -454,6 +450,9 @@ def _contradiction(what: str, note: str, help_text: str) -> Rejected:
     )
 
 
-def _say_compiling(listener: Listener, ready: Callable[[], bool], what: str) -> None:
-    if listener.say is not None and not ready():
-        listener.say(f"compiling the {what}'s loops for this processor: once, some seconds")
+def _say_compiling(listener: Listener, loop: Loop[Any], what: str) -> None:
+    if listener.say is not None and not loop.is_compiled():
+        line = loop.compiling(f"the {what}'s loops")
+        if line not in listener.said:
+            listener.said.add(line)
+            listener.say(line)

@@ -6,23 +6,31 @@ import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from time import perf_counter
+
+from nscc_runtime.machine_code import working_s
+
+_EMULATION = ("analyse", "plan", "expose", "audit")
 
 
 @dataclass
 class Timings:
-    """Seconds spent in each part of a run."""
+    """Seconds spent in each part of a run, without the compilation of loops."""
 
     seconds: dict[str, float] = field(default_factory=dict)
 
     @contextmanager
     def part(self, name: str) -> Iterator[None]:
         """Add the time of the block to `name`."""
-        begin = perf_counter()
+        begin = working_s()
         try:
             yield
         finally:
-            self.seconds[name] = self.seconds.get(name, 0.0) + perf_counter() - begin
+            self.seconds[name] = self.seconds.get(name, 0.0) + working_s() - begin
+
+    @property
+    def emulation_s(self) -> float:
+        """Seconds of planning, exposing and auditing, without compiling loops or files."""
+        return sum(self.seconds.get(f"{name}_s", 0.0) for name in _EMULATION)
 
     def json(self) -> bytes:
         """The file of --timings."""

@@ -77,6 +77,15 @@ def test_commands_work(page: str, tmp_path: Path) -> None:
             assert outcome.status == 0, outcome.err
 
 
+def test_the_python_of_the_home_page_works(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    [code] = blocks("docs/index.md", "python")
+    names: dict[str, Any] = {}
+    exec(code, names)
+    assert names["frame"].plan is not None
+    assert names["frame"].light_e_per_s().shape == (1, 256, 256)
+
+
 def test_python_works_after_the_commands(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     test_commands_work("README.md", tmp_path)
     monkeypatch.chdir(tmp_path)

@@ -47,8 +47,9 @@ def loaded(folder: Path, name: str = "f.npz") -> tuple[dict[str, np.ndarray], di
 
 def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     outcome = run(
-        folder, "--effects", "auto", "--tolerance", "2e", "--seed", "4", "--plan", "plan.json"
-    )
+        folder, "--effects", "auto", "--tolerance", "2e", "--seed", "4", "--plan", "plan.json",
+        "--verbose",
+    )  # fmt: skip
     assert outcome.status == 0, outcome.err
     arrays, meta = loaded(folder)
     assert arrays["exposure_e"].shape == (1, 24, 30)
@@ -67,11 +68,27 @@ def test_auto_makes_a_plan_and_says_it_all(folder: Path) -> None:
     assert "wrote f.npz" in outcome.err
 
 
+def test_a_plan_is_one_line_and_its_table_is_there_to_look_at(folder: Path) -> None:
+    outcome = run(folder, "--tolerance", "2e", "--plan", "plan.json")
+    [line] = [line for line in outcome.err.splitlines() if "simulated" in line]
+    assert line.startswith("predicted error ")
+    assert "tolerance 2 e" in line
+    assert line.endswith(" s")
+    assert "why" not in outcome.err
+    tables = [invoke(["effects", "--plan", name], folder).out for name in ("plan.json", "f.npz")]
+    assert tables[0] == tables[1]
+    assert tables[0].splitlines()[0].split()[:2] == ["effect", "rms"]
+    refused = invoke(["effects", "--plan", "p.nsl"], folder)
+    assert refused.status == 2
+    assert "NS0747" in refused.err
+
+
 def test_a_frame_that_measuring_would_not_pay_for_has_all_effects(folder: Path) -> None:
     """What was not measured is null, and the table says why."""
     assert run(folder, "--effects", "all", "--seed", "4").status == 0
     every = loaded(folder)[0]["exposure_e"]
-    outcome = run(folder, "--effects", "auto", "--seed", "4")
+    assert "every effect simulated" in run(folder, "--effects", "auto", "--seed", "4").err
+    outcome = run(folder, "--effects", "auto", "--seed", "4", "--verbose")
     assert outcome.status == 0, outcome.err
     arrays, meta = loaded(folder)
     assert arrays["exposure_e"].tobytes() == every.tobytes()

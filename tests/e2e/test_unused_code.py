@@ -16,7 +16,7 @@ CALLED_BY_LIBRARIES = [
     "__getattr__", "__dir__", "__init_subclass__", "_repr_html_", "_render_traceback_",
     "closure",  # of an optimizer's step in torch
     "setup_context", "A_dagger", "A_A_adjoint",  # torch, DeepInverse
-    "format_commands", "stdio",  # click
+    "stdio",  # click
     "find_class",  # pickle
     "thread_type",  # PyAV
     "_by_operators",  # a kernel of torch

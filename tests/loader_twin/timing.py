@@ -13,9 +13,9 @@ from fractions import Fraction
 from nscc.chips.target import Target
 from nscc.words.container import Word
 from nscc.words.encoding import matching
+from nscc_runtime.device.device_errors import FADES, NO_BREATH, TOO_LONG
 from nscc_runtime.device.frame_request import LONGEST_US
 from nscc_runtime.device.objects import AS_IT_IS
-from nscc_runtime.device.trouble import FADES, NO_BREATH, TOO_LONG
 
 TICK = 1 << 32
 LONGEST_SLOT_US = 1 << 31

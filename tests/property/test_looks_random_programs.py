@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from looks_oracle import FULL_WELL_E, Interpreter
-from looks_programs import random_program
+from looks_programs import looking_frames, random_program
 from marks import slow
 
 from nscc.chips.load import builtin_target
@@ -21,7 +21,7 @@ from nscc.words.container import Container
 from nscc.words.file import from_bytes, to_bytes
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import frames, looking_frames
+from nscc_runtime.looked_frames import frames
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.sensor import default_sensor
 

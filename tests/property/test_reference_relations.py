@@ -19,7 +19,7 @@ from reference_programs import (
     sensor_of,
 )
 
-import nscc_runtime.reference.capture
+import nscc_runtime.reference.words
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.operations import op
 from nscc.words.container import Container
@@ -198,7 +198,7 @@ def test_chunks_of_rows_change_no_bit(monkeypatch: pytest.MonkeyPatch) -> None:
     light, sensor = random_light(), sensor_of(container)
     whole = exposures(container, light, sensor, "all")
     for rows in (1, 7):
-        monkeypatch.setattr(nscc_runtime.reference.capture, "_CELLS", SLOTS * COLS * rows)
+        monkeypatch.setattr(nscc_runtime.reference.words, "CELLS", SLOTS * COLS * rows)
         assert exposures(container, light, sensor, "all").tobytes() == whole.tobytes()
 
 

@@ -22,7 +22,8 @@ from nscc_training.any_code.lessons import Lesson, mask_drawn, measured_lesson  
 from nscc_training.any_code.network import exchanged  # noqa: E402
 from nscc_training.any_code.stages import led, mirrored, schedule, stage  # noqa: E402
 from nscc_training.any_code.stills import started_still  # noqa: E402
-from nscc_training.baselines.tensor_tv import gap_tv_of, tv_by_operators, tv_denoised  # noqa: E402
+from nscc_training.baselines.gap_tv import gap_tv_of  # noqa: E402
+from nscc_training.baselines.tensor_tv import tv_by_operators, tv_denoised  # noqa: E402
 from nscc_training.baselines.tv import tv_denoise  # noqa: E402
 from nscc_training.loop.optimizers import Muon  # noqa: E402
 from nscc_training.measured import Measured  # noqa: E402
@@ -169,7 +170,7 @@ def test_no_stage_of_stills_ends_below_its_start(seed: int) -> None:
     sensor = SensorModel(30000.0, 30000 / 255, adc_noise_lsb=0.65, shot_noise=True)
     electrons = generator.poisson(np.minimum(light * share, 2) * 30000)
     codes = np.clip(np.rint(electrons / sensor.electrons_per_lsb), 0, 255).astype(np.float32)
-    measured = Measured.read(codes[None], share[None, None], sensor)
+    measured = Measured.read(codes[None], share[None, None], sensor).tensors()
     reached = [
         float(((made / 30000 + 1e-3).log() - torch.from_numpy(light + 1e-3).log()).square().mean())
         for made in (started_still(measured), decoded_still(measured))
@@ -218,6 +219,22 @@ def test_two_buckets_say_more_than_one() -> None:
     for_two = Measured(*(torch.from_numpy(part)[None] for part in arrays))
     found = decoded_clip(for_two)[0].numpy()
     assert psnr_db(found, clip) > psnr_db(any_clip(frames[0], mask), clip) + 1
+
+
+@pytest.mark.parametrize("buckets", [1, 2])
+def test_gap_tv_of_arrays_equals_that_of_tensors(buckets: int) -> None:
+    """With noise, saturated pixels, and two buckets that share light."""
+    clip, mask = scene(5, 6, 40)
+    masks = np.stack([mask, np.maximum(mask, 1 - mask[::-1])])[:buckets].astype(np.float32)
+    frames = (clip * masks).sum(axis=1).astype(np.float32)
+    arrays = (frames, masks, 0.01 * frames + 1e-4, frames > np.quantile(frames, 0.95))
+    measured = Measured(*(part[None] for part in arrays))
+    assert measured.disjoint == (buckets == 1)
+    for ours, of_torch in zip(
+        gap_tv_of(measured, 8), gap_tv_of(measured.tensors(), 8), strict=True
+    ):
+        assert isinstance(ours, np.ndarray)
+        np.testing.assert_allclose(ours, of_torch.numpy(), atol=2e-5)
 
 
 def test_masks_are_of_every_kind_and_open_everywhere() -> None:

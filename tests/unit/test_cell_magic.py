@@ -42,6 +42,7 @@ def test_messages_stand_alone(shell: InteractiveShell, capsys: pytest.CaptureFix
     assert isinstance(result.error_in_exec, nscc.Rejected)
     said = "".join(capsys.readouterr())
     assert "error[NS0214]" in said
+    assert f"In [{shell.execution_count}]:4:15" in said
     assert "Traceback" not in said
     assert "cell_magic.py" not in said
 

@@ -200,6 +200,18 @@ def test_who_handles_interrupts_goes_on_to(folder: Path, monkeypatch: pytest.Mon
         assert threads.submit(invoke, ["check", "ok.nsl"], folder).result().status == 0
 
 
+def test_long_help_comes_in_sections(folder: Path) -> None:
+    lines = invoke(["run", "--help"], folder).out.splitlines()
+    titles = [line for line in lines if line.endswith(":") and not line.startswith(" ")]
+    assert titles == [
+        "Scene:", "Sensor effects:", "Compile:", "Device:", "Output:", "Options:"
+    ]  # fmt: skip
+    options = ("--scene", "--effects", "-O", "--on", "--png", "--deny-warnings")
+    for option, title, after in zip(options, titles, [*titles[1:], None], strict=True):
+        section = lines[lines.index(title) : None if after is None else lines.index(after)]
+        assert any(line.startswith(f"  {option} ") for line in section)
+
+
 def test_a_fault_leaves_a_reproducer(folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (folder / "book.npz").write_bytes(b"data")
     (folder / "uses.nsl").write_text('nsl 1\nshutters b from "book.npz"\n')

@@ -17,6 +17,7 @@ from device_lockstep import Lockstep
 from device_sessions import TARGET, ChipAtOnce, chip_of, examples, new_host, sanitized
 from device_simulation import Simulation
 from loader_twin.loader import Loader
+from looks_programs import looking_frames
 
 from nscc.chips.load import target_toml
 from nscc.compiler import compile_source
@@ -32,7 +33,6 @@ from nscc_runtime.device.serving import Loaded
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 pytestmark = pytest.mark.xdist_group("firmware")

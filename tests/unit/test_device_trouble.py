@@ -16,12 +16,12 @@ from device_simulation import Simulation
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc_runtime.device.device_chip import DeviceChip, channels_of, frame_of
+from nscc_runtime.device.device_errors import check_fits, explained, port_trouble
 from nscc_runtime.device.host import RequestRefused, Silent, Stalled
 from nscc_runtime.device.link import SerialLink
 from nscc_runtime.device.messages import Capability, Info, LoaderFailure, LoaderFault
 from nscc_runtime.device.packets import PacketKind
 from nscc_runtime.device.port import Port, PortGone, PortTrouble, list_ports, open_port
-from nscc_runtime.device.trouble import check_fits, explained, port_trouble
 from nscc_runtime.sensor import default_sensor
 
 EXAMPLE = examples()[0]

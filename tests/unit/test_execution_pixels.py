@@ -94,6 +94,18 @@ def test_registers_that_lose_their_codes(name: str, retention_us: float) -> None
         np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-7)
 
 
+@pytest.mark.parametrize("effects", ["none", "leakage,read", "all"])
+def test_what_registers_held_before_the_frame_is_read(effects: str) -> None:
+    container = case("b accumulate", rows=6, cols=9)
+    container = replace(container, launches=container.launches[1:])
+    program = Program.of(container, sensor_near(container))
+    assert program.pixels.stale
+    assert not Program.of(case("b accumulate", rows=6, cols=9), program.sensor).pixels.stale
+    light = moving_light((8, 6, 9), 500.0)
+    found, full = compared(container, light, sensor_near(container), effects, np.arange(54))
+    np.testing.assert_allclose(found, full, rtol=1e-9, atol=1e-7)
+
+
 @pytest.mark.parametrize("frames_s", [None, 0.003])
 def test_light_that_is_sampled_or_spread(frames_s: float | None) -> None:
     """Light whose slots are sums of several frames, with and without motion inside them."""

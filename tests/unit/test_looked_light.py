@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from looks_programs import looking_frames
 
 from nscc.chips.load import builtin_target
 from nscc.pipeline import Options, run_passes
@@ -16,7 +17,6 @@ from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.looked_light import DEVIATION, LIGHT, merged_image
 from nscc_runtime.sensor import default_sensor
 

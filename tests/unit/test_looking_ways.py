@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from looks_programs import looking_frames
 from numpy.typing import NDArray
 
 from nscc.chips.load import builtin_target
@@ -15,11 +16,10 @@ from nscc.compiler import compile_source
 from nscc.pipeline import Options
 from nscc.source import Source
 from nscc.words.container import Container
-from nscc.words.legality import decoded
 from nscc_runtime.effects import CannotHave, registry, selected
 from nscc_runtime.effects.read import READ
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import frames, looking_frames
+from nscc_runtime.looked_frames import frames
 from nscc_runtime.looking.paths import Pathless, Paths
 from nscc_runtime.looking.ways import Ways
 from nscc_runtime.reference.capture import scene_of
@@ -88,7 +88,7 @@ def test_threads_and_rows_change_no_bit(program: Container) -> None:
 
 def test_a_pixel_that_has_closed_runs_no_more_words() -> None:
     container = compiled((EXAMPLES / "float_pixel.nsl").read_text())
-    paths = Paths.of(container, decoded(container))
+    paths = Paths.of(container)
     closing = [k for k, (no, yes) in enumerate(paths.following.tolist()) if no == yes < 0]
     lengths = np.diff(paths.start)[closing]
     # One copy where it closes, PIX and a copy where the frame ends.
@@ -152,4 +152,4 @@ def test_exposures_that_hang_on_what_was_before_have_no_ways() -> None:
     container = compiled((EXAMPLES / "float_pixel.nsl").read_text())
     without_the_first = replace(container, launches=container.launches[1:])
     with pytest.raises(Pathless, match="frame before"):
-        Paths.of(without_the_first, decoded(without_the_first))
+        Paths.of(without_the_first)

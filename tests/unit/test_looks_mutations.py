@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from looks_programs import looking_frames
 
 from nscc.chips.load import builtin_target
 from nscc.diagnostics.diagnostic import Rejected
@@ -25,7 +26,6 @@ from nscc.words.encoding import encode
 from nscc.words.legality import decoded
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.sensor import default_sensor
 
 SIDE = 16

@@ -6,7 +6,7 @@ import hashlib
 import os
 import subprocess
 import sys
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 import pytest
@@ -119,6 +119,66 @@ def read_only():
 def test_what_is_not_as_declared_is_refused_by_name(changed, message):
     with pytest.raises(TypeError, match=message):
         scaled(**given(**changed))
+
+
+class Lines(NamedTuple):
+    """For `summed`."""
+
+    parts: Annotated[Floats, "count"]
+    places: Annotated[Ints, "count"]
+    out: Written[Annotated[Floats, "count"]]
+
+
+class Alike(NamedTuple):
+    """For `summed`: fields of one type."""
+
+    first: Annotated[Floats, "count"]
+    second: Annotated[Floats, "count"]
+
+
+@compiled
+def added(lines: Lines, alike: Alike, i: int) -> None:
+    lines.out[lines.places[i]] = lines.parts[i] + alike.first[i] - 2.0 * alike.second[i]
+
+
+@loop
+def summed(sizes: Sizes, lines: Lines, before: Floats, alike: Alike) -> None:
+    for i in range(sizes.count):
+        added(lines, alike, i)
+        lines.out[lines.places[i]] += before[0]
+
+
+def of_lines(**changed):
+    lines = Lines(np.array([1.0, 2.0]), np.array([1, 0]), np.zeros(2))
+    alike = Alike(np.array([10.0, 20.0]), np.array([100.0, 200.0]))
+    values = {"lines": lines, "before": np.array([1000.0]), "alike": alike}
+    return {"sizes": Sizes(count=2, factor=0.0, word=0), **values, **changed}
+
+
+def test_arrays_that_belong_together_are_given_as_one():
+    values = of_lines()
+    summed(**values)
+    assert values["lines"].out.tolist() == [622.0, 811.0]
+    sizes = values.pop("sizes")
+    values["lines"].out[:] = 0.0
+    lines, alike = values.pop("lines"), values.pop("alike")
+    summed.bound(lines=lines, alike=alike)(sizes=sizes, **values)
+    assert lines.out.tolist() == [622.0, 811.0]
+
+
+@pytest.mark.parametrize(
+    ("field", "value", "message"),
+    [
+        ("out", read_only(), "lines.out is to be written, and is read-only"),
+        ("parts", np.zeros(3), "lines.parts has 3 count, others have 2"),
+        ("places", np.zeros(2), "lines.places is an array of float64, not an array of int64"),
+    ],
+)
+def test_each_of_them_is_checked(field, value, message):
+    with pytest.raises(TypeError, match=message):
+        summed(**of_lines(lines=of_lines()["lines"]._replace(**{field: value})))
+    with pytest.raises(TypeError, match="lines is tuple, not Lines"):
+        summed(**of_lines(lines=tuple(of_lines()["lines"])))
 
 
 def test_missing_and_nameless_values_are_refused():

@@ -27,8 +27,8 @@ from nscc_runtime.merge import Readout
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.frame_sheet import frame_sheet
 from nscc_runtime.pictures.images import Image, image_sheet
-from nscc_runtime.pictures.look import LOOKS, Look, contrast, look, looking
 from nscc_runtime.pictures.looking_chart import course_sheet
+from nscc_runtime.pictures.picture_colours import LOOKS, Look, contrast, look, looking
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 from nscc_runtime.pictures.shutter_sheet import shutter_sheet
 from nscc_runtime.pictures.studies import budget_diagram, promise_diagram, study_diagram

@@ -222,12 +222,13 @@ def test_dead_time_follows_the_words() -> None:
 
 def test_lag_repeats_the_previous_frame() -> None:
     from nscc_runtime.effects import selected
-    from nscc_runtime.reference import expose
+    from nscc_runtime.reference import Reference, Scene
 
     container = program(lowering="accumulate")
     sensor = sensor_of(container, lag_fraction=0.05)
     same = exposures(container, flat(E), sensor, "lag")
-    other = expose(container, flat(E), sensor, selected("lag"), previous=flat(1000.0)).exposure_e
+    scene = Scene(flat(E), flat(1000.0), container.slot_s)
+    other = Reference.of(container, sensor, selected("lag")).expose(scene).exposure_e
     for stop in range(SLOTS + 1):
         check(columns(same, stop), (1.05 * stop * E, 0.0, 0.0))
         check(columns(other[None], stop), (stop * (E + 50.0), 0.0, 0.0))

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from looks_programs import looking_frames
 from marks import slow
 from reference_programs import sensor_of
 
@@ -20,7 +21,6 @@ from nscc.source import Source
 from nscc.words.container import Container
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.looked_frames import looking_frames
 from nscc_runtime.looking.ends import looked_response, row_of
 from nscc_runtime.reference import frames
 from nscc_runtime.response import ShutterResponse, shutter_response

@@ -219,4 +219,4 @@ def test_data_that_a_run_has_seen_is_refused(clip_run: Path, tmp_path: Path) -> 
     assert cases([folder], asked)[0].captures[0].scene.file.name == "c.mat"
     digest = sha256((tmp_path / "d/c.mat").read_bytes()).hexdigest()
     with pytest.raises(Rejected, match="NS0820"):
-        cases([replace(folder, seen=frozenset({digest}))], asked)
+        cases([replace(folder, seen_digests=frozenset({digest}))], asked)

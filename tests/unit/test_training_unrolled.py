@@ -9,7 +9,7 @@ import pytest
 
 torch = pytest.importorskip("torch")
 
-from nscc_training.baselines.tensor_tv import gap_tv_of  # noqa: E402
+from nscc_training.baselines.gap_tv import gap_tv_of  # noqa: E402
 from nscc_training.decoders.declared import DecoderTask  # noqa: E402
 from nscc_training.decoders.decoder_building import make_decoder  # noqa: E402
 from nscc_training.decoders.guess import clip_guess  # noqa: E402

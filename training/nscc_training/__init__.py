@@ -20,9 +20,9 @@ from nscc.lazy import attribute
 if TYPE_CHECKING:
     from nscc_training.codes_files import load_codes, save_codes
     from nscc_training.encoders import Encoder, ShutterSpec, make_encoder
+    from nscc_training.finished_run import Run, load_run
     from nscc_training.metrics import mu_psnr, psnr, pu21_psnr, ssim, temporal_error
     from nscc_training.programs import Chip, program_of
-    from nscc_training.run import Run, load_run
     from nscc_training.sensor_model import SensorModel, differentiable_capture, lifted
 
 _NAMES = {
@@ -30,7 +30,7 @@ _NAMES = {
     "encoders": ("Encoder", "ShutterSpec", "make_encoder"),
     "metrics": ("mu_psnr", "psnr", "pu21_psnr", "ssim", "temporal_error"),
     "programs": ("Chip", "program_of"),
-    "run": ("Run", "load_run"),
+    "finished_run": ("Run", "load_run"),
     "sensor_model": ("SensorModel", "differentiable_capture", "lifted"),
 }
 """What is public, by its module."""

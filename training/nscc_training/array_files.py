@@ -1,4 +1,4 @@
-"""Pictures and clips as arrays, from files that anyone may have made."""
+"""Read pictures and clips as arrays from untrusted files."""
 
 from __future__ import annotations
 
@@ -16,20 +16,20 @@ from nscc_runtime.scenes.mat_files import mat_array, mat_names
 from nscc_training.problems import listed, unreadable
 
 KEYS = ("image", "video", "truth_e", "light", "orig")
-"""The arrays that a file of several is taken to mean, the first that it has."""
+"""Names of the array to read from a file of several; the first one present is used."""
 
 _MOST_BYTES = 1 << 28
-"""Of one array: to compare two takes some times as much."""
+"""Largest size of an array; comparing two takes a multiple of it."""
 
 ARRAYS = (".mat", ".npy", ".npz")
 
 
 def read_picture_or_clip(path: Path, key: str | None = None) -> NDArray[Any]:
-    """The array of a file: (rows, cols) or (T, rows, cols), real numbers, all finite.
+    """Read the array of a file: (rows, cols) or (T, rows, cols), finite real numbers.
 
-    `.npy`, `.npz` and `.mat` (`key` names one of several; `orig` and `video` of .mat files are
-    (rows, cols, T), and are turned), linear pictures as luminance, grey display pictures as stored.
-    Raises Rejected: NS0801 where the file cannot be read as such, NS0802 for other shapes, NS0804
+    `.npy`, `.npz` and `.mat` (`key` names one of several arrays; `orig` and `video` of .mat files
+    are (rows, cols, T), and are transposed), linear pictures as luminance, grey display pictures as
+    stored. Raises Rejected: NS0801 for a file that cannot be read, NS0802 for other shapes, NS0804
     for values that are not finite.
     """
     array = _read(path, key)
@@ -106,7 +106,7 @@ def _chosen(path: Path, names: list[str], key: str | None) -> str:
 
 
 def _pages(path: Path) -> list[NDArray[Any]]:
-    """The pictures of a file, the second and all after it within the bound of arrays."""
+    """Return the pictures of a file; from the second on within the size limit of arrays."""
     from nscc_runtime.scenes.picture_files import open_pages
 
     pages: list[NDArray[Any]] = []

@@ -1,4 +1,5 @@
-"""Codes to and from `.npz` and `.mat`: one integer array a field, and a codebook's `book`."""
+"""Read and write codes as `.npz` and `.mat`: an integer array per field, and a codebook's
+`book`."""
 
 from __future__ import annotations
 
@@ -20,7 +21,7 @@ Codes = Mapping[str, NDArray[np.int64]]
 
 
 def codes_bytes(codes: Codes) -> bytes:
-    """An .npz file of these codes: the same codes, the same bytes."""
+    """Return an .npz file of codes, always with the same bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
         for name in sorted(codes):
@@ -32,7 +33,20 @@ def codes_bytes(codes: Codes) -> bytes:
 
 
 def save_codes(path: Path, codes: Codes) -> None:
-    """Write codes to a `.npz` or `.mat` file; ValueError for another ending."""
+    """Write codes to a file.
+
+    Parameters
+    ----------
+    path : Path
+        Ends in `.npz` or `.mat`.
+    codes : mapping of str to array of int64
+        Values (rows, cols) by field.
+
+    Raises
+    ------
+    ValueError
+        For another ending.
+    """
     if path.suffix == ".npz":
         path.write_bytes(codes_bytes(codes))
     elif path.suffix == ".mat":
@@ -44,10 +58,22 @@ def save_codes(path: Path, codes: Codes) -> None:
 
 
 def load_codes(path: Path | str) -> dict[str, NDArray[np.int64]]:
-    """The integer arrays of a `.npz` or `.mat` file, by name.
+    """Read codes from a file.
 
-    Raises Rejected (NS0805) for a file that cannot be read or holds something else; floats that are
-    whole numbers count as integers, because MATLAB saves them so.
+    Parameters
+    ----------
+    path : Path or str
+        A `.npz` or `.mat` file of integer arrays. Floats that are whole numbers count as integers,
+        because MATLAB saves them so.
+
+    Returns
+    -------
+    dict of str to array of int64
+
+    Raises
+    ------
+    Rejected
+        NS0805 for a file that cannot be read or has other contents.
     """
     path = Path(path)
     if path.suffix.lower() not in (".npz", ".mat"):
@@ -96,7 +122,7 @@ def _integers(path: Path, name: str, values: NDArray[np.generic]) -> NDArray[np.
 
 
 def _small(values: NDArray[np.int64]) -> NDArray[np.generic]:
-    """The smallest integer type that holds the values."""
+    """Return the values in the smallest integer type that holds them."""
     low, high = int(values.min()), int(values.max())
     for kind in (np.uint8, np.uint16, np.int32):
         if np.iinfo(kind).min <= low and high <= np.iinfo(kind).max:

@@ -1,4 +1,4 @@
-"""Configurations: TOML in, TOML out, every mistake told at once and with its place."""
+"""Read and write configurations as TOML, reporting all mistakes with their places."""
 
 from __future__ import annotations
 
@@ -14,22 +14,20 @@ from nscc_training.settings import SCHEMA, RunSettings
 
 
 def load_config(path: Path, changes: Sequence[str] = ()) -> RunSettings:
-    """The settings of a file, with `changes`, each SECTION.KEY=VALUE, on top.
-
-    Raises Rejected, status 2: NS0813 for a file that cannot be read or is no TOML, NS0814 for keys
-    that are none, NS0815 for wrong values; all that is wrong at once.
-    """
+    """Read the settings of a file, with `changes`, each SECTION.KEY=VALUE. Raises Rejected, status
+    2, with all mistakes at once: NS0813 for a file that cannot be read or is not TOML, NS0814 for
+    unknown keys, NS0815 for wrong values."""
     values, problems, _ = file_values(SCHEMA, file_bytes(SCHEMA, path), str(path))
     return _settings(values, problems, changes)
 
 
 def settings_of(values: Mapping[str, Any], changes: Sequence[str] = ()) -> RunSettings:
-    """The settings of a dictionary of sections; as `load_config`."""
+    """Return the settings of a dictionary of sections; otherwise as `load_config`."""
     return _settings(*SCHEMA.read(values), changes)
 
 
 def config_toml(settings: RunSettings, *, remarks: bool = False) -> str:
-    """A complete file that `load_config` reads back; with `remarks`, what each key means."""
+    """Return a complete file for `load_config`; with `remarks`, the meaning of each key."""
 
     def remark(key: Key) -> str:
         return f"{key.meaning} ({key.kind.allowed})" if remarks else ""

@@ -1,8 +1,8 @@
-"""Curves from linear light to numbers that errors may be counted in: mu-law, log, sRGB, PU21.
+"""Curves from linear light to the units in which errors are measured: mu-law, log, sRGB, PU21.
 
-Each takes a numpy array or a torch tensor and returns the same kind and precision; inside it
-calculates in float64, because a float32 logarithm of 1e8 alone is 1e-6 off. Below their domain all
-of them go on as a straight line, so that values and gradients stay finite at 0 and below it.
+Each takes a numpy array or a torch tensor and returns the same kind and precision; it computes in
+float64, because a float32 logarithm of 1e8 alone has an error of 1e-6. Below their domain the
+curves continue as straight lines, so that values and gradients stay finite.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def mu_law(x: Array, mu: float = MU) -> Array:
 
 
 def log_curve(x: Array, floor: float) -> Array:
-    """log(1 + x / floor): relative errors count alike well above `floor`, absolute ones below."""
+    """log(1 + x / floor): measures relative errors well above `floor`, absolute errors below."""
     xp, wide = _library(x), _wide(x)
     scaled = wide / floor
     return _as(x, xp.where(wide >= 0, xp.log1p(xp.clip(scaled, 0.0, None)), scaled))
@@ -61,9 +61,7 @@ def srgb_inverse(y: Array) -> Array:
 
 def pu21(luminance: Array) -> Array:
     """Perceptually uniform units of a luminance in cd/m2: about 256 at 100 cd/m2, 0 at 0.005.
-
-    Outside of `PU21_LOW`..`PU21_HIGH` it goes on as a straight line with the slope at that end.
-    """
+    Outside of `PU21_LOW`..`PU21_HIGH` it goes on as a straight line with the slope at that end."""
     xp, wide = _library(luminance), _wide(luminance)
     inside = xp.clip(wide, PU21_LOW, PU21_HIGH)
     low, high = (_pu21_slope(end) for end in (PU21_LOW, PU21_HIGH))
@@ -86,7 +84,7 @@ def _pu21_slope(luminance: float) -> float:
 
 
 def _library(x: Any) -> Any:
-    """numpy, or torch for its tensors: it is imported already where they are."""
+    """Return numpy, or torch for its tensors."""
     if type(x).__module__.partition(".")[0] == "torch":
         import torch
 
@@ -99,7 +97,7 @@ def _wide(x: Any) -> Any:
 
 
 def _as(x: Array, y: Any) -> Array:
-    """y in the precision of x; whole numbers give float64."""
+    """Return y in the precision of x; integers give float64."""
     if _library(x) is not np:
         return cast(Array, y.to(x.dtype) if x.is_floating_point() else y)
     kind = np.asarray(x).dtype

@@ -1,4 +1,4 @@
-"""Frames without light: what pixels read in them, and whether they are what they are taken for."""
+"""Frames without light: the offsets of pixels, and checks that a frame was dark."""
 
 from __future__ import annotations
 
@@ -16,17 +16,14 @@ from nscc_runtime.light import Light
 from nscc_training.frame_reading import by_colour, frame_arrays, no_frame, number_of
 
 _LIT = 0.01
-"""More saturated pixels than this are no hot ones: there was light."""
+"""Largest fraction of saturated pixels in a dark frame; more means that there was light."""
 
 
 @dataclass(frozen=True, eq=False)
 class Dark:
-    """A frame file without light, of one exposure or repeats.
-
-    `offset` (rows, cols), of two buckets (2, rows, cols), is the mean code above the ADC's offset;
-    `meta` as of the file, `slot_us` (N,) how long slots are, if that is known, `saturated` the part
-    of its pixels that are.
-    """
+    """A frame file without light, of one exposure or repeats. `offset` (rows, cols), of two buckets
+    (2, rows, cols), is the mean code above the ADC's offset. `meta` is the file's; `slot_us` (N,)
+    the slot lengths, if known; `saturated` the fraction of saturated pixels."""
 
     name: str
     offset: NDArray[np.float64]
@@ -37,11 +34,11 @@ class Dark:
     def checked(
         self, frame: Mapping[str, Any], size: tuple[int, ...], *, force: bool = False
     ) -> tuple[Diagnostic, ...]:
-        """Warnings about it, to be taken from a frame with the meta `frame`, of arrays of `size`
-        (rows, cols).
+        """Return warnings on subtracting the dark frame from a frame with the meta `frame`.
 
-        Rejected (NS0819) where it was exposed with another program or to light; with `force` these
-        are warnings. Of another size nothing is said: it cannot be taken off.
+        `size` (rows, cols) is that of the array. Rejected (NS0819) if the dark frame has another
+        program or saw light; with `force` these are warnings. A dark frame of another size is not
+        checked, as it cannot be subtracted.
         """
         if self.offset.shape[-2:] != tuple(size):
             return ()
@@ -69,7 +66,7 @@ class Dark:
             yield "it was exposed to light"
 
     def _is_lit(self) -> bool | None:
-        """Whether its scene is another than none; None where that is not known."""
+        """Return whether the scene has light; None if that is unknown."""
         scene, rows_cols = self.meta.get("scene_sha256"), self.offset.shape[-2:]
         if scene is None or self.slot_us is None:
             return None
@@ -82,7 +79,7 @@ class Dark:
         return bool(Light.of_clip(clip).sha256() != scene)
 
     def _bright(self) -> Iterator[Diagnostic]:
-        """NS0844, a warning, where pixels say that there was light, and nothing else does."""
+        """Yield a warning (NS0844) if pixels show light that the meta does not mention."""
         if self.saturated > _LIT and self._is_lit() is None:
             yield Diagnostic(
                 "NS0844",
@@ -95,7 +92,7 @@ class Dark:
 
 
 def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.float64]:
-    """What pixels (rows, cols) read without light above the mean of their place of a tile."""
+    """Return the offset of pixels (rows, cols) above the mean of their place of a tile."""
     pattern = np.empty_like(offset)
     for row, col in np.ndindex(tile):
         place = offset[row :: tile[0], col :: tile[1]]
@@ -104,18 +101,16 @@ def of_pixels(offset: NDArray[np.float64], tile: tuple[int, int]) -> NDArray[np.
 
 
 def undarkened(codes: NDArray[np.uint8], offset: NDArray[np.float64]) -> NDArray[np.float32]:
-    """Codes ([2,] rows, cols) without what the array ([2,] rows, cols) reads in the dark; arrays
-    lie side by side."""
+    """Return codes ([2,] rows, cols) minus the dark offset ([2,] rows, cols), repeated over arrays
+    side by side."""
     times = [-(-side // most) for side, most in zip(codes.shape, offset.shape, strict=True)]
     rows, cols = codes.shape[-2:]
     return np.asarray(codes - np.tile(offset, times)[..., :rows, :cols], np.float32)
 
 
 def read_dark(path: Path, buckets: int) -> Dark:
-    """A frame file without light.
-
-    Rejected (NS0819) for one of another number of buckets, or that does not say the ADC's offset.
-    """
+    """Read a frame file without light. Rejected (NS0819) for another number of buckets, or without
+    the ADC's offset."""
     file = frame_arrays(path)
     codes = file.frame.reshape(-1, *file.frame.shape[-3:])
     if codes.shape[1] != buckets or 0 in codes.shape:
@@ -130,6 +125,6 @@ def read_dark(path: Path, buckets: int) -> Dark:
 
 
 def mean_dark(codes: NDArray[Any], adc_offset: float) -> NDArray[np.float64]:
-    """The mean code above the ADC's offset, as `Dark.offset`, of the codes (repeats, buckets, rows,
-    cols) without light."""
+    """Return the mean code above the ADC's offset, as `Dark.offset`, of dark codes (repeats,
+    buckets, rows, cols)."""
     return np.asarray(by_colour(codes.mean(axis=0), in_colours=False)[0] - adc_offset)

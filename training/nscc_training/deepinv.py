@@ -34,20 +34,36 @@ from nscc_training.sensor_model import SensorModel, laid, read_out, shared_out
 
 
 class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no types
-    """Every pixel adds up the light of those slots in which its shutter is open.
+    """Every pixel sums the light of the slots in which its shutter is open.
 
-    From a clip x (batch, 1, N, rows, cols), electrons a slot, to y (batch, buckets, rows, cols),
-    electrons. With `still`, from a picture x (batch, 1, rows, cols), electrons over the whole
-    frame, of which slot n has the part `slot_share[n]` (default: the part of a program's frame that
-    it is, else 1 / N).
+    From a clip x (batch, 1, N, rows, cols), electrons per slot, to y (batch, buckets, rows, cols),
+    electrons; with `still`, from a picture x (batch, 1, rows, cols), electrons over the frame.
 
-    `shutters` is a program with data, compiled or loaded; an `Encoder`, into whose codes gradients
-    flow; or a tensor (N, rows, cols) or (buckets, N, rows, cols) of 0..1, the buffer `shutters`,
-    which a call of `A` may replace, as deepinv's parameters of physics. They are a tile, repeated
-    over the array of `size` (rows, cols) from its top left corner, and cut where it is smaller.
+    The pseudo-inverse and the proximal step of the L2 fidelity are exact and cost one pass, because
+    pixels do not mix.
 
-    The pseudo-inverse and the proximal step of the L2 fidelity are exact and cost one pass: the
-    pixels do not mix. `options` are those of `LinearPhysics`. WrongArgument for anything else.
+    Parameters
+    ----------
+    shutters : ShutterProgram, Container, Encoder or Tensor
+        A program with data, compiled or loaded; an encoder, whose codes get gradients; or a tensor
+        (N, rows, cols) or (buckets, N, rows, cols) of 0..1. They are a tile, repeated over the
+        array from its top left corner and cut at its edges. A call of `A` may replace the buffer
+        `shutters`, as for deepinv's parameters of physics.
+    size : tuple of int, optional
+        Rows and columns of the array.
+    still : bool
+    slot_share : Tensor, optional
+        (N,): the fraction of a still's light in each slot; by default that of the program's slots,
+        else 1 / N.
+    noise_model : NoiseModel, optional
+    device : torch.device or str
+    **options
+        Those of `LinearPhysics`.
+
+    Raises
+    ------
+    WrongArgument
+        For other arguments.
     """
 
     def __init__(
@@ -82,7 +98,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         self.to(device)
 
     def A(self, x: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802 (deepinv's)
-        """Electrons (batch, buckets, rows, cols) of the light x; `shutters` are kept if given."""
+        """Return electrons (batch, buckets, rows, cols) of the light x. `shutters` replace the
+        buffer if given."""
         self.update_parameters(shutters=shutters, **parameters)
         if x.shape[1:] != self.img_size:
             raise wrong_argument(
@@ -94,22 +111,23 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return torch.stack([(light * bucket).sum(dim=1) for bucket in buckets], dim=1)
 
     def A_adjoint(self, y: Tensor, shutters: Tensor | None = None, **parameters: Any) -> Tensor:  # noqa: N802
-        """The frame in each slot that it was open in: from (batch, buckets, rows, cols) to x."""
+        """Return the frame copied to its open slots: from (batch, buckets, rows, cols) to x."""
         self.update_parameters(shutters=shutters, **parameters)
         light = (y.unsqueeze(2) * self._weights(y)).sum(dim=1)
         return light if self.still else light.unsqueeze(1)
 
     def A_A_adjoint(self, y: Tensor, **parameters: Any) -> Tensor:  # noqa: N802
-        """A of the adjoint: each pixel's buckets times how long two of them are open together."""
+        """Return `A(A_adjoint(y))`: each pixel's buckets times the common open times."""
         self.update_parameters(**parameters)
         return _times(self._overlap(y), y)
 
     def A_dagger(self, y: Tensor, *_solver: Any, **options: Any) -> Tensor:  # noqa: N802
-        """The least light that gives y, of all that come nearest to it. A solver is not needed."""
+        """Return the least-norm light of least error against y. A solver is not needed."""
         return self.A_adjoint(_times(_inverse(self._overlap(y)), y))
 
     def prox_l2(self, z: Any, y: Tensor, gamma: Any, *solver: Any, **options: Any) -> Tensor:
-        """The x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2, for one number gamma."""
+        """Return the x that minimises gamma / 2 |A x - y|^2 + 1 / 2 |x - z|^2, for one number
+        gamma."""
         if isinstance(gamma, Tensor) and gamma.numel() > 1:
             result: Tensor = super().prox_l2(z, y, gamma, *solver, **options)
             return result
@@ -118,7 +136,8 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
         return x + self.A_adjoint(_times(inverse, y - self.A(x)))
 
     def _weights(self, like: Tensor) -> Tensor:
-        """What light counts, (buckets, slots, rows, cols); a still has one slot, the frame."""
+        """Return the weights of light, (buckets, slots, rows, cols); a still has one slot, the
+        frame."""
         weights: Tensor = self.shutters
         if self.encoder is not None:
             weights = laid(_of_buckets(self.encoder(), self.encoder), *self.img_size[-2:])
@@ -132,11 +151,17 @@ class PixelShutters(LinearPhysics):  # type: ignore[misc]  # deepinv has no type
 
 
 class SensorNoise(NoiseModel):  # type: ignore[misc]
-    """The noise of the sensor that training sees: photons, full well, readout, the converter.
+    """The sensor noise of training: photons, full well, readout noise, converter.
 
-    From exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame file
-    tells them: whole codes, of which the last means full. Gradients pass as in
-    `nscc_training.differentiable_capture`. Without `rng` the noise follows `torch.manual_seed`.
+    It maps exact electrons to electrons as `(frame - adc_offset) * electrons_per_lsb` of a frame
+    file gives them: whole codes, of which the last means saturated. Gradients pass as in
+    `nscc_training.differentiable_capture`.
+
+    Parameters
+    ----------
+    sensor : SensorModel
+    rng : torch.Generator, optional
+        Without it the noise follows `torch.manual_seed`.
     """
 
     def __init__(self, sensor: SensorModel, rng: torch.Generator | None = None) -> None:
@@ -150,13 +175,12 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
         sensor: SensorLike = None,
         rng: torch.Generator | None = None,
     ) -> SensorNoise:
-        """The noise of a program's chip, or of another `sensor`, as `nscc_runtime.capture` takes
-        it."""
+        """Return the noise of a program's chip, or of a `sensor` as of `nscc_runtime.capture`."""
         chip = sensor_of("SensorNoise.of", sensor, converter_of(program.container))
         return cls(SensorModel.of(chip, program.container.target), rng)
 
     def forward(self, input: Tensor, seed: int | None = None, **_parameters: Any) -> Tensor:
-        """Electrons with the noise of one readout; a `seed` begins the generator anew."""
+        """Return electrons with the noise of one readout; `seed` restarts the generator."""
         self.rng_manual_seed(seed)
         generator = self.rng
         if generator is None:
@@ -167,7 +191,7 @@ class SensorNoise(NoiseModel):  # type: ignore[misc]
 
 
 def _tile(shutters: object) -> Tensor:
-    """Shutters (buckets, N, rows, cols), of an encoder those that it has now."""
+    """Return shutters (buckets, N, rows, cols); of an encoder its current ones."""
     if isinstance(shutters, Encoder):
         return _of_buckets(shutters.hard(), shutters)
     if isinstance(shutters, Container):
@@ -184,13 +208,13 @@ def _tile(shutters: object) -> Tensor:
 
 
 def _of_buckets(shutters: Tensor, encoder: Encoder) -> Tensor:
-    """An encoder's shutters (N, rows, cols) as those of its buckets, (buckets, N, rows, cols)."""
+    """Return an encoder's shutters (N, rows, cols) as (buckets, N, rows, cols)."""
     bucket_shutters = shared_out(shutters, encoder.spec.buckets)
     return bucket_shutters if bucket_shutters.ndim == 4 else bucket_shutters.unsqueeze(0)
 
 
 def _shares(shutters: object, slots: int) -> Tensor:
-    """The part of a frame that each slot is."""
+    """Return the fraction of the frame of each slot."""
     if not isinstance(shutters, ShutterProgram | Container):
         return torch.full((slots,), 1.0 / slots)
     lengths = torch.tensor(shutters.slot_us, dtype=torch.float64)
@@ -198,16 +222,16 @@ def _shares(shutters: object, slots: int) -> Tensor:
 
 
 def _times(matrix: Tensor, y: Tensor) -> Tensor:
-    """Each pixel's matrix (rows, cols, buckets, buckets) times its buckets."""
+    """Multiply each pixel's matrix (rows, cols, buckets, buckets) by its buckets."""
     return torch.einsum("hwij,bjhw->bihw", matrix, y)
 
 
 def _inverse(matrix: Tensor, damping: Any = 0.0) -> Tensor:
-    """Each pixel's inverse of matrix + damping; the pseudo-inverse where there is none."""
+    """Return each pixel's inverse of matrix + damping; the pseudo-inverse of singular matrices."""
     count = matrix.shape[-1]
     damped = matrix + damping * torch.eye(count).to(matrix)
     if count == 1:
-        opened = damped > 0  # a pixel that never opens has no inverse, nor a gradient that is none
+        opened = damped > 0  # a pixel that never opens has the inverse 0, with a finite gradient
         return torch.where(opened, 1.0 / torch.where(opened, damped, 1.0), 0.0)
     inverse: Tensor = torch.linalg.pinv(damped, hermitian=True)
     return inverse

@@ -1,9 +1,9 @@
-"""The sensor that the user has: what the emulator makes of light, as a table that gradients pass.
+"""The emulated sensor as a table that passes gradients.
 
-A program is exposed once, by the emulator, to steady light of many levels. From these frames come,
-for every place of its tile, the mean code and the deviation from it, over noise and over chips:
-gains and offsets of words, the curve of registers, dark current, noise by code, the end of the
-readout. Crosstalk, which needs edges, is applied to the light as the emulator does it.
+The emulator exposes a program once, to steady light of many levels. The frames give, for every
+place of the tile, the mean code and its standard deviation over noise and chips: gains and offsets
+of words, the curve of registers, dark current, noise by code, the end of the readout. Crosstalk
+depends on edges, so it is applied to the light as the emulator does it.
 """
 
 from __future__ import annotations
@@ -29,22 +29,22 @@ from nscc_training.sensor_model import SensorModel, laid
 
 _DARK_LEVELS = 16
 _DARKEST = 1 / 64
-"""Full wells that the longest shutter gets of the weakest light that is not 0."""
+"""Exposure of the longest shutter at the weakest light above 0, in full wells."""
 _BENT = (0.85, 1.15)
-"""Full wells between which registers and PIX bend what they hold: levels are dense there."""
+"""Range in full wells in which registers and PIX compress; levels are dense there."""
 _DENSE = 1.03
 CHIPS, _FRAMES = 8, 2
-"""Chips whose pixels differ, and frames of each."""
+"""Numbers of chips, and of frames of each chip."""
 
 
 @dataclass(frozen=True, eq=False)
 class EmulatedSensor:
-    """What steady light becomes at the places (r, c) of a tile.
+    """The response to steady light at the places (r, c) of a tile.
 
-    `light_e` (K,) ascending from 0, electrons that fall over the frame; `code` and `spread`
-    (K, r, c): mean and standard deviation of codes above the ADC's offset, before they are rounded;
-    `full` (K, r, c): the part of the pixels that are marked as saturated; `crosstalk`: the part of
-    its charge that each of a pixel's four neighbours gets.
+    `light_e` (K,) ascending from 0, electrons over the frame; `code` and `spread` (K, r, c), mean
+    and standard deviation of codes above the ADC's offset, before rounding; `full` (K, r, c), the
+    fraction of pixels marked as saturated; `crosstalk`, the fraction of charge that each of the
+    four neighbours gets.
     """
 
     light_e: Tensor
@@ -54,7 +54,7 @@ class EmulatedSensor:
     crosstalk: float
 
     def smeared(self, light: Tensor) -> Tensor:
-        """Light (.., rows, cols) as neighbours exchange it; the border reflects."""
+        """Return light (.., rows, cols) after crosstalk; the border reflects."""
         down = light[..., 1:, :] - light[..., :-1, :]
         right = light[..., :, 1:] - light[..., :, :-1]
         pad = torch.nn.functional.pad
@@ -66,12 +66,12 @@ class EmulatedSensor:
         self, exposure_e: Tensor, share: Tensor, model: SensorModel,
         generator: torch.Generator | None,
     ) -> tuple[Tensor, Tensor]:  # fmt: skip
-        """Codes above the ADC's offset, float32 (batch, rows, cols), and where pixels are marked as
-        saturated, bool.
+        """Return codes above the ADC's offset, float32 (batch, rows, cols), and which pixels are
+        marked as saturated.
 
-        `exposure_e` float64, electrons of the open slots; `share` (r, c) of the tile, the part of
-        the frame in which each place is open. Without a generator there is no noise, nor any
-        difference between pixels of a place. `model` says where codes end.
+        `exposure_e` float64: electrons of the open slots. `share` (r, c) of the tile: the open
+        fraction of the frame. Without a generator there is neither noise nor pixel variation.
+        `model` defines the range of codes.
         """
         rows, cols = exposure_e.shape[-2:]
         open_share = laid(share, rows, cols).to(exposure_e)
@@ -93,7 +93,8 @@ class EmulatedSensor:
         return codes.float() - model.adc_offset_lsb, marked
 
     def _between(self, table: Tensor, after: Tensor, fraction: Tensor) -> Tensor:
-        """Values (batch, rows, cols) of a table (K, r, c) between entries `after` - 1 and that."""
+        """Interpolate a table (K, r, c) between entries `after` - 1 and `after` to (batch, rows,
+        cols)."""
         rows, cols = after.shape[-2:]
         down = torch.arange(rows, device=after.device).reshape(-1, 1) % table.shape[1]
         across = torch.arange(cols, device=after.device) % table.shape[2]
@@ -103,8 +104,8 @@ class EmulatedSensor:
 
 
 def captures_on(device: torch.device) -> str | None:
-    """The `torch_device` of captures beside networks on a device: None on the processor, whose
-    frames are those of the compiled loops."""
+    """Return the `torch_device` of captures next to networks on a device. None on the processor,
+    where the compiled loops make the frames."""
     return None if device.type == "cpu" else str(device)
 
 
@@ -112,11 +113,11 @@ def emulated_sensor(
     container: Container, tile: tuple[int, int], sensor: Sensor, effects: str, chips: int = CHIPS,
     torch_device: str | None = None,
 ) -> EmulatedSensor:  # fmt: skip
-    """What the emulator makes of a program with pixels of a tile (rows, cols) and one bucket.
+    """Measure the emulated sensor of a program of one bucket with pixels of a tile (rows, cols).
 
-    `effects` as `--effects` takes them; Rejected as there. Takes seconds, half a minute where each
-    place has a shutter of its own; fewer `chips` take less, and see less of how they differ.
-    `torch_device` as of `nscc_runtime.capture`: the same to rounding.
+    `effects` as `--effects` takes them; Rejected as there. It takes seconds, half a minute if each
+    place has its own shutter; fewer `chips` are faster, and sample less of the variation.
+    `torch_device` as of `nscc_runtime.capture`, equal up to rounding.
     """
     chosen = selected(effects)
     assert container.pixel_codes is not None
@@ -137,7 +138,7 @@ def emulated_sensor(
 
 
 def _codes_of(frame: Frame, sensor: Sensor) -> NDArray[np.float32]:
-    """Codes of the one bucket above the ADC's offset."""
+    """Return the codes of the bucket above the ADC's offset."""
     return np.asarray(frame.frame[..., 0, :, :] - sensor.adc_offset_lsb, np.float32)
 
 
@@ -145,9 +146,9 @@ def _measured(
     container: Container, tile: tuple[int, int], light_e: NDArray[np.float64], sensor: Sensor,
     effects: Selection, chips: int, torch_device: str | None,
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:  # fmt: skip
-    """Mean and standard deviation of codes, and how many pixels are saturated (K, r, c). Levels
-    stand side by side on the array, each on columns of whole tiles; as many scenes as that takes.
-    """
+    """Return mean and standard deviation of codes, and the fraction of saturated pixels, each (K,
+    r, c). Levels are exposed side by side on the array, each on columns of whole tiles, in as many
+    scenes as needed."""
     rows, cols = container.target.rows, container.target.cols
     down, across = rows // tile[0], cols // tile[1]
     times = max(1, across // len(light_e))
@@ -156,7 +157,7 @@ def _measured(
     sums, squares, full = np.zeros((3, len(light_e), *tile))
     for first in range(0, len(light_e), levels_per_scene):
         levels = light_e[first : first + levels_per_scene]
-        # What is left over at the right has the last level, and is not looked at.
+        # Columns left over at the right have the last level, and are ignored.
         row = np.full(cols, levels[-1])
         width = times * tile[1]
         row[: len(levels) * width] = np.repeat(levels, width)
@@ -167,7 +168,7 @@ def _measured(
         def mean(
             values: NDArray[Any], used: int = len(levels) * width, count: int = len(levels)
         ) -> NDArray[np.float64]:
-            """Over frames and pixels of a place, (levels, r, c)."""
+            """Return the mean over frames and pixels of a place, (levels, r, c)."""
             tiles = values[:, : down * tile[0], :used].astype(np.float64)
             tiles = tiles.reshape(_FRAMES, down, tile[0], count, times, tile[1])
             return np.asarray(tiles.mean(axis=(0, 1, 4)).transpose(1, 0, 2))
@@ -182,6 +183,6 @@ def _measured(
             sums[level_slice] += mean(codes) / chips
             squares[level_slice] += mean(np.square(codes)) / chips
             full[level_slice] += mean(frame.saturated[..., 0, :, :]) / chips
-    # Rounding adds a twelfth, which codes get again when the table is used.
+    # Subtract the variance of rounding, 1/12: codes are rounded when the table is used.
     variance = np.maximum(squares - np.square(sums) - 1 / 12, 0)
     return sums, np.sqrt(variance), full

@@ -1,4 +1,4 @@
-"""Frame files as they are read for reconstruction: what is damaged is said to be, by its name."""
+"""Read frame files for reconstruction, and report damage by name."""
 
 from __future__ import annotations
 
@@ -26,10 +26,13 @@ _READ = ("saturated", OPEN, _SLOTS, "shutter", "shutter_shape")
 
 @dataclass(frozen=True, eq=False)
 class FrameRead:
-    """What reconstruction needs of a frame file: codes (colours, rows, cols), one colour or red,
-    green and blue, of two buckets (colours, 2, rows, cols), whether they are saturated, meta, the
-    first bucket's shutters (N, rows, cols) if kept; of pixels that looked, for how many slots each
-    was open (colours, rows, cols); how long slots are (N,), if it says so."""
+    """The content of a frame file that reconstruction needs.
+
+    `frame`: codes (colours, rows, cols), one colour or red, green, blue, of two buckets (colours,
+    2, rows, cols). `saturated`: which codes are. `shutter`: the first bucket's shutters (N, rows,
+    cols), if stored. `opened`: open slots of each pixel that looked, (colours, rows, cols).
+    `slot_us`: slot lengths (N,), if stored.
+    """
 
     frame: NDArray[np.uint8]
     saturated: NDArray[np.bool_]
@@ -40,13 +43,13 @@ class FrameRead:
 
     @property
     def buckets(self) -> int:
-        """How many frames an exposure gave."""
+        """Number of frames per exposure."""
         return 1 if self.frame.ndim == 3 else self.frame.shape[1]
 
 
 def read_frame(path: Path) -> FrameRead:
-    """A frame file of one exposure, or three in colours, in one bucket or two; Rejected (NS0819)
-    for another."""
+    """Read a frame file of one exposure, or three in colours, in one or two buckets; Rejected
+    (NS0819) for another file."""
     file = frame_arrays(path)
     frame, saturated, stored_shutters = file.frame, file.saturated, file.shutter
     in_colours = "colours" in file.meta and frame.shape[:1] == (len(COLOURS),)
@@ -66,16 +69,24 @@ def read_frame(path: Path) -> FrameRead:
     return FrameRead(codes, full, file.meta, shutter, opened)
 
 
+def refuse_missing(path: Path) -> None:
+    """Raise Rejected (NS0819) for a file that cannot be opened, before anything slow is loaded."""
+    try:
+        path.open("rb").close()
+    except OSError as error:
+        raise no_frame(path, why_no_arrays(error)) from error
+
+
 def by_colour(values: Array, in_colours: bool) -> Array:
-    """What frame files hold of an exposure, ([colours,] buckets, rows, cols), as `FrameRead` has
-    it: (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""
+    """Reshape an array ([colours,] buckets, rows, cols) of a frame file for `FrameRead`. That is
+    (colours, rows, cols), of two buckets (colours, 2, rows, cols)."""
     if values.shape[-3] == 1:
         return values[:, 0] if in_colours else values
     return values if in_colours else values[None]
 
 
 def frame_arrays(path: Path) -> FrameRead:
-    """The arrays of a frame file as they are stored, shutters unpacked; Rejected (NS0819) for
+    """Return the arrays of a frame file as stored, with shutters unpacked; Rejected (NS0819) for
     another file."""
     reads(path)
     try:
@@ -85,7 +96,7 @@ def frame_arrays(path: Path) -> FrameRead:
     codes, slot_us = arrays["frame"], arrays.get(_SLOTS)
     if slot_us is not None and not are_lengths(slot_us):
         raise no_frame(path, f"`{_SLOTS}` are no lengths of slots")
-    # Without `saturated`, the codes that say so are.
+    # Without `saturated`, the codes decide.
     saturated = arrays.get("saturated", np.zeros(codes.shape, np.bool_))
     stored_shutters = None
     if "shutter" in arrays:
@@ -100,13 +111,13 @@ def frame_arrays(path: Path) -> FrameRead:
 
 
 def are_lengths(slot_us: Array) -> bool:
-    """Whether slots may be that long: finite numbers (N,) above 0."""
+    """Return whether slot lengths are valid: finite numbers (N,) above 0."""
     numbers = slot_us.ndim == 1 and slot_us.size > 0 and slot_us.dtype.kind in "fiu"
     return numbers and bool((np.isfinite(slot_us) & (slot_us > 0)).all())
 
 
 def number_of(meta: Mapping[str, Any], name: str) -> float:
-    """A number of a frame's meta; ValueError where there is none, or one that is not finite."""
+    """Return a number of a frame's meta; ValueError if it is missing or not finite."""
     value = meta.get(name)
     is_number = isinstance(value, int | float) and not isinstance(value, bool)
     if value is not None and is_number and abs(value) <= sys.float_info.max:
@@ -115,7 +126,7 @@ def number_of(meta: Mapping[str, Any], name: str) -> float:
 
 
 def no_frame(path: Path | str, reason: str) -> Exception:
-    """NS0819 for a file that no run can reconstruct."""
+    """Return the error (NS0819) for a file that cannot be reconstructed."""
     return rejected(
         "NS0819",
         f"'{path}' is no frame that can be reconstructed",

@@ -1,7 +1,5 @@
-"""Functions with a corner or a step, and the gradients that learning uses in their place.
-
-They keep what they need in `setup_context`, as `torch.func` wants it.
-"""
+"""Functions with a corner or a step, with surrogate gradients. They save tensors in
+`setup_context`, as `torch.func` requires."""
 
 from __future__ import annotations
 
@@ -19,7 +17,7 @@ class _Replace(Function):
 
     @staticmethod
     def setup_context(ctx: Any, inputs: tuple[Any, ...], output: Tensor) -> None:
-        """Nothing is kept."""
+        """Save nothing."""
 
     @staticmethod
     def backward(ctx: Any, grad: Tensor) -> tuple[Tensor, None]:
@@ -63,31 +61,30 @@ class _Saturate(Function):
 
 
 def replaced(x: Tensor, value: Tensor) -> Tensor:
-    """`value`, with the gradient of x."""
+    """Return `value`, with the gradient of x."""
     return _apply(_Replace, x, value)
 
 
 def rounded(x: Tensor) -> Tensor:
-    """x rounded half to even; straight through: the gradient of x itself."""
+    """Return x rounded half to even, with the gradient of x."""
     return replaced(x, torch.round(x.detach()))
 
 
 def opened(x: Tensor, width: float = 1.0) -> Tensor:
-    """1 where x > 0, else 0. The gradient is a triangle of unit area reaching `width` to each side.
-
-    For an edge that lies between slots, x is its distance from the slot's middle: with width 1
-    the gradient is that of light flowing evenly through the slot.
-    """
+    """Return 1 where x > 0, else 0. The gradient is a triangle of unit area that reaches `width` to
+    each side. For an edge between slots, x is its distance from the middle of the slot; with width
+    1 the gradient is that of light that flows evenly through the slot."""
     return _apply(_Step, x, width, True)
 
 
 def signed(x: Tensor, width: float = 1.0) -> Tensor:
-    """1 where x > 0, else 0; the gradient is 1 for -width <= x <= width, and 0 beyond."""
+    """Return 1 where x > 0, else 0; the gradient is 1 for -width <= x <= width, else 0."""
     return _apply(_Step, x, width, False)
 
 
 def saturated(x: Tensor, low: float, high: float, slope: float = 0.0) -> Tensor:
-    """x clipped to low..high; the gradient is 1 inside and at the bounds, `slope` outside."""
+    """Return x clipped to low..high; the gradient is 1 inside and at the bounds, `slope`
+    outside."""
     return _apply(_Saturate, x, low, high, slope)
 
 

@@ -1,4 +1,4 @@
-"""A user's own decoder, data or loss: `module:name`, looked for in the current folder too."""
+"""Import a user's own decoder, data or loss, `module:name`, also from the current folder."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ from nscc_training.problems import is_out_of_memory, one_line
 
 
 def is_import_path(text: str) -> bool:
-    """Whether a configured name means something of the user's."""
+    """Return whether a configured name is an import path."""
     return ":" in text
 
 
 def imported(text: str, role: str) -> Any:
-    """The object at `module:name`; Rejected (NS0812) where it cannot be had."""
+    """Import the object `module:name`; Rejected (NS0812) if that fails."""
     module, _, name = text.partition(":")
     current_folder = str(Path.cwd())
     added = current_folder not in sys.path
@@ -52,7 +52,7 @@ def imported(text: str, role: str) -> Any:
 
 @contextmanager
 def own_code(text: str, role: str) -> Iterator[None]:
-    """Whatever the user's code raises in this block is Rejected (NS0822), with its place."""
+    """Turn exceptions of the user's code in this block into Rejected (NS0822), with their place."""
     try:
         yield
     except Rejected:
@@ -68,7 +68,7 @@ def own_code(text: str, role: str) -> Iterator[None]:
 
 
 def own_failed(text: str, role: str, reason: str) -> Rejected:
-    """NS0822: the user's code does not do what training needs of it."""
+    """Return the error (NS0822) for user code that does not fulfil its contract."""
     return rejected(
         "NS0822",
         f"the {role} '{text[:100]}' does not work",

@@ -1,4 +1,4 @@
-"""Masks from elsewhere as programs: the smallest tile, and the cheapest class that holds it."""
+"""Import masks as programs: find the smallest tile, and the cheapest class that represents it."""
 
 from __future__ import annotations
 
@@ -22,17 +22,15 @@ from nscc_training.shutter_spec import ShutterSpec
 Bits = NDArray[np.bool_]
 Codes = dict[str, NDArray[np.int64]]
 _MOST_BITS = 62
-"""Digits of a code of class e, an int64."""
+"""Most bits of a code of class e, an int64."""
 _MOST_SHAPES = 4096
 
 
 @dataclass(frozen=True)
 class ImportedMask:
-    """A program that opens a mask's shutters: its `text`, which names the file of the `codes` where
-    it needs one, the `kind` of its class and its `tile` (rows, cols).
-
-    `reasons` say of each other class why it was not chosen.
-    """
+    """A program that opens the shutters of a mask. `text` names the file of the `codes` if it needs
+    one; `kind` is its class, `tile` (rows, cols). `reasons` explain why the other classes were not
+    chosen."""
 
     text: str
     codes: bytes
@@ -102,7 +100,7 @@ def import_mask(
 
 
 def read_binary_mask(path: Path) -> Floats:
-    """The mask of a file, of 0 and 1 alone; NS0847 for fractions, which no shutter opens."""
+    """Read a binary mask; NS0847 for fractions, which no shutter opens."""
     mask = read_mask(path)
     count = int(np.count_nonzero((mask != 0) & (mask != 1)))
     if count:
@@ -144,8 +142,8 @@ def codes_of_mask(path: Path, container: Container) -> Codes:
 
 
 def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None) -> Bits:
-    """The mask as (slots, rows, cols). Its time is the axis that is not the array's; of a tile,
-    whose axes do not tell, the last, as in MATLAB."""
+    """Return the mask as (slots, rows, cols). Time is the axis that is not the array's; for a tile,
+    the last axis, as in MATLAB."""
     if slots is not None and (mask.shape[2] == slots) != (mask.shape[0] == slots):
         last = mask.shape[2] == slots
     else:
@@ -154,8 +152,8 @@ def _slots_first(mask: Floats, array: tuple[int, int], slots: int | None = None)
 
 
 def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray[np.int64]]:
-    """The distinct shutters (K, slots) of a mask, and which of them each place has of the smallest
-    tile that repeats; NS0847 for a tile that a program cannot hold."""
+    """Return the distinct shutters (K, slots) of a mask, and their indices in the smallest
+    repeating tile. NS0847 for a tile that a program cannot hold."""
     slots, rows, cols = mask.shape
     if rows > array[0] or cols > array[1]:
         raise rejected(
@@ -169,26 +167,27 @@ def _tile(mask: Bits, array: tuple[int, int], path: Path) -> tuple[Bits, NDArray
     down, across = _period(places), _period(places.T)
     tile = places[:down, :across]
     if tile.size > MOST_LISTED and tile.shape != array:
-        # So many codes are in a file, one for each pixel of the array.
+        # A file of codes has one code per pixel of the array.
         tile = _over(tile, array)
     return np.ascontiguousarray(mask.reshape(slots, -1).T[first]), tile
 
 
 def _period(places: NDArray[np.int64]) -> int:
-    """After how many rows the rows repeat."""
+    """Return the period of the rows."""
     count = len(places)
     return next((n for n in range(1, count) if np.array_equal(places[n:], places[:-n])), count)
 
 
 def _over(tile: NDArray[np.int64], array: tuple[int, int]) -> NDArray[np.int64]:
-    """The tile repeated over the array."""
+    """Return the tile repeated over the array."""
     return tile[np.ix_(np.arange(array[0]) % tile.shape[0], np.arange(array[1]) % tile.shape[1])]
 
 
 def _candidates(
     shutters: Bits, tile: NDArray[np.int64], reasons: list[str]
 ) -> Iterator[tuple[ShutterSpec, Codes]]:
-    """The classes that hold all shutters, with their codes; `reasons` are told of the others."""
+    """Yield the classes that represent all shutters, with their codes. The reasons against the
+    other classes are appended to `reasons`."""
     count, slots = shutters.shape
     shape = (tile.shape[0], tile.shape[1])
     start, stop = shutters.argmax(axis=1), slots - shutters[:, ::-1].argmax(axis=1)
@@ -224,7 +223,8 @@ def _candidates(
 
 
 def _check_same(compiled_program: Compiled, shutters: Bits, tile: NDArray[np.int64]) -> None:
-    """ValueError where a compiled program opens other shutters than the mask's: a fault of ours."""
+    """Raise ValueError if the compiled program does not open the mask's shutters: an internal
+    error."""
     container = compiled_program.container
     assert container is not None
     assert container.pixel_codes is not None

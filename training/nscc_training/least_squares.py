@@ -1,4 +1,4 @@
-"""Least squares for codes that may nearly depend on each other."""
+"""Least squares for nearly dependent codes."""
 
 from __future__ import annotations
 
@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 
 @dataclass(frozen=True, eq=False)
 class LeastSquares:
-    """The solution of least norm; `rank` of the matrix, and its `condition` (inf below full)."""
+    """The solution of least norm, the `rank` of the matrix, and its `condition` (inf below full
+    rank)."""
 
     solution: NDArray[np.float64]
     rank: int
@@ -18,17 +19,17 @@ class LeastSquares:
 
 
 def solve(matrix: NDArray[np.float64], right: NDArray[np.float64]) -> LeastSquares:
-    """min |matrix x - right| for a matrix (m, n) and a right side (m,) or (m, k).
+    """Minimise |matrix x - right| for a matrix (m, n) and a right side (m,) or (m, k).
 
-    By singular values, never by normal equations, whose condition is the square. Directions below
-    max(m, n) ulps of the largest are left out and lower the rank. ValueError where anything is not
-    finite.
+    The method is the singular value decomposition, because the condition of normal equations is the
+    square. Singular values below max(m, n) ulps of the largest are left out and lower the rank.
+    ValueError for values that are not finite.
     """
     if not (np.isfinite(matrix).all() and np.isfinite(right).all()):
         raise ValueError("least squares of values that are not finite")
     limit = np.finfo(np.float64).eps * max(matrix.shape)
     if right.ndim == 2 and matrix.shape[0] > 2 * matrix.shape[1]:
-        # The same singular values and solution of a much smaller problem: Q only turns.
+        # Q is orthogonal: the smaller problem has the same singular values and solution.
         turn, matrix = np.linalg.qr(matrix)
         right = turn.T @ right
     solution, _, rank, singular = np.linalg.lstsq(matrix, right, rcond=limit)

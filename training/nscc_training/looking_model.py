@@ -1,8 +1,6 @@
-"""The sensor with pixels that look, for learning: from light to codes, and how long each was open.
-
-Steady light only. A look compares what the pixel holds, its comparator's offset and noise beside,
-with the level; the first look that finds it above closes it.
-"""
+"""The sensor with pixels that look, for training: from light to codes and open times. It models
+steady light. A look compares the charge of the pixel, plus the comparator's offset and noise, with
+the level; the first look above its level closes the pixel."""
 
 from __future__ import annotations
 
@@ -19,14 +17,15 @@ def looked(
     light: Tensor, fields: Tensor, slots: int, step_e: float, sensor: SensorModel,
     generator: torch.Generator | None,
 ) -> tuple[Tensor, Tensor]:  # fmt: skip
-    """The frame's codes and the part of the frame that each pixel was open, both (batch, rows,
-    cols), of `light` (batch, rows, cols), electrons over the frame.
+    """Return the codes of the frame and the open fraction of each pixel, both (batch, rows, cols).
 
-    `fields` (2 looks, r, c) are whole boundaries, then levels in steps of IN of `step_e` electrons:
-    the same for all pixels, or a tile, or each pixel's own. With a `generator` noise is drawn, as
-    much from it whatever the fields are: two captures with equal generators differ by the fields
-    alone. Gradients, where fields have any: which exposure a pixel takes is that which was drawn,
-    with the gradient of how likely each is.
+    `light` (batch, rows, cols) is in electrons over the frame. `fields` (2 looks, r, c) are whole
+    boundaries, then levels in steps of IN of `step_e` electrons, common to all pixels, of a tile,
+    or of each pixel.
+
+    With a `generator` noise is drawn, the same amount for all fields: two captures with equal
+    generators differ by the fields alone. If fields have gradients, the exposure of a pixel is the
+    one drawn, with the gradient of its probability.
     """
     at, level = laid(fields.double(), *light.shape[-2:]).chunk(2)
     share = torch.cat([at / slots, torch.ones_like(at[:1])])
@@ -44,7 +43,7 @@ def looked(
         chosen = chosen + likely - likely.detach()
     exposure = (chosen * charge_e).sum(dim=1)
     open_share = (chosen * share).sum(dim=1)
-    # Photons have been counted; what is left is the readout.
+    # Photons are counted already; only the readout remains.
     quiet = sensor.counted()
     return read_out(exposure, quiet, generator), open_share.float()
 
@@ -52,8 +51,8 @@ def looked(
 def _charge_at_looks(
     light: Tensor, share: Tensor, sensor: SensorModel, generator: torch.Generator | None
 ) -> Tensor:
-    """What PIX holds at each look and at the end (batch, looks + 1, rows, cols): counts of the time
-    between looks, one after the other."""
+    """Return the charge of PIX at each look and at the end, (batch, looks + 1, rows, cols). Photons
+    are counted between looks and accumulated."""
     charge = light[:, None] * share
     if generator is not None and sensor.shot_noise:
         between = torch.diff(share.detach(), dim=0, prepend=torch.zeros_like(share[:1]))
@@ -64,8 +63,8 @@ def _charge_at_looks(
 
 
 def _first(above: Tensor) -> Tensor:
-    """By exposure (batch, looks + 1, ..), whether, or how likely, a pixel takes it: the first look
-    that finds it above, the end if none does."""
+    """Return whether, or with which probability, a pixel takes each exposure, (batch, looks + 1,
+    ..). It is the first look above its level, or the end."""
     above = above.double()
     still = torch.cumprod(1 - above, dim=1)
     before = torch.cat([torch.ones_like(still[:, :1]), still[:, :-1]], dim=1)

@@ -1,4 +1,4 @@
-"""What training minimises. Truth and prediction are light relative to the data range (1)."""
+"""Losses of training. Truth and prediction are light relative to the data range (1)."""
 
 from __future__ import annotations
 
@@ -14,22 +14,21 @@ Loss = Callable[[Tensor, Tensor], Tensor]
 """(prediction, truth) of one shape to a scalar."""
 
 LOG_FLOOR = 1e-3
-"""The log loss counts relative errors above this part of the data range."""
+"""Fraction of the data range above which the log loss measures relative errors."""
 LEAST_ERROR = 1e-7
-"""Squared errors less than that, 70 dB, count as that."""
+"""Lower limit of mean squared errors: 70 dB."""
 NITS = 1000.0
-"""The luminance in cd/m2 that PU21 takes the data range for, as protocol hdr-v1 does."""
+"""Luminance in cd/m2 of the data range for PU21, as in protocol hdr-v1."""
 
 
 def l1(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Mean absolute error of linear light, as in the paper. Bright pixels rule it."""
+    """Mean absolute error of linear light, as in the paper. Bright pixels dominate it."""
     return (prediction - truth).abs().mean()
 
 
 def psnr(prediction: Tensor, truth: Tensor) -> Tensor:
-    """Minus a tenth of the PSNR in dB: every exposure counts by its own errors, as in evaluations,
-    where squared errors are ruled by the worst. Patches of one exposure ([data] together) belong
-    into a batch: their errors are taken together."""
+    """Minus a tenth of the PSNR in dB, so that every exposure counts by its own errors. Patches of
+    one exposure ([data] together) belong in one batch, because their errors are averaged."""
     return torch.log10((prediction - truth).square().mean() + LEAST_ERROR)
 
 
@@ -40,7 +39,8 @@ def pu21_loss(prediction: Tensor, truth: Tensor) -> Tensor:
 
 
 def after(curve: Callable[[Tensor], Tensor], loss: Loss) -> Loss:
-    """The loss of both after a curve; that of one truth in a row is computed once."""
+    """Return a loss of both arguments after a curve; the curve of a repeated truth is computed
+    once."""
     known: list[Tensor] = []
 
     def both(prediction: Tensor, truth: Tensor) -> Tensor:

@@ -1,4 +1,4 @@
-"""Scenes that need no download: made of a seed, the same on every machine of one numpy."""
+"""Procedural scenes, made of a seed, equal on every machine with the same numpy."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ Generator = np.random.Generator
 
 
 def still(generator: Generator, size: int) -> Picture:
-    """A picture (size, size) of light over four to six decades: surfaces, edges, lamps."""
+    """Return a picture (size, size) of light over four to six decades: surfaces, edges, lamps."""
     surface = _fractal(generator, size, 4.0)
     for _ in range(int(generator.integers(6, 14))):
         shape_mask = _shape(generator, size)
@@ -24,7 +24,7 @@ def still(generator: Generator, size: int) -> Picture:
 
 
 def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
-    """A clip (frames, size, size) on 0..1: textured things crossing a panning background."""
+    """Return a clip (frames, size, size) on 0..1: textured objects cross a panning background."""
     margin = 3 * frames
     ground = _unit(_fractal(generator, size + 2 * margin, 1.0))
     pan = generator.uniform(-1.5, 1.5, 2)
@@ -38,7 +38,7 @@ def clip(generator: Generator, frames: int, size: int) -> NDArray[np.float32]:
 
 
 def _fractal(generator: Generator, size: int, spread: float) -> NDArray[np.float64]:
-    """Noise with a spectrum as natural scenes have it, of that standard deviation."""
+    """Return noise with the spectrum of natural scenes and a given standard deviation."""
     frequency = np.hypot(np.fft.fftfreq(size)[:, None], np.fft.rfftfreq(size)[None, :])
     frequency[0, 0] = 1.0
     white = np.fft.rfft2(generator.standard_normal((size, size)))
@@ -52,7 +52,7 @@ def _unit(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
-    """A turned rectangle or an ellipse, anywhere."""
+    """Return a random rotated rectangle or ellipse."""
     y, x = generator.random(2) * size
     height, width = generator.uniform(0.05, 0.3, 2) * size
     angle = generator.uniform(0, np.pi)
@@ -65,7 +65,7 @@ def _shape(generator: Generator, size: int) -> NDArray[np.bool_]:
 
 
 def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
-    """Texture, mask, place and speed (pixels a frame) of a thing."""
+    """Return texture, mask, place and speed (pixels per frame) of an object."""
     side = int(size * generator.uniform(0.2, 0.5))
     texture = _unit(_fractal(generator, side, 1.0))
     mask = _shape(generator, side) | _shape(generator, side)
@@ -74,7 +74,7 @@ def _sprite(generator: Generator, size: int) -> tuple[NDArray[np.float64], ...]:
 
 
 def _moved(ground: NDArray[np.float64], corner: NDArray[np.float64], size: int) -> Picture:
-    """The window of that size whose corner lies between pixels."""
+    """Return the window of a size whose corner lies between pixels."""
     base = np.floor(corner).astype(int)
     fraction = corner - base
     y, x = base
@@ -87,7 +87,7 @@ def _paste(
     picture: Picture, texture: NDArray[np.float64], mask: NDArray[np.float64],
     place: NDArray[np.float64],
 ) -> None:  # fmt: skip
-    """Lay a thing over the picture at whole pixels; what lies outside is cut."""
+    """Paste an object into the picture at whole pixels; parts outside are cut."""
     side = len(texture)
     y, x = np.rint(place).astype(int)
     y0, x0 = max(y, 0), max(x, 0)

@@ -1,4 +1,4 @@
-"""Masks and measurements of snapshot compressive imaging, in files that anyone may have made."""
+"""Read masks and measurements of snapshot compressive imaging from untrusted files."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ ENDINGS = (".mat", ".npy", ".npz")
 Floats = NDArray[np.float64]
 
 _MOST = 1e15
-"""Of a measurement, in any unit: squares of such values still are floats of single precision."""
+"""Largest value of a measurement: its square fits single precision."""
 
 
 def array_names(path: Path) -> list[str]:
-    """The names of the arrays in a .mat or .npz file; none of an .npy. Rejected (NS0845) for
-    another file."""
+    """Return the names of the arrays in a .mat or .npz file; empty for an .npy file. Rejected
+    (NS0845) for another file."""
     return _read(path, None)[0]
 
 
@@ -51,7 +51,7 @@ def real_array(path: Path, name: str) -> Floats:
 
 
 def _read(path: Path, name: str | None) -> tuple[list[str], NDArray[Any] | None]:
-    """The names in a file, and the array of that name or the only one."""
+    """Return the names in a file, and the array of that name, or the only array."""
     reads(path)
     suffix = path.suffix.lower()
     if suffix not in ENDINGS or not path.is_file():
@@ -106,7 +106,7 @@ def read_mask(path: Path) -> Floats:
 
 
 def refused(path: Path, reason: str, note: str = "") -> Rejected:
-    """NS0845 for a file that holds no mask and measurement that can be used."""
+    """Return the error (NS0845) for a file without a usable mask and measurement."""
     return rejected(
         "NS0845",
         f"'{path}' cannot be used: {reason}",

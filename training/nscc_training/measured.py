@@ -1,122 +1,149 @@
-"""What frames say of the light that made them: the data term, for any sensor and any code."""
+"""The data term of reconstruction, for any sensor and any code."""
 
 from __future__ import annotations
 
+import sys
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any, Generic, TypeVar
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
-from torch import Tensor
 
-from nscc_training.sensor_model import SensorModel
+if TYPE_CHECKING:
+    from torch import Tensor
+
+    from nscc_training.sensor_model import SensorModel
+
+Array = TypeVar("Array", "Tensor", NDArray[Any])
+"""Tensors of torch or arrays of numpy: both have the operators and functions that follow."""
+
+
+def namespace(array: object) -> Any:
+    """Return the module whose functions take the array: numpy or torch."""
+    return sys.modules[type(array).__module__.partition(".")[0]]
 
 
 @dataclass(frozen=True, eq=False)
-class Measured:
-    """Frames of one exposure, B of them (buckets), and how they came about.
+class Measured(Generic[Array]):
+    """Frames of one exposure, B of them (buckets), and their measurement model.
 
-    `value` (batch, B, rows, cols) is sum over N of `mask` (batch or 1, B, N, rows, cols) times the
-    light, whose unit is such that its whites are about 1, and noise of `variance` (as `value`).
-    Where `saturated`, the light gave that much or more. `mask` may be weighted, by the length of
-    slots for one.
+    `value` (batch, B, rows, cols) is the sum over N of `mask` (batch or 1, B, N, rows, cols) times
+    the light, plus noise of `variance` (shape of `value`). The unit of light is such that white is
+    about 1. Where `saturated`, the value is a lower bound. `mask` may be weighted, for example by
+    slot lengths.
     """
 
-    value: Tensor
-    mask: Tensor
-    variance: Tensor
-    saturated: Tensor
+    value: Array
+    mask: Array
+    variance: Array
+    saturated: Array
 
     @classmethod
-    def exact(cls, value: Tensor, mask: Tensor) -> Measured:
-        """One frame (batch, rows, cols) without noise; the mask (batch or 1, N, rows, cols)."""
-        value = value.unsqueeze(1)
-        return cls(
-            value, mask.unsqueeze(1), torch.zeros_like(value),
-            torch.zeros_like(value, dtype=torch.bool),
-        )  # fmt: skip
+    def exact(cls, value: Array, mask: Array) -> Measured[Array]:
+        """Return one frame (batch, rows, cols) without noise; the mask is (batch or 1, N, rows,
+        cols)."""
+        value, nothing = value[:, None], namespace(value).zeros_like(value[:, None])
+        return cls(value, mask[:, None], nothing, nothing != 0)
 
     @classmethod
     def read(
         cls, frames: NDArray[np.float32], masks: NDArray[Any], sensor: SensorModel
-    ) -> Measured:
+    ) -> Measured[NDArray[Any]]:
         """Return frames (B, rows, cols) of a sensor, in codes above the offset, as electrons.
 
         `masks` are (B, N, rows, cols).
         """
-        codes = torch.from_numpy(np.ascontiguousarray(frames, np.float32))[None]
-        value = codes * sensor.electrons_per_lsb
+        codes = np.asarray(frames, np.float32)[None]
+        value = codes * np.float32(sensor.electrons_per_lsb)
         noise_lsb2 = sensor.adc_noise_lsb**2 + 1 / 12
-        variance = torch.full_like(value, noise_lsb2 * sensor.electrons_per_lsb**2)
+        variance = np.full_like(value, noise_lsb2 * sensor.electrons_per_lsb**2)
         if sensor.shot_noise:
-            variance = variance + value.clamp(min=0)
+            variance = variance + value.clip(min=0)
         full = codes >= sensor.full_code
-        opened = torch.from_numpy(np.ascontiguousarray(masks, np.float32))
-        return cls(value, opened[None], variance, full)
+        return Measured(value, np.asarray(masks, np.float32)[None], variance, full)
 
-    def over(self, unit: Tensor) -> Measured:
-        """The same in other units (batch,) of light."""
+    def tensors(self: Measured[NDArray[Any]]) -> Measured[Tensor]:
+        """Return the measurement for torch, which shares the memory of the arrays."""
+        import torch
+
+        parts = (self.value, self.mask, self.variance, self.saturated)
+        return Measured(*(torch.from_numpy(np.ascontiguousarray(part)) for part in parts))
+
+    def over(self, unit: Array) -> Measured[Array]:
+        """Return the measurement in other units (batch,) of light."""
         unit = unit.reshape(-1, 1, 1, 1)
-        return replace(self, value=self.value / unit, variance=self.variance / unit.square())
+        return replace(self, value=self.value / unit, variance=self.variance / unit**2)
 
-    def of(self, clip: Tensor) -> Tensor:
-        """The frames that a clip (batch, N, rows, cols) would give."""
-        return (self.mask * clip.unsqueeze(1)).sum(dim=2)
+    def of(self, clip: Array) -> Array:
+        """Return the frames of a clip (batch, N, rows, cols)."""
+        frames: Array = (self.mask * clip[:, None]).sum(2)
+        return frames
 
-    def missing(self, predicted: Tensor, target: Tensor) -> Tensor:
-        """How far a clip's frames are from a target; where saturated, more is never too much."""
+    def missing(self, predicted: Array, target: Array) -> Array:
+        """Return the difference of a target and a clip's frames; where saturated, an excess counts
+        as 0."""
         gap = target - predicted
-        return torch.where(self.saturated, gap.clamp(min=0), gap)
+        least: Array = namespace(gap).where(self.saturated, gap.clip(min=0), gap)
+        return least
 
-    def trust(self, sigma: Tensor) -> Tensor:
-        """The part of a difference that is the clip's error, of standard deviation `sigma`
-        (batch,), and not the frames' noise; as `value`."""
-        spread = self.energy * sigma.reshape(-1, 1, 1, 1).square()
-        error_share: Tensor = spread / (spread + self.variance).clamp(min=1e-20)
+    def trust(self, sigma: Array) -> Array:
+        """Return the fraction of a difference due to the clip's error rather than noise, in the
+        shape of `value`. The error has the standard deviation `sigma` (batch,)."""
+        spread = self.energy * sigma.reshape(-1, 1, 1, 1) ** 2
+        error_share: Array = spread / (spread + self.variance).clip(min=1e-20)
         return error_share
 
-    def correction(self, gap: Tensor, sigma: Tensor) -> Tensor:
-        """What to add to a clip for frames that differ by `gap`: its most likely error if that has
-        the standard deviation `sigma` everywhere. Without noise, and with frames that share no
+    def correction(self, gap: Array, sigma: Array) -> Array:
+        """Return the most likely correction of a clip whose frames differ by `gap`. The prior error
+        has the standard deviation `sigma` everywhere. Without noise, and with frames that share no
         light, this is the projection onto all clips that give the frames."""
         if self.disjoint:
-            noise = self.variance / sigma.reshape(-1, 1, 1, 1).square()
-            shares = gap / (self.energy + noise).clamp(min=1e-6)
-            return (self.mask * shares.unsqueeze(2)).sum(dim=1)
-        weights = torch.linalg.solve(self._joint(sigma), gap.permute(0, 2, 3, 1))
-        update: Tensor = (self.mask * weights.permute(0, 3, 1, 2).unsqueeze(2)).sum(dim=1)
+            noise = self.variance / sigma.reshape(-1, 1, 1, 1) ** 2
+            shares = gap / (self.energy + noise).clip(min=1e-6)
+        else:
+            of, last = namespace(gap), namespace(gap).moveaxis(gap, 1, -1)[..., None]
+            shares = of.moveaxis(of.linalg.solve(self._joint(sigma), last)[..., 0], -1, 1)
+        update: Array = (self.mask * shares[:, :, None]).sum(1)
         return update
 
     @cached_property
     def disjoint(self) -> bool:
-        """Whether no light of a pixel is in two frames, as in those of a film: then what one frame
-        lacks says nothing of the others."""
-        shared = (self.mask != 0).sum(dim=1) > 1
+        """Whether no light of a pixel is in two frames, as in the frames of a film."""
+        shared = (self.mask != 0).sum(1) > 1
         return self.mask.shape[1] == 1 or not bool(shared.any())
 
-    def _joint(self, sigma: Tensor) -> Tensor:
-        """(batch, rows, cols, B, B): how frames of a pixel vary together, over sigma squared."""
-        masks = self.mask.permute(0, 3, 4, 1, 2)
-        noise = self.variance.permute(0, 2, 3, 1) / sigma.reshape(-1, 1, 1, 1).square()
-        # A frame that a pixel is never open in says nothing, and is not to divide by 0.
-        return masks @ masks.mT + torch.diag_embed(noise + 1e-4)
+    def _joint(self, sigma: Array) -> Array:
+        """Return the covariance (batch, rows, cols, B, B) of the frames of a pixel, over sigma
+        squared."""
+        of = namespace(self.mask)
+        masks = of.moveaxis(self.mask, (1, 2), (3, 4))
+        noise = of.moveaxis(self.variance / sigma.reshape(-1, 1, 1, 1) ** 2, 1, -1)
+        # A frame in which a pixel never opens must not divide by 0.
+        one = of.diagflat(of.ones_like(self.variance[0, :, 0, 0]))
+        joint: Array = masks @ masks.mT + (noise + 1e-4)[..., None] * one
+        return joint
 
     @property
-    def energy(self) -> Tensor:
-        """The sum of squares of the mask, (batch or 1, B, rows, cols)."""
-        return self.mask.square().sum(dim=2)
+    def energy(self) -> Array:
+        """Sum of squares of the mask, (batch or 1, B, rows, cols)."""
+        squares: Array = (self.mask**2).sum(2)
+        return squares
 
-    def mean(self) -> Tensor:
-        """The light (batch, rows, cols) that each pixel's open slots had on average, 0 where none
-        was open."""
-        total = self.mask.sum(dim=(1, 2))
-        return torch.where(total > 0, self.value.sum(dim=1) / total.clamp(min=1e-6), 0.0)
+    def mean(self) -> Array:
+        """Return the mean light (batch, rows, cols) of each pixel's open slots, 0 without open
+        slots."""
+        total = self.mask.sum((1, 2))
+        light = self.value.sum(1) / total.clip(min=1e-6)
+        known: Array = namespace(light).where(total > 0, light, namespace(light).zeros_like(light))
+        return known
 
-    def planes(self) -> Tensor:
-        """What a denoiser sees of it, (batch, 3, N, rows, cols): all frames' mask, their value over
-        it, and the standard deviation of that, at most 1: the same for all N but the mask."""
+    def planes(self: Measured[Tensor]) -> Tensor:
+        """Return the inputs of a denoiser, (batch, 3, N, rows, cols). They are the mask of all
+        frames, the value over the mask, and its standard deviation, at most 1; only the mask
+        differs between slots."""
+        import torch
+
         mask = self.mask.sum(dim=1).expand(len(self.value), -1, -1, -1)
         total = mask.sum(dim=1)
         opened = total > 0

@@ -1,4 +1,4 @@
-"""All metrics of one pair: what `nscc metrics` and `nscc evaluate` write."""
+"""All metrics of a pair of arrays, for `nscc metrics` and `nscc evaluate`."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ from nscc_training.array_files import read_picture_or_clip
 from nscc_training.metrics import WINDOW, mean_square_error
 
 NITS = 1000.0
-"""The luminance in cd/m2 that the data range stands for in PU21-PSNR, unless stated."""
+"""Default luminance in cd/m2 of the data range in PU21-PSNR."""
 LARGEST = 1e60
-"""Data ranges and values beyond that, and data ranges below its inverse, are refused: squares of
-squares of them leave float64."""
+"""Largest data range and value; data ranges have its inverse as lower limit. Fourth powers of such
+numbers fit float64."""
 
 
 def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
-    """Raises Rejected (NS0802) unless both have one shape that metrics can be taken of."""
+    """Raise Rejected (NS0802) unless both arrays have one shape that metrics support."""
     if truth.shape != result.shape:
         raise rejected(
             "NS0802",
@@ -53,10 +53,8 @@ def check_pair(truth: NDArray[Any], result: NDArray[Any]) -> None:
 def measures(
     truth: NDArray[Any], result: NDArray[Any], data_range: float, nits: float = NITS
 ) -> dict[str, Any]:
-    """Every metric of a checked pair, as JSON values; clips also frame by frame.
-
-    Infinite dB are the text "inf". `psnr_db` of a clip is the mean over its finite frames.
-    """
+    """Return every metric of a checked pair as JSON values; of clips also frame by frame. Infinite
+    dB are the text "inf". `psnr_db` of a clip is the mean over its finite frames."""
     frames = [(truth, result)] if truth.ndim == 2 else list(zip(truth, result, strict=True))
     scores = metrics.frame_scores((mean_square_error(a, b) for a, b in frames), data_range)
     values: dict[str, Any] = {
@@ -79,7 +77,7 @@ def measures(
 
 
 def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -> dict[str, Any]:
-    """The metrics of one frame that every clip's result has, as JSON values."""
+    """Return the metrics of a frame of a clip as JSON values."""
     return {
         "psnr_db": decibels(metrics.psnr(truth, result, data_range)),
         "ssim": metrics.ssim(truth, result, data_range),
@@ -87,17 +85,17 @@ def frame_scores(truth: NDArray[Any], result: NDArray[Any], data_range: float) -
 
 
 def stamp(path: Path) -> dict[str, str]:
-    """What results say of a file: its name and digest."""
+    """Return the name and the digest of a file."""
     return {"file": path.name, "sha256": file_sha256(path)}
 
 
 def decibels(value: float) -> float | str:
-    """A number of dB as JSON can hold it."""
+    """Return a number of dB in JSON form."""
     return "inf" if math.isinf(value) else value
 
 
 def number(value: float | str) -> float:
-    """The dB that `decibels` wrote."""
+    """Return the dB of a value of `decibels`."""
     return float(np.inf) if value == "inf" else float(value)
 
 
@@ -110,12 +108,9 @@ def measure_files(
     truth_key: str | None = None,
     result_key: str | None = None,
 ) -> dict[str, Any]:
-    """Every metric of two files, as JSON values, with the files' names and digests.
-
-    They hold pictures (rows, cols) or clips (T, rows, cols), by the given keys where they hold
-    several arrays. Raises Rejected for files and values that metrics cannot be taken of, NS0803
-    for a data range that is no number above 0, or one whose squares are not.
-    """
+    """Return every metric of two files as JSON values, with names and digests of the files. The
+    files hold pictures (rows, cols) or clips (T, rows, cols); keys select one of several arrays.
+    Raises Rejected for files and values without metrics, NS0803 for an invalid data range."""
     if not 1 / LARGEST <= data_range <= LARGEST:
         raise rejected(
             "NS0803",
@@ -141,7 +136,7 @@ def measure_files(
 
 
 def measures_text(values: Mapping[str, Any]) -> str:
-    """What `measure_files` found, one number a line."""
+    """Return the metrics of `measure_files` as text, one per line."""
     rows = [
         ("PSNR", "psnr_db", " dB"),
         ("PSNR of the mean error", "psnr_of_mean_mse_db", " dB"),

@@ -1,33 +1,35 @@
-"""Measurements of other cameras: clips from an own mask and what was measured through it."""
+"""Reconstruct measurements of other cameras from their mask."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.diagnostics.rejection import rejected
 from nscc.npy import InvalidArrays, npz_arrays
+from nscc_runtime.machine_code import working_s
 from nscc_training.mask_files import Floats, array_names, read_mask, real_array, refused
-from nscc_training.reconstruct import Reconstruction
+from nscc_training.measured import Measured
+from nscc_training.reconstruction import Reconstruction
+from nscc_training.untrained import Method, gap_tv_clip, method_for
 
 _KEYS = frozenset(("mask", "meas"))
 
 
 @dataclass(frozen=True)
 class NoiseModel:
-    """Noise of a measurement: a standard deviation of `read_sd`, and photons, whose variance is
-    `gain` times the measured value; both in the measurement's unit."""
+    """Noise of a measurement: readout noise of standard deviation `read_sd`, and photon noise,
+    whose variance is `gain` times the measured value. Both are in the unit of the measurement."""
 
     read_sd: float = 0.0
     gain: float = 0.0
 
     @classmethod
     def parse(cls, text: str) -> NoiseModel:
-        """`SD` or `SD,GAIN`; NS0846 for anything else."""
+        """Parse `SD` or `SD,GAIN`; NS0846 for another text."""
         try:
             numbers = [float(item) for item in text.split(",")]
         except ValueError:
@@ -51,8 +53,8 @@ class NoiseModel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """K measurements (K, rows, cols) through one mask (slots, rows, cols); `axes` says how the
-    arrays of the files were taken."""
+    """K measurements (K, rows, cols) through one mask (slots, rows, cols). `axes` describes how the
+    arrays of the files were interpreted."""
 
     values: Floats
     mask: Floats
@@ -60,8 +62,8 @@ class Measurement:
 
 
 def is_measurement(path: Path, mask: Path | None) -> bool:
-    """Whether a file is a measurement: its mask is named, it is a .mat or .npy, or it is an .npz
-    that holds `meas` and is no frame file."""
+    """Return whether a file is a measurement: its mask is named, it is .mat or .npy, or an .npz
+    with `meas`."""
     suffix = path.suffix.lower()
     if mask is not None or suffix in (".mat", ".npy"):
         return True
@@ -111,23 +113,22 @@ def read_measurement(path: Path, mask_path: Path | None = None) -> Measurement:
     )
 
 
-def reconstruct_measurement(measurement: Measurement, noise: NoiseModel) -> Reconstruction:
+def reconstruct_measurement(
+    measurement: Measurement, noise: NoiseModel, method: Method | None = None
+) -> Reconstruction:
     """Reconstruct the clip (K * slots, rows, cols), in the unit of the measurement a slot."""
-    import torch
-
-    from nscc_training.any_code.decode import decoded_clip
-    from nscc_training.measured import Measured
-
-    begin = perf_counter()
-    opened = torch.from_numpy(np.ascontiguousarray(measurement.mask, np.float32))[None, None]
+    method, begin = method_for(still=False, method=method), working_s()
+    opened = np.asarray(measurement.mask, np.float32)[None, None]
     clips: list[NDArray[np.float32]] = []
     for values in measurement.values:
         variance = noise.read_sd**2 + noise.gain * np.maximum(values, 0)
-        value, spread = (
-            torch.from_numpy(np.ascontiguousarray(array, np.float32))[None, None]
-            for array in (values, variance)
-        )
-        full = torch.zeros_like(value, dtype=torch.bool)
-        clips.append(decoded_clip(Measured(value, opened, spread, full))[0].numpy())
+        value, spread = (np.asarray(array, np.float32)[None, None] for array in (values, variance))
+        measured = Measured(value, opened, spread, np.zeros(value.shape, bool))
+        if method == "gap-tv":
+            clips.append(gap_tv_clip(measured))
+            continue
+        from nscc_training.any_code.decode import decoded_clip
+
+        clips.append(decoded_clip(measured.tensors())[0].numpy())
     light = np.concatenate(clips)
-    return Reconstruction(light, False, False, (), perf_counter() - begin)
+    return Reconstruction(light, False, False, (), working_s() - begin, method)

@@ -1,4 +1,4 @@
-"""Words for messages about wrong input of the trainer."""
+"""Texts of error messages of the trainer."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ def listed(names: Sequence[str], most: int = 12) -> str:
 
 
 def one_line(error: object, most: int = 200) -> str:
-    """An exception's text in one line."""
+    """Return the text of an exception in one line."""
     return " ".join(str(error).split())[:most]
 
 
 def why_no_arrays(error: InvalidArrays | OSError) -> str:
-    """Why a file that was to be an .npz of named arrays could not be read as one."""
+    """Return why a file could not be read as an .npz of named arrays."""
     if isinstance(error, OSError):
         missing = isinstance(error, FileNotFoundError)
         return "there is no such file" if missing else (error.strerror or str(error)).lower()
@@ -29,10 +29,8 @@ def why_no_arrays(error: InvalidArrays | OSError) -> str:
 
 
 def is_out_of_memory(error: Exception) -> bool:
-    """Whether numpy, Python or torch had no memory left, on the GPU or beside it.
-
-    Told without torch: its error on a GPU has a name, that of its allocator on the host only words.
-    """
+    """Return whether an exception means that memory is exhausted, on the GPU or on the host. Torch
+    is not imported: its GPU error is known by name, its host error by text."""
     return isinstance(error, MemoryError) or (
         isinstance(error, RuntimeError)
         and (type(error).__name__ == "OutOfMemoryError" or "DefaultCPUAllocator" in str(error))
@@ -40,6 +38,6 @@ def is_out_of_memory(error: Exception) -> bool:
 
 
 def unreadable(code: str, message: str, error: Exception, help_text: str) -> Rejected:
-    """A file that its reader could not read, with the reader's words."""
+    """Return the error for a file that its reader could not read."""
     notes = (f"the reader says: {one_line(error)}",) if one_line(error) else ()
     return rejected(code, message, notes=notes, helps=(help_text,))

@@ -1,4 +1,4 @@
-"""Learned shutters as programs: `.nsl` text that a person can read, and what the compiler says."""
+"""Learned shutters as readable `.nsl` programs, and their compilation."""
 
 from __future__ import annotations
 
@@ -31,18 +31,27 @@ if TYPE_CHECKING:
 CODES_FILE = "codes.npz"
 TARGET_FILE = "target.toml"
 SENSOR_FILE = "sensor.toml"
-"""A chip and a sensor of one's own, beside the program that is for them."""
+"""Files of the user's chip and sensor, beside the program."""
 MOST_LISTED = 4096
-"""A tile of more places than this goes into a file, which must hold the whole array."""
+"""Most places of a tile in the text; more go into a file, which holds the whole array."""
 _MOST_DIGITS = 1 << 15
-"""A codebook of more digits than this goes into a file."""
+"""Most digits of a codebook in the text; more go into a file."""
 
 
 @dataclass(frozen=True)
 class Chip:
-    """Where shutters are to run: a target's name or file, slots of `slot_us`, and a `require`.
+    """The chip for which shutters are learned.
 
-    `table` is what was read from a file, and holds from then on, whatever becomes of the file.
+    Parameters
+    ----------
+    target : str
+        Name or file of the target.
+    slot_us : float
+        Length of a slot in microseconds.
+    require : str, optional
+        A condition on legal codes.
+    table : Target, optional
+        Contents of the target file; later changes of the file have no influence.
     """
 
     target: str = "scamp5"
@@ -52,23 +61,34 @@ class Chip:
 
     @property
     def file(self) -> str | None:
-        """The target's file, as the compiler's options take it; None for a name."""
+        """The target's file, in the form of the compiler's options; None for a name."""
         return self.target if self.target.endswith(".toml") else None
 
 
 @dataclass(frozen=True)
 class ProgramFiles:
-    """`text` of the program and the bytes of the codes beside it, which it names if it needs them.
-
-    `codes` hold every field on the tile, and a codebook's digits as `book`.
-    """
+    """A program: its `text`, and the bytes of the codes beside it, if the text names them. `codes`
+    hold every field on the tile, and a codebook's digits as `book`."""
 
     text: str
     codes: bytes
 
 
 def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
-    """The program of the shutters that an encoder has now."""
+    """Return the program of an encoder's current shutters.
+
+    Parameters
+    ----------
+    encoder : Encoder
+    chip : Chip
+    remark : str
+        Comment at the start of the program.
+
+    Returns
+    -------
+    ProgramFiles
+        Text of the program, and the codes that it reads.
+    """
     codes: dict[str, NDArray[np.int64]] = encoder.codes()
     if encoder.spec.kind == "looks":
         target = chip.table or load_target(chip.target, Path())
@@ -84,15 +104,13 @@ def program_of(encoder: Encoder, chip: Chip, remark: str = "") -> ProgramFiles:
 
 
 def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> ProgramFiles:
-    """The program of given codes; `remark` stands at its head.
-
-    Codes for every pixel go into the file, and so must those of a tile of more than 4096 places:
-    the compiler refuses one that is not the array.
-    """
+    """Return the program of codes, with `remark` as a comment at the top. Codes for every pixel go
+    into the file, and so do those of a tile of more than 4096 places, expanded to the array, as the
+    compiler requires."""
     packed = codes_bytes(codes) if codes else b""
     lines = [*(f"# {line}" for line in remark.splitlines()), "nsl 1", ""]
-    # A file's path is relative to where the user works, not to the program: it is an option of
-    # the compiler then, not part of the text.
+    # A file's path is relative to the current folder, not to the program, so it is an option
+    # of the compiler instead of a part of the text.
     if chip.file is None:
         lines.append(f"target {chip.target}")
     lines += [frame_text(spec.slots, chip.slot_us), ""]
@@ -112,10 +130,8 @@ def program(spec: ShutterSpec, codes: Codes, chip: Chip, remark: str = "") -> Pr
 def compiled(
     files: ProgramFiles, chip: Chip, *, level: int = 1, every_code: bool = False
 ) -> Compiled:
-    """The program, compiled and proved; Rejected with the compiler's own errors where it is not.
-
-    `every_code` compiles for all codes that the class allows, not only those in use.
-    """
+    """Compile and prove a program; Rejected with the compiler's errors. `every_code` compiles for
+    all codes that the class allows, instead of those in use."""
     with tempfile.TemporaryDirectory() as folder:
         if files.codes:
             (Path(folder) / CODES_FILE).write_bytes(files.codes)
@@ -126,20 +142,18 @@ def compiled(
 
 @dataclass(frozen=True, eq=False)
 class Begun:
-    """What a run begins with: `codes` by field on the tile, with a codebook's digits as `book`.
-
-    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for them; None
-    where they hang on the light.
-    """
+    """The start of a run: `codes` by field on the tile, with a codebook's digits as `book`.
+    `opened` bool (buckets, N, rows, cols) are the shutters that the program opens for them; None if
+    they depend on the light."""
 
     codes: dict[str, NDArray[np.int64]]
     opened: NDArray[np.bool_] | None
 
 
 def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
-    """The codes of a program's pixels on the tile's places, or of pixels that look the moments and
-    levels. ValueError for a program of other slots, fields, levels or buckets, or whose pixels are
-    not this tile's again and again, and Rejected as the compiler."""
+    """Return the codes of a program on the places of the tile; of pixels that look, moments and
+    levels. Raises ValueError for a program of other slots, fields, levels or buckets, or with other
+    pixels than a repetition of this tile, and Rejected as the compiler."""
     target = chip.table or load_target(chip.target, Path())
     compiled_program = compile_file(path, Options(level=0, target=target))
     container = compiled_program.container
@@ -174,12 +188,12 @@ def begun_with(path: Path, spec: ShutterSpec, chip: Chip) -> Begun:
 
 
 def _fields(spec: ShutterSpec) -> tuple[str, ...]:
-    """The fields of a class's code."""
+    """Return the fields of a class's code."""
     return tuple(rule.split()[1] for rule in _RULES[spec.kind] if rule.startswith("code "))
 
 
 def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int32]:
-    """The places of a tile (rows, cols) that repeats over the array; ValueError for pixels that do
+    """Return the codes of a tile (rows, cols) that repeats over the array; ValueError if it does
     not."""
     rows, cols = pixels.shape
     tile_codes = pixels[: tile[0], : tile[1]]
@@ -193,7 +207,7 @@ def _tile_of(pixels: NDArray[np.int32], tile: tuple[int, int]) -> NDArray[np.int
 
 
 def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[np.int64]:
-    """The shapes (K, N) of a program's codebook, those that no pixel chooses among them."""
+    """Return all shapes (K, N) of a program's codebook."""
     source = compiled_program.program.source
     table = analyse(
         source, compiled_program.tree, base=path.parent, codes="open", target=target
@@ -202,8 +216,8 @@ def _book_of(compiled_program: Compiled, path: Path, target: Target) -> NDArray[
 
 
 def words_per_slot(compiled_program: Compiled) -> float:
-    """Words executed in a slot, in the mean over the frame: digital, analog and refresh. None are
-    by pixels without logic."""
+    """Return the mean number of words per slot: digital, analog and refresh; 0 for pixels without
+    logic."""
     if compiled_program.sending is not None:
         return 0.0
     assert compiled_program.lowered is not None
@@ -213,7 +227,7 @@ def words_per_slot(compiled_program: Compiled) -> float:
 
 
 def legal_codes(spec: ShutterSpec, chip: Chip) -> NDArray[np.int64]:
-    """The codes (codes, fields) that the class and `require` allow; Rejected where none is left."""
+    """Return the codes (codes, fields) that the class and `require` allow; Rejected without any."""
     source = Source("shutter.nsl", program(spec, {}, chip).text)
     tree, problems = parse(source)
     if any(problem.severity is Severity.ERROR for problem in problems):
@@ -233,11 +247,11 @@ _RULES = {
     "e": ["code bits : bit[N]", "open when bits[n]"],
     "codebook": ["code id : row of book", "open when book[id]"],
 }  # fmt: skip
-"""The code's fields and when a pixel is open, by class."""
+"""Declarations of the code's fields, and the rule that opens a pixel, by class."""
 
 
 def _rules(spec: ShutterSpec) -> list[str]:
-    """The code's fields and when a pixel is open; with two buckets, where its light goes."""
+    """Return the code's fields and the rules of the buckets."""
     *fields, opened = _RULES[spec.kind]
     if spec.buckets == 1:
         return [*fields, opened]

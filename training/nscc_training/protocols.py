@@ -1,4 +1,4 @@
-"""Protocols: what a number means. Frozen files; their digests stand beside every number."""
+"""Protocols of evaluation: frozen files, whose digests accompany every result."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ NAMES = (
 
 
 _PHOTONS_OF_LUX = 1 / 683 / (6.626e-34 * 2.998e8 / 555e-9)
-"""Photons of 555 nm a second on a square metre: 683 lumens are a watt of them."""
+"""Photons of 555 nm per second and square metre per lux: 683 lumens are a watt."""
 
 
 @dataclass(frozen=True)
 class Protocol:
-    """A protocol: its name, the digest of its file, and what it fixes."""
+    """A protocol: name, digest of its file, and the values that it fixes."""
 
     name: str
     sha256: str
@@ -33,20 +33,18 @@ class Protocol:
 
     @property
     def still(self) -> bool:
-        """Whether scenes are stills, and not clips."""
+        """Whether scenes are stills instead of clips."""
         return self.name == "hdr-v1"
 
     def changed(self, **values: Any) -> Protocol:
-        """Return a variant: its digest is the file's, and its numbers are not the protocol's."""
+        """Return a variant with other values; its digest stays that of the file."""
         return replace(self, values={**self.values, **values})
 
     @property
     def mid_grey_e(self) -> float | None:
-        """Electrons over the whole frame of what reflects as the median of a scene does, where the
-        protocol says how much light there is; None where scenes are scaled to a full well.
-
-        A lens of f-number A lights the sensor with 1 / (4 A^2) of what a matt surface sends back.
-        """
+        """Electrons over the frame for the median of a scene, if the protocol fixes the
+        illuminance. None if scenes are scaled to a full well. A lens of f-number A passes 1 / (4
+        A^2) of the light of a matt surface to the sensor."""
         if "illuminance_lux" not in self.values:
             return None
         lux = self["illuminance_lux"] * self["reflectance"] / (4 * self["f_number"] ** 2)
@@ -56,7 +54,7 @@ class Protocol:
 
 
 def load_protocol(name: str) -> Protocol:
-    """The protocol of that name; Rejected (NS0806) for another one."""
+    """Return a protocol by name; Rejected (NS0806) for an unknown one."""
     if name not in NAMES:
         raise unknown_name(
             "NS0806", "there is no protocol '{}'", name, NAMES, "the protocols are {}"

@@ -1,12 +1,10 @@
-"""From a frame file to a picture or a clip, by a run's decoder."""
+"""Reconstruct pictures and clips from frame files with a run's decoder."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from hashlib import sha256
 from pathlib import Path
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,64 +16,36 @@ from nscc.program.problems import counted
 from nscc.source import Source
 from nscc.words.file import to_bytes
 from nscc_runtime.effects import selected
-from nscc_runtime.formats import Content
+from nscc_runtime.machine_code import working_s
 from nscc_runtime.sensor import sensor_sha256
 from nscc_training.dark_frames import of_pixels, read_dark, undarkened
 from nscc_training.encoders.looks_encoder import LOOKS
 from nscc_training.frame_reading import FrameRead, no_frame, read_frame
 from nscc_training.loop.decoding import decoded_frame, shutters_at
 from nscc_training.programs import TARGET_FILE
+from nscc_training.reconstruction import Reconstruction, overexposed
 from nscc_training.run_folder import RunFolder, load_run
 
 _OF_MODEL = ("shot", "full_well", "adc_noise", "spreading", "adc")
-"""Effects that training has without `[sensor] effects`."""
+"""Effects that training models without `[sensor] effects`."""
 _DARK_HELPS = ("`--dark FRAME` takes away what words and dark current add",)
-_OVEREXPOSED = 0.5
-"""Above this part of saturated pixels most of a picture is guessed."""
-
-
-@dataclass(frozen=True, eq=False)
-class Reconstruction:
-    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons a
-    slot, float32; with an axis of red, green and blue at the end if `colour`.
-
-    `messages` are doubts about the frame; `decode_s` seconds that the decoder took.
-    """
-
-    light: NDArray[np.float32]
-    still: bool
-    colour: bool
-    messages: tuple[Diagnostic, ...]
-    decode_s: float
-
-    @property
-    def content(self) -> Content:
-        """The reconstruction for every format that it can be written in."""
-        arrays = {"image" if self.still else "video": self.light}
-        # Time is the last axis of clips in MATLAB.
-        turned = arrays if self.still else {"video": np.moveaxis(self.light, 0, -1)}
-        return Content(
-            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
-            usual="log" if self.still else "srgb",
-        )  # fmt: skip
 
 
 def reconstruct(
     run: Path, frame: Path, *, force: bool, dark: Path | None = None, trust_code: bool = False
 ) -> Reconstruction:
-    """What a run's decoder makes of a frame file, with warnings.
+    """Reconstruct a frame file with a run's decoder.
 
-    `dark` is a frame file of the same program without light, of many repeats: their mean, which
-    offsets of words and charge without light have left, is taken from the frame. A run that was
-    trained under effects knows the mean of each place of its tile: only what pixels differ from
-    that is taken.
+    `dark` is a frame file of the same program without light, of many repeats; its mean (offsets of
+    words, and charge without light) is subtracted from the frame. A run that was trained under
+    effects knows the mean of each place of its tile, so only the deviations from it are subtracted.
 
-    Raises Rejected: what `load_run` raises for the run, NS0819 for a file that is no frame, or one
-    of another program or sensor (with `force` that is a warning, unless its size differs), and for
-    a dark one that is of another program or has seen light (the same).
+    Raises Rejected: as `load_run` for the run; NS0819 for a file that is not a frame, for a frame
+    of another program or sensor (with `force` a warning, unless its size differs), and for a dark
+    frame of another program or with light (likewise).
     """
     folder = load_run(run, trust_code=trust_code)
-    read, begin = read_frame(frame), perf_counter()
+    read, begin = read_frame(frame), working_s()
     offset: NDArray[np.float64] | None = None
     doubts: tuple[Diagnostic, ...] = ()
     if dark is not None:
@@ -83,7 +53,7 @@ def reconstruct(
         size = (folder.setup.target.rows, folder.setup.target.cols)
         offset, doubts = dark_frames.offset, dark_frames.checked(read.meta, size, force=force)
     light, messages = reconstructed(folder, read, str(frame), force=force, offset=offset)
-    messages, seconds = (*messages, *doubts), perf_counter() - begin
+    messages, seconds = (*messages, *doubts), working_s() - begin
     return Reconstruction(light, folder.setup.still, len(read.frame) > 1, messages, seconds)
 
 
@@ -91,11 +61,9 @@ def reconstructed(
     folder: RunFolder, read: FrameRead, name: str, *, force: bool,
     offset: NDArray[np.float64] | None = None,
 ) -> tuple[NDArray[np.float32], tuple[Diagnostic, ...]]:  # fmt: skip
-    """The picture or clip of a frame, colours last, and warnings; `name` is what they call the
-    frame, `offset` (rows, cols) what the array reads without light.
-
-    Raises Rejected (NS0819) as `reconstruct`.
-    """
+    """Return the picture or clip of a frame, colours last, and warnings. Messages call the frame
+    `name`; `offset` (rows, cols) is the array's offset without light. Raises Rejected (NS0819) as
+    `reconstruct`."""
     doubts = [*_program_doubts(folder, read), *_sensor_doubts(folder, read)]
     messages = tuple(_doubt(name, text, warning=force) for text in doubts)
     if messages and not force:
@@ -127,7 +95,7 @@ def reconstructed(
 
 
 def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Reasons to think that the frame was exposed with other shutters."""
+    """Yield signs that the frame was exposed with other shutters."""
     if read.shutter is not None:
         hard = shutters_at(folder.setup, read.frame.shape[-2:]).numpy().astype(bool)
         if read.shutter.shape != hard.shape or not np.array_equal(read.shutter, hard):
@@ -138,7 +106,8 @@ def _program_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _is_program(folder: RunFolder, digest: object) -> bool:
-    """Whether that is the digest of the run's program at some level; the likely ones first."""
+    """Return whether a digest is that of the run's program at some level, trying likely levels
+    first."""
     source = Source("shutter.nsl", folder.program)
     for level in sorted(LEVELS, key=lambda level: abs(level - 2)):
         options = Options(level=level, target=folder.setup.chip.file)
@@ -152,7 +121,7 @@ def _is_program(folder: RunFolder, digest: object) -> bool:
 
 
 def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
-    """Reasons to think that the frame came from another sensor."""
+    """Yield signs that the frame came from another sensor."""
     model, own_sensor = folder.setup.model, folder.setup.sensor
     if read.meta.get("sensor_sha256") == sensor_sha256(own_sensor):
         return
@@ -162,7 +131,7 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
         and frame_sensor
         and all(own_sensor.values.get(k) == v for k, v in frame_sensor.items())
     ):
-        return  # a frame of an older version: it does not know what has been added since
+        return  # a frame of an older version, without values that were added since
     figures = (("electrons_per_lsb", model.electrons_per_lsb), ("adc_offset", model.adc_offset_lsb))
     for name, expected in figures:
         have = read.meta.get(name)
@@ -173,7 +142,7 @@ def _sensor_doubts(folder: RunFolder, read: FrameRead) -> Iterator[str]:
 
 
 def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagnostic]:
-    """NS0842, a warning, where a frame has effects that the decoder was not trained under."""
+    """Yield a warning (NS0842) if a frame has effects that the decoder was not trained under."""
     learned = folder.setup.settings.sensor.effects
     known = {effect.name for effect in selected(learned).effects} if learned else set(_OF_MODEL)
     plan = read.meta.get("plan") or {}
@@ -189,19 +158,6 @@ def _unlearned(folder: RunFolder, read: FrameRead, name: str) -> Iterator[Diagno
             notes=("what these do to codes, the decoder takes for light",),
             helps=('train with `[sensor] effects = "all"`', *_DARK_HELPS),
         )
-
-
-def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
-    """NS0844, a warning, where most of a frame's pixels are saturated."""
-    share = float(saturated.mean()) if saturated.size else 0.0
-    if share > _OVEREXPOSED:
-        yield Diagnostic(
-            "NS0844",
-            f"{100 * share:.3g} % of the pixels of '{name}' are saturated",
-            severity=Severity.WARNING,
-            notes=("of these a decoder knows only that there was so much light or more",),
-            helps=("expose the scene for less light, or with shutters some of which close early",),
-        )  # fmt: skip
 
 
 def _doubt(path: Path | str, reason: str, *, warning: bool) -> Diagnostic:

@@ -1,7 +1,5 @@
-"""Run folders as files: where they are, and what a capture for their decoder is like.
-
-Nothing here needs torch.
-"""
+"""Files of run folders: where they are, and the conditions of capture of their decoder. Nothing
+here needs torch."""
 
 from __future__ import annotations
 
@@ -24,23 +22,21 @@ _SHIPPED = {
     "hdr": "stills/class-b/learned-from-2x2/unet2d/every-effect/seed0",
     "clip": "clips/class-d/learned-from-2x2/unet2d/every-effect/seed0",
 }
-"""Runs that come with nscc: what users call them, and their folder in training/results/shipped."""
+"""Runs that come with nscc: their names, and their folders in training/results/shipped."""
 _SEARCHED = "clips/class-e/searched-from-random/any/noise-alone/seed2"
-"""Of the searches for clips the one whose gain validation found largest."""
+"""The search for clips with the largest gain on validation scenes."""
 _DARK = ("builtin:dark", "builtin:flat")
 _SLOT_ERROR_US = 10.0**-SLOT_DECIMALS
-"""A run's own program is text, and has its slots no closer than this to those of the run."""
+"""Resolution of slot lengths in a program's text, which limits the comparison with a run."""
 _ELECTRONS = (".npz", ".npy")
-"""Scenes that say how many electrons they amount to."""
+"""Scenes in electrons."""
 
 
 @dataclass(frozen=True)
 class RunCapture:
-    """How the frames were made that a run's decoder knows.
-
-    `exposure` is text as `--exposure` takes it, `still` whether scenes are stills, `sensor` and
-    `target` are files of the run's own; None: the default one, or the program's.
-    """
+    """The conditions of capture of a run's decoder. `exposure` is in the form of `--exposure`;
+    `still`: scenes are stills; `sensor` and `target` are files of the run, None for the default
+    sensor and the program's target."""
 
     program: Path
     still: bool
@@ -52,11 +48,11 @@ class RunCapture:
     target: Path | None
 
     def exposure_of(self, scene: str) -> str | None:
-        """The exposure of a scene of that name; None of those that are electrons by themselves."""
+        """Return the exposure of a scene by name; None for scenes in electrons."""
         return None if scene.startswith(_DARK) or scene.endswith(_ELECTRONS) else self.exposure
 
     def check(self, container: Container, program: Path) -> None:
-        """NS0821 for a program whose slots are not those of the run."""
+        """Raise Rejected (NS0821) for a program with other slots than the run."""
         away_us = (abs(length_us - self.slot_us) for length_us in container.slot_us)
         if container.slots == self.slots and max(away_us) <= _SLOT_ERROR_US:
             return
@@ -70,7 +66,7 @@ class RunCapture:
 
 
 def shipped_runs() -> Mapping[str, Path]:
-    """The folders of the runs that come with nscc, by name."""
+    """Return the folders of the runs that come with nscc, by name."""
     installed = Path(__file__).with_name("shipped_runs")
     if installed.is_dir():
         return {name: installed / name for name in _SHIPPED}
@@ -79,14 +75,15 @@ def shipped_runs() -> Mapping[str, Path]:
 
 
 def shipped_evaluations() -> Path:
-    """The folder of what `nscc evaluate` said of the runs and baselines that results tell of."""
+    """Return the folder of the shipped results of `nscc evaluate`."""
     installed = Path(__file__).with_name("shipped_evaluations")
     in_repository = Path(__file__).resolve().parents[1] / "results" / "evaluations"
     return installed if installed.is_dir() else in_repository
 
 
 def searched_codes() -> Path:
-    """The codes (16 slots, free bits of an 8 x 8 tile) of the best search for clips."""
+    """Return the file of the best searched codes for clips (16 slots, free bits of an 8 x
+    8 tile)."""
     installed = Path(__file__).with_name("searched_codes.npz")
     in_repository = (
         Path(__file__).resolve().parents[1] / "results" / "runs" / _SEARCHED / "codes.npz"
@@ -95,14 +92,15 @@ def searched_codes() -> Path:
 
 
 def run_path(folder: Path) -> Path:
-    """A run folder, or the one that comes with nscc under that name if there is no such run."""
+    """Return a run folder, or the folder of the run that comes with nscc under that name."""
     if (folder / CONFIG).is_file():
         return folder
     return shipped_runs().get(str(folder), folder)
 
 
 def run_capture(folder: Path) -> RunCapture:
-    """What a run's frames are like; Rejected (NS0818) for a folder that is none of a run."""
+    """Return the conditions of capture of a run; Rejected (NS0818) for a folder that is
+    not a run."""
     path = run_path(folder)
     config, program = path / CONFIG, path / PROGRAM
     missing = [file.name for file in (config, program) if not file.is_file()]
@@ -119,7 +117,7 @@ def run_capture(folder: Path) -> RunCapture:
     data, shutter = settings.data, settings.shutter
     protocol = load_protocol(data.protocol)
     still = protocol.name == "hdr-v1"
-    # Of stills a part saturates when always open: the pixel below that part is at the full well.
+    # A fraction of a still's pixels saturates: the percentile below it is at the full well.
     share = sum(data.saturated) / len(data.saturated)
     percentile = 100 * (1 - share) if still else float(protocol.values.get(
         "full_well_percentile", 99))  # fmt: skip

@@ -1,4 +1,4 @@
-"""A finished run folder, loaded: its decoder and its shutters."""
+"""Load finished run folders: decoder and shutters."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from nscc_training.run_files import CONFIG, run_path
 from nscc_training.settings import RunSettings
 
 _TOLD = ("shutter.nsl", CODES_FILE, "decoder.safetensors")
-"""What a result has digests of, and reconstructions depend on."""
+"""Files that a result has digests of, and that reconstructions depend on."""
 
 
 @dataclass(frozen=True, eq=False)
 class RunFolder:
-    """A run: `parts` with its learned codes and weights, `program` the text of `shutter.nsl`,
-    `seen` the digests of the files that it learned from or was chosen by, `result` its own."""
+    """A loaded run: `setup` with learned codes and weights, `program` the text of `shutter.nsl`.
+    `seen_digests` are those of the files of training and validation, `result` is `result.json`."""
 
     path: Path
     setup: TrainingSetup
@@ -40,11 +40,11 @@ class RunFolder:
 
 
 def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
-    """The run in a folder, or the one that comes with nscc under that name.
+    """Load the run in a folder, or the run that comes with nscc under that name.
 
-    Rejected (NS0818) where there is none, or it did not finish. A run may name Python code of its
-    maker's, `module:name`, as its decoder or loss. To load it imports and runs that code, which
-    only `trust_code` allows; else Rejected (NS0823).
+    Rejected (NS0818) for a missing or unfinished run. A run may name Python code of its author,
+    `module:name`, as decoder or loss. Loading the run executes that code, which needs `trust_code`;
+    else Rejected (NS0823).
     """
     from safetensors.torch import load_file
 
@@ -61,10 +61,10 @@ def load_run(path: Path, *, trust_code: bool = False) -> RunFolder:
     settings = load_config(path / "config.resolved.toml")
     if not trust_code:
         _refuse_code(path, settings)
-    # Codes, chip and sensor are the run's own, wherever they once came from. Such files may also
+    # Codes, chip and sensor are read from the run folder. Such files may also
     # be of another run that was in this folder before.
     shutter, sensor = replace(settings.shutter, init="uniform"), settings.sensor
-    # When codes learned decides nothing any more, and older versions let them learn never.
+    # The schedule of learning no longer matters, and older versions allowed other values.
     shutter = replace(shutter, warm_up=0.0, settle=0.0)
     decoder = replace(settings.decoder, init="")
     train = settings.train
@@ -111,7 +111,7 @@ def run_codes(path: Path) -> Encoder:
 
 
 def _refuse_code(path: Path, settings: RunSettings) -> None:
-    """NS0823 where to load the run would run code that is not nscc's."""
+    """Raise Rejected (NS0823) if loading the run would execute code that is not nscc's."""
     named = {"decoder": [settings.decoder.name], "loss": settings.loss.name.split("+")}
     code = [
         f"its {role} is `{name.strip()[:100]}`"
@@ -131,11 +131,9 @@ def _refuse_code(path: Path, settings: RunSettings) -> None:
 
 
 def _check_whole(path: Path, result: dict[str, Any]) -> None:
-    """ValueError where a file is not the one that the result was made with.
-
-    Such folders are left by runs that began anew in them and did not finish, or that were copied in
-    part: codes, weights and what was seen would be those of different runs.
-    """
+    """Raise ValueError for a file whose digest differs from that in the result. Such folders come
+    from an unfinished later run in the same folder, or from a partial copy: their files would
+    belong to different runs."""
     named = {name: result["files"].get(name) for name in _TOLD}
     named |= {
         name: result[key]

@@ -1,4 +1,4 @@
-"""Files of scenes in a folder."""
+"""Find and read the scene files of a folder."""
 
 from __future__ import annotations
 
@@ -20,15 +20,13 @@ from nscc_runtime.scenes.light_arrays import MAT_CLIP_KEY, clip_white, read_mat
 
 _PICKED = re.compile(r"(.+)#(\d+(?:,\d+)*)/([1-9]\d*)")
 CLIPS = (*clips.CLIPS, ".mat")
-"""How names of clips end: films, and the arrays of the benchmark."""
+"""Endings of clips: films, and the arrays of the benchmark."""
 
 
 def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
-    """Return the files whose names end so, by name; none where there is no such folder.
-
-    `folder` may be several with + between them, have * for any name, and end in #K,L/N: of every N
-    files by name those of these places, from 0.
-    """
+    """Return the files with one of `endings`, sorted by name; none for a missing folder. `folder`
+    may join several by +, contain * for any name, and end in #K,L/N, which selects places K and L
+    (from 0) of every N files."""
     if folder.is_dir():
         return sorted(path for path in folder.iterdir() if path.suffix.lower() in endings)
     matching = []
@@ -48,7 +46,7 @@ def files_in(folder: Path, endings: Collection[str]) -> list[Path]:
 
 
 def folders_of(text: str) -> list[Path]:
-    """Return the folders that such a text names."""
+    """Return the folders that a text of `files_in` names."""
     if Path(text).is_dir():
         return [Path(text)]
     names = (_PICKED.sub(r"\1", pattern) for pattern in text.split("+"))
@@ -61,7 +59,7 @@ def folders_of(text: str) -> list[Path]:
 def protocol_files(
     folder: Path, endings: Collection[str], kind_text: str, expected: str, protocol: str
 ) -> list[Path]:
-    """Return the same; Rejected (NS0811) if there are none that a protocol is about."""
+    """Return the files of `files_in`; Rejected (NS0811) without any."""
     matching = files_in(folder, endings)
     if not matching:
         raise rejected(
@@ -81,12 +79,12 @@ def protocol_files(
 
 
 def light_in(stored: NDArray[Any], transfer: Transfer) -> NDArray[np.float64]:
-    """The light of a stored picture or frame, (rows, cols), of colours their luminance."""
+    """Return the light (rows, cols) of a stored picture or frame; of colours the luminance."""
     return grey(stored, transfer, None)
 
 
 def frames_in(path: Path) -> Iterable[NDArray[Any]]:
-    """The frames of a clip as they are stored, one after the other; floats have 1 for white."""
+    """Yield the stored frames of a clip; white is 1 for floats."""
     if path.suffix.lower() != ".mat":
         return read_clip(path)
     key, stored = read_mat(path, lambda _shape: None)
@@ -97,8 +95,7 @@ def frames_in(path: Path) -> Iterable[NDArray[Any]]:
 
 
 def labels(files: Iterable[Path]) -> dict[str, str]:
-    """What products of each file are called, by its name: as it is but for the ending, if that is
-    enough to tell them apart."""
+    """Return a label for each file by its name: without the ending, if that is unique."""
     paths = list(files)
     alike = Counter(path.stem for path in paths)
     return {p.name: p.stem if alike[p.stem] == 1 else p.name.replace(".", "_") for p in paths}

@@ -1,8 +1,5 @@
-"""From light and shutters to a frame, so that gradients find their way back.
-
-Light is float32, its sums and everything up to the ADC float64, whatever precision the network
-around has.
-"""
+"""A differentiable capture: from light and shutters to a frame. Light is float32; sums and
+everything up to the ADC are float64, whatever the precision of the network."""
 
 from __future__ import annotations
 
@@ -24,17 +21,33 @@ from nscc_training.gradients import rounded, saturated
 from nscc_training.protocols import Protocol
 
 _BLOCK = 32
-"""Slots whose light is masked at a time: what is kept besides the light itself."""
+"""Slots that are masked at a time, which bounds the memory."""
 
 
 @dataclass(frozen=True)
 class SensorModel:
-    """The part of a sensor that training sees; units as in `nscc_runtime.sensor`.
+    """The part of a sensor that training simulates.
 
-    `shot_noise` is Gaussian with the variance of photons; `noise_factor` makes it and the noise
-    of the readout so many times larger; `slope` stands in for the gradient 0 of saturated pixels.
-    `comparator_noise` and `comparator_offset` are standard deviations in full wells, for pixels
-    that look.
+    Parameters
+    ----------
+    full_well_e : float
+        Electrons at which a pixel saturates.
+    electrons_per_lsb : float
+        Electrons for one code of the converter.
+    adc_offset_lsb : float
+        The code of no light.
+    adc_bits : int
+        Bits of the converter.
+    adc_noise_lsb : float
+        Standard deviation of the readout noise in codes.
+    shot_noise : bool
+        Add Gaussian noise with the variance of photons.
+    noise_factor : float
+        Multiplies shot noise and readout noise.
+    slope : float
+        Replaces the gradient 0 of saturated pixels.
+    comparator_noise, comparator_offset : float
+        Standard deviations in full wells, for pixels that look.
     """
 
     full_well_e: float
@@ -49,7 +62,7 @@ class SensorModel:
     comparator_offset: float = 0.0
 
     def __post_init__(self) -> None:
-        """ValueError for numbers that no sensor has."""
+        """Raise ValueError for invalid values."""
         for name in ("full_well_e", "electrons_per_lsb"):
             value = getattr(self, name)
             if not 0 < value < inf:
@@ -57,7 +70,17 @@ class SensorModel:
 
     @classmethod
     def of(cls, sensor: Sensor, target: Target) -> SensorModel:
-        """The model of a sensor's values."""
+        """Return the model of a sensor.
+
+        Parameters
+        ----------
+        sensor : Sensor
+        target : Target
+
+        Returns
+        -------
+        SensorModel
+        """
         return cls(
             full_well_e=sensor.full_well_e,
             electrons_per_lsb=sensor.electrons_per_lsb,
@@ -69,7 +92,16 @@ class SensorModel:
 
     @classmethod
     def of_protocol(cls, protocol: Protocol) -> SensorModel:
-        """The sensor that a protocol fixes."""
+        """Return the sensor that a protocol defines.
+
+        Parameters
+        ----------
+        protocol : Protocol
+
+        Returns
+        -------
+        SensorModel
+        """
         well_e, bits = float(protocol["full_well_e"]), int(protocol["adc_bits"])
         return cls(
             full_well_e=well_e,
@@ -80,13 +112,23 @@ class SensorModel:
         )
 
     def noiseless(self) -> SensorModel:
-        """The same sensor without noise."""
+        """Return the same sensor without noise.
+
+        Returns
+        -------
+        SensorModel
+        """
         return replace(
             self, adc_noise_lsb=0.0, shot_noise=False, comparator_noise=0.0, comparator_offset=0.0
         )
 
     def counted(self) -> SensorModel:
-        """The same sensor for charge whose photons have been counted."""
+        """Return the same sensor without shot noise, for charge whose photons have been counted.
+
+        Returns
+        -------
+        SensorModel
+        """
         return replace(self, shot_noise=False)
 
     @property
@@ -96,25 +138,38 @@ class SensorModel:
 
     @property
     def full_e(self) -> float:
-        """Electrons from which on a pixel is saturated: a full well, or where the ADC ends before.
-        Decoders call this 1."""
+        """Electrons at which a pixel saturates: a full well, or the end of the converter if that is
+        less. Decoders call this 1.
+        """
         codes = max(self.top_code - self.adc_offset_lsb, 1.0)
         end_e = codes * self.electrons_per_lsb
         return self.full_well_e if end_e > self.full_well_e * (1 - 1e-9) else end_e
 
     @property
     def full_code(self) -> int:
-        """The code above the offset that saturated pixels read, but for noise."""
+        """The code above the offset of saturated pixels, without noise."""
         return round(self.full_e / self.electrons_per_lsb)
 
     def relative(self, codes: Tensor) -> Tensor:
-        """Codes above the offset as decoders see a frame: over `full_e`, 1 where saturated."""
+        """Convert codes to the unit of decoders.
+
+        Parameters
+        ----------
+        codes : Tensor
+            Codes above the offset.
+
+        Returns
+        -------
+        Tensor
+            Codes over those of `full_e`; at least 1 for saturated pixels.
+        """
         relative_codes = codes / (self.full_e / self.electrons_per_lsb)
         return torch.where(codes >= self.full_code, relative_codes.clamp(min=1), relative_codes)
 
 
 class _Masked(Function):
-    """The sum over slots of light times shutters: float64, gradients in the light's precision."""
+    """Sum of light times shutters over slots, in float64; gradients have the precision of the
+    light."""
 
     @staticmethod
     def forward(ctx: Any, light: Tensor, shutters: Tensor) -> Tensor:
@@ -140,11 +195,9 @@ class _Masked(Function):
 
 
 class Captured(NamedTuple):
-    """What a capture gives: electrons before saturation and noise, and the frame's codes.
-
-    Both (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64, `frame`
-    float32, whole numbers 0..top code.
-    """
+    """The result of a capture: electrons before saturation and noise, and the codes of the frame.
+    Both are (batch, rows, cols), of two buckets (batch, 2, rows, cols): `exposure_e` float64,
+    `frame` float32 with whole numbers 0..top code."""
 
     exposure_e: Tensor
     frame: Tensor
@@ -158,14 +211,31 @@ def differentiable_capture(
     generator: torch.Generator | None = None,
     slot_share: Tensor | None = None,
 ) -> Captured:
-    """Expose a batch of scenes with the shutters of an encoder, or with (N, rows, cols) of them, or
-    with (buckets, N, rows, cols).
+    """Expose a batch of scenes so that gradients reach light and shutters.
 
-    `light` is (batch, N, rows, cols), electrons of each slot, or (batch, rows, cols), a still's
-    electrons over the whole frame, of which slot n has the part `slot_share[n]` (default: 1 / N).
-    A tile of shutters is repeated over the array from its top left corner. With a `generator` the
-    sensor's noise is drawn from it, and the encoder's; without, there is none. ValueError for
-    arrays of other shapes, and for light that is complex, negative or not finite.
+    Parameters
+    ----------
+    light : Tensor
+        (batch, N, rows, cols) electrons of each slot, or (batch, rows, cols) electrons of a still
+        over the whole frame.
+    codes : Encoder or Tensor
+        An encoder, or shutters (N, rows, cols) or (buckets, N, rows, cols). A tile is repeated
+        over the array from its top left corner.
+    sensor : SensorModel
+    generator : torch.Generator, optional
+        Source of the noise of sensor and encoder; no noise without it.
+    slot_share : Tensor, optional
+        (N,): the part of a still's light in each slot, by default 1 / N.
+
+    Returns
+    -------
+    Captured
+        Electrons before saturation and noise, and codes of the frame.
+
+    Raises
+    ------
+    ValueError
+        For arrays of other shapes, and for light that is complex, negative or not finite.
     """
     check_light(light)
     with torch.autocast(light.device.type, enabled=False):
@@ -179,7 +249,7 @@ def differentiable_capture(
 
 
 def check_light(light: Tensor) -> None:
-    """ValueError for values that cannot be light: complex, negative or not finite."""
+    """Raise ValueError for values that are complex, negative or not finite."""
     if light.is_complex():
         raise ValueError("light is complex; give its real values, electrons of each slot")
     values = light.detach()
@@ -197,11 +267,9 @@ def check_light(light: Tensor) -> None:
 
 
 def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) -> Tensor:
-    """One scene's frame (rows, cols), codes above the ADC's offset, with the noise of that seed; of
-    several buckets (buckets, rows, cols).
-
-    `light` and `tile` as in `differentiable_capture`, without the batch.
-    """
+    """Return the frame (rows, cols) of one scene, codes above the ADC's offset; of several buckets
+    (buckets, rows, cols). `seed` determines the noise. `light` and `tile` are those of
+    `differentiable_capture`, without the batch."""
     light_batch = torch.as_tensor(light, dtype=torch.float32)[None]
     generator = torch.Generator().manual_seed(seed)
     return (
@@ -211,7 +279,7 @@ def frame_of(light: NDArray[Any], tile: Tensor, sensor: SensorModel, seed: int) 
 
 
 def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) -> None:
-    """ValueError for what would be broadcast into some other capture than the one meant."""
+    """Raise ValueError for shapes that would be broadcast to an unintended capture."""
     if shutters.ndim not in (3, 4) or 0 in shutters.shape:
         raise ValueError(f"shutters are ([buckets,] N, rows, cols), not {tuple(shutters.shape)}")
     if light.ndim not in (3, 4):
@@ -227,7 +295,7 @@ def _check_shapes(light: Tensor, shutters: Tensor, slot_share: Tensor | None) ->
 
 
 def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
-    """A tile (.., r, c) repeated from the top left corner to (.., rows, cols)."""
+    """Return a tile (.., r, c), repeated from the top left corner to (.., rows, cols)."""
     if tile.shape[-2:] == (rows, cols):
         return tile
     down, across = -(-rows // tile.shape[-2]), -(-cols // tile.shape[-1])
@@ -235,17 +303,15 @@ def laid(tile: Tensor, rows: int, cols: int) -> Tensor:
 
 
 def shared_out(shutters: Tensor, buckets: int) -> Tensor:
-    """The shutters (N, rows, cols) of a pixel's one bucket; with two (2, N, rows, cols): the second
-    has what the first leaves out."""
+    """Return the shutters (N, rows, cols) of one bucket, or (2, N, rows, cols) of two buckets. The
+    second bucket is the complement of the first."""
     return shutters if buckets == 1 else torch.stack([shutters, 1 - shutters])
 
 
 def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -> Tensor:
-    """Electrons (batch, rows, cols), float64: the light of the slots that each pixel is open in.
-
-    `shutters` (N, r, c) is a tile that repeats over the array; of (buckets, N, r, c) come
-    (batch, buckets, rows, cols).
-    """
+    """Return the light of the open slots of each pixel: electrons (batch, rows, cols), float64.
+    `shutters` (N, r, c) is a tile that repeats over the array; (buckets, N, r, c) gives (batch,
+    buckets, rows, cols)."""
     if shutters.ndim == 4:
         return torch.stack(
             [exposed(light, bucket_shutters, slot_share) for bucket_shutters in shutters], dim=1
@@ -268,14 +334,12 @@ def exposed(light: Tensor, shutters: Tensor, slot_share: Tensor | None = None) -
 def read_out(
     exposure: Tensor, sensor: SensorModel, generator: torch.Generator | None = None
 ) -> Tensor:
-    """The frame's codes: photon noise, full well, readout noise, rounding half to even, ends.
-
-    `exposure` float64, of any shape; the result is float32.
-    """
+    """Return the codes of a frame: photon noise, full well, readout noise, rounding half to even,
+    clipping. `exposure` float64, of any shape; the result is float32."""
     charge = exposure
     if generator is not None and sensor.shot_noise:
         drawn = normal(charge, generator, torch.float32)
-        # Without the detour of the gradient through the noise, which is infinite in the dark.
+        # The noise is detached: its gradient is infinite in the dark.
         photons = torch.sqrt(charge.detach().clamp(min=0))
         charge = charge + sensor.noise_factor * photons * drawn
     charge = saturated(charge, -sensor.full_well_e, sensor.full_well_e, sensor.slope)
@@ -288,12 +352,12 @@ def read_out(
 
 
 def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
-    """A frame as decoders see it, whose saturated pixels are at least what full ones would be.
+    """Return a frame whose saturated pixels are at least at the level of full ones.
 
-    `frame` (.., rows, cols) as `SensorModel.relative` gives it, `saturated` bool, `shutters`
-    ([buckets,] N, r, c) a tile that repeats. PIX also fills while a shutter is yet to open: of
-    steady light that fills it until the shutter closes for the last time, the frame has the part in
-    which it was open.
+    `frame` (.., rows, cols) is from `SensorModel.relative`, `saturated` bool, `shutters`
+    ([buckets,] N, r, c) a repeating tile. PIX also fills while a shutter is not yet open: of steady
+    light that fills it until the shutter closes for the last time, the frame holds the open
+    fraction.
     """
     slots = torch.arange(1, shutters.shape[-3] + 1, device=shutters.device).reshape(-1, 1, 1)
     opened = shutters > 0.5
@@ -303,11 +367,21 @@ def filled(frame: Tensor, saturated: Tensor, shutters: Tensor) -> Tensor:
 
 
 def lifted(exposure: Tensor, shutters: Tensor) -> tuple[Tensor, Tensor]:
-    """S^T E: the frame copied to the slots in which each pixel was open, in light a slot.
+    """Apply the transposed shutters: copy a frame to the slots in which each pixel was open.
 
-    `exposure` (batch, rows, cols), `shutters` (N, r, c) a tile that repeats; returns (batch, N,
-    rows, cols) and `valid` (rows, cols), False for pixels that never open: they are 0 and have no
-    gradient.
+    Parameters
+    ----------
+    exposure : Tensor
+        (batch, rows, cols).
+    shutters : Tensor
+        (N, r, c), a tile that repeats.
+
+    Returns
+    -------
+    lifted : Tensor
+        (batch, N, rows, cols), in light per slot.
+    valid : Tensor
+        (rows, cols), False for pixels that never open; these are 0 and have no gradient.
     """
     shutters = laid(shutters, *exposure.shape[-2:])
     count = shutters.sum(dim=0)

@@ -1,4 +1,4 @@
-"""A shutter class on a grid, known without torch."""
+"""The specification of a shutter class on a tile, without torch."""
 
 from __future__ import annotations
 
@@ -7,12 +7,23 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class ShutterSpec:
-    """A shutter class on a grid.
+    """A shutter class with its number of slots and its tile.
 
-    `kind` is a, b, c, d, e, codebook or looks; `slots` N; `tile` (rows, cols) repeats over the
-    array, and is the array itself for free codes. `length` is the bump of class c, `rows` the
-    number of a codebook's shapes. Of looks the tile is (1, looks), `levels` the largest step of IN.
-    With two `buckets` the second has the light that the shutters leave out.
+    Parameters
+    ----------
+    kind : {"a", "b", "c", "d", "e", "codebook", "looks"}
+    slots : int
+        N.
+    tile : tuple of int
+        Rows and columns of the tile, or of the array for free codes; (1, looks) for looks.
+    length : int, optional
+        Length of the bump in slots, for class c.
+    rows : int, optional
+        Number of rows of a codebook.
+    levels : int, optional
+        Largest step of IN, for looks.
+    buckets : int
+        1 or 2. The second bucket collects the light in slots in which the first is closed.
     """
 
     kind: str
@@ -25,5 +36,5 @@ class ShutterSpec:
 
     @property
     def places(self) -> int:
-        """Codes in a tile."""
+        """Number of codes in the tile."""
         return self.tile[0] * self.tile[1]

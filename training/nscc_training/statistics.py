@@ -1,4 +1,4 @@
-"""Means, spreads and intervals of scores, without the cancellations of the textbook formulas."""
+"""Means, spreads and intervals of scores, computed without cancellation."""
 
 from __future__ import annotations
 
@@ -12,10 +12,8 @@ RESAMPLES = 2000
 
 
 class Moments:
-    """Count, mean and variance of values that arrive in blocks, of any size and precision.
-
-    Blocks are joined as Chan, Golub and LeVeque do; within a block the variance takes two passes.
-    """
+    """Count, mean and variance of values that arrive in blocks of any size. Blocks are merged as by
+    Chan, Golub and LeVeque; within a block the variance takes two passes."""
 
     def __init__(self) -> None:
         self.count = 0
@@ -23,7 +21,7 @@ class Moments:
         self._squares = 0.0
 
     def add(self, values: ArrayLike) -> None:
-        """Take in some more values."""
+        """Add values."""
         block = np.asarray(values, np.float64).ravel()
         if block.size == 0:
             return
@@ -42,11 +40,11 @@ class Moments:
 
 
 def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> dict[str, Any]:
-    """`mean`, `sd`, `ci95` of scores; infinite ones are left out and counted in `infinite`.
+    """Return `mean`, `sd`, `ci95` of scores; infinite ones are excluded and counted in `infinite`.
 
-    `groups` names the scene of each value: the interval is a bootstrap over scenes, because
-    crops of one scene are no independent draws, and there is none for a single scene. None where
-    there is no finite value. ValueError for NaN, which is not a score.
+    `groups` names the scene of each value: the interval is a bootstrap over scenes, because crops
+    of one scene are not independent. It is None for a single scene, and all are None without a
+    finite value. ValueError for NaN.
     """
     if any(np.isnan(value) for value in values):
         raise ValueError("NaN is not a score")
@@ -65,7 +63,7 @@ def summary(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> di
 
 
 def bootstrap(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> tuple[float, float]:
-    """The 95 % interval of the mean of values, whole groups drawn with replacement."""
+    """Return the 95 % interval of the mean of values, from a bootstrap over groups."""
     names, of_value = np.unique(np.asarray(groups, np.str_), return_inverse=True)
     sums = np.bincount(of_value, weights=np.asarray(values, np.float64), minlength=len(names))
     counts = np.bincount(of_value, minlength=len(names)).astype(np.float64)
@@ -78,11 +76,8 @@ def bootstrap(values: Sequence[float], groups: Sequence[str], seed: int = 0) -> 
 def paired(
     first: Mapping[str, float], second: Mapping[str, float], scene_of: Mapping[str, str]
 ) -> dict[str, Any]:
-    """How much better the second is than the first on the items that both have.
-
-    Items are scored by name; infinite scores of either are left out and counted. `ci95` is a
-    bootstrap over scenes.
-    """
+    """Return the gain of second scores over first ones on common items. Items are matched by name;
+    infinite scores are excluded and counted. `ci95` is a bootstrap over scenes."""
     common = sorted(set(first) & set(second))
     if any(np.isnan(score) for score in (*first.values(), *second.values())):
         raise ValueError("NaN is not a score")

@@ -1,7 +1,5 @@
-"""A camera turned inside a panorama: high-speed video with true radiance.
-
-Rotation only: no parallax and no occlusion, which is why things are made to cross the picture.
-"""
+"""A camera that turns inside a panorama: high-speed video with true radiance. Rotation has no
+parallax and no occlusion, so objects cross the picture in addition."""
 
 from __future__ import annotations
 
@@ -12,19 +10,17 @@ Picture = NDArray[np.float32]
 FIELD_OF_VIEW = 90.0
 """Degrees: 256 pixels of a panorama of 1024."""
 _TURNS = (0.1, 4.0)
-"""Degrees a frame, slowest and fastest: both are as likely, and all ratios between them."""
+"""Slowest and fastest rotation in degrees per frame, drawn uniformly in the logarithm."""
 _FLIGHTS = (0.2, 16.0)
-"""Pixels a frame of things that fly across."""
+"""Slowest and fastest speed of objects in pixels per frame."""
 
 
 def turned(
     panorama: Picture, generator: np.random.Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
-    """A clip (frames, size, size) of linear light from an equirectangular panorama (rows, cols).
-
-    The camera starts anywhere near the horizon and turns evenly; one to three things, other parts
-    of the panorama, fly across.
-    """
+    """Return a clip (frames, size, size) of linear light from an equirectangular panorama (rows,
+    cols). The camera starts near the horizon and turns evenly; one to three objects, other parts of
+    the panorama, cross the picture."""
     import cv2
 
     def somewhere() -> tuple[float, float]:
@@ -52,14 +48,15 @@ def turned(
 
 
 def _velocity(generator: np.random.Generator, limits: tuple[float, float]) -> NDArray[np.float64]:
-    """Down and right in any direction, its size spread evenly over the ratios within limits."""
+    """Return a velocity (down, right) in a random direction, with its size uniform in the
+    logarithm."""
     size = np.exp(generator.uniform(*np.log(limits)))
     angle = generator.uniform(0, 2 * np.pi)
     return np.asarray(size * np.array([np.sin(angle), np.cos(angle)]))
 
 
 def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
-    """What a camera sees that looks along `yaw` and `pitch` (radians), (size, size)."""
+    """Return the view (size, size) of a camera in direction `yaw` and `pitch` (radians)."""
     import cv2
 
     half = np.tan(np.radians(FIELD_OF_VIEW) / 2)
@@ -72,7 +69,7 @@ def view(panorama: Picture, yaw: float, pitch: float, size: int) -> Picture:
     rows, cols = panorama.shape
     x = (longitude / (2 * np.pi) % 1.0) * cols - 0.5
     y = (latitude / np.pi + 0.5) * rows - 0.5
-    # The seam: one column more on either side.
+    # One more column on either side closes the seam.
     wide = np.concatenate([panorama[:, -1:], panorama, panorama[:, :1]], axis=1)
     picture = cv2.remap(
         wide, (x + 1).astype(np.float32), y.astype(np.float32), cv2.INTER_LINEAR,

@@ -1,4 +1,4 @@
-"""Charts of what was measured: a run's learning, results, a sensor's response."""
+"""Charts of measurements: training curves of a run, results, the response of a sensor."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from nscc.chips.load import DEFAULT_NAME, load_target
 from nscc_runtime.effects import selected
 from nscc_runtime.light import Light
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.sheet import head, panels
 from nscc_runtime.sensor import load_sensor
 from nscc_runtime.simulate import Request, simulate
@@ -27,8 +27,8 @@ _ELSEWHERE = "with another sensor or exposure"
 
 
 def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
-    """A run folder with its `metrics.csv`: how it learned, and by its result what it is worth
-    elsewhere."""
+    """Draw the training curves of a run folder, and the scores under changed conditions of its
+    result."""
     with open(path / "metrics.csv", encoding="utf-8", newline="") as stream:
         rows = list(csv.DictReader(stream))
     changes = _changes(result)
@@ -51,8 +51,7 @@ def run_sheet(path: Path, result: dict[str, Any]) -> Figure:
 
 
 def result_sheet(values: dict[str, Any], title: str) -> Figure:
-    """A result of a run (`robustness`) or of an evaluation (`items`): PSNR, the worst scenes
-    first."""
+    """Draw the PSNR of a run's result (`robustness`) or of an evaluation (`items`), worst first."""
     changes = _changes(values)
     if changes:
         figure, (axes,) = panels(1, _PANEL, 1)
@@ -77,7 +76,7 @@ def result_sheet(values: dict[str, Any], title: str) -> Figure:
 
 
 def sensor_sheet(path: Path) -> Figure:
-    """A sensor file: what flat light in one slot reads, and how much that scatters."""
+    """Draw the response of a sensor to flat light in one slot, and its spread."""
     target = load_target(DEFAULT_NAME, Path())
     sensor = load_sensor(target, path)
     electrons = np.geomspace(10.0, 3 * sensor.full_well_e, target.cols)

@@ -1,7 +1,5 @@
-"""Pictures of what nscc makes: frames, reconstructions, runs, results and sensors, by their files.
-
-Programs are drawn by `nscc_runtime.pictures.shutter_sheet`.
-"""
+"""Pictures of nscc's files: frames, reconstructions, runs, results and sensors. Programs are drawn
+by `nscc_runtime.pictures.shutter_sheet`."""
 
 from __future__ import annotations
 
@@ -37,18 +35,15 @@ if TYPE_CHECKING:
 _MOST_FRAMES = 64
 _MOST_DRAWN_PIXELS = 1 << 22
 _MOST_FRAME_PIXELS = 1 << 20
-"""Of a frame of a clip, of which all are held at once."""
+"""Most pixels of a drawn frame of a clip, all of whose frames are in memory."""
 _MOST_DRAWN_BYTES = 1 << 28
 _FRAME_KEYS = ("frame", "exposure_e", "saturated_by")
 
 
 def view_of(path: Path, tone: str | None = None) -> bytes:
-    """The PNG of a frame file or a reconstruction (.npz), a picture or a clip, a run folder, a
-    result (.json) or a sensor (.toml).
-
-    `tone` names a curve for light. Raises Rejected: NS0801 for a file that is none of these, what
-    their readers raise for damaged ones.
-    """
+    """Return the PNG of a frame file or reconstruction (.npz), a picture or clip, a run folder, a
+    result (.json) or a sensor (.toml). `tone` names a tone curve for light. Raises Rejected: NS0801
+    for another file, and the errors of the readers for damaged files."""
     folder = run_path(path)
     if folder.is_dir():
         if not (folder / "metrics.csv").is_file():
@@ -114,7 +109,7 @@ def _of_arrays(path: Path, tone: str | None) -> bytes:
 
 
 def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[Any]:
-    """A picture of at most `most` pixels, by means over areas: no sheet shows more of it."""
+    """Return a picture reduced to at most `most` pixels by means over areas."""
     import cv2
 
     rows, cols = picture.shape[:2]
@@ -131,7 +126,7 @@ def _reduced(picture: NDArray[Any], most: int = _MOST_DRAWN_PIXELS) -> NDArray[A
 def _check_array(
     path: Path, arrays: dict[str, NDArray[Any]], name: str, dimensions: tuple[int, ...]
 ) -> None:  # fmt: skip
-    """NS0801 where an array that is to be drawn holds no numbers, or has other axes."""
+    """Raise Rejected (NS0801) for an array without numbers, or with other axes."""
     values = arrays[name]
     numbers = values.dtype.kind in "buif" and values.ndim in dimensions and 0 not in values.shape
     if not numbers:
@@ -140,8 +135,8 @@ def _check_array(
 
 
 def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
-    """The PNG of a sheet of tables that are looked at only while they are drawn; NS0801 where they
-    are not as nscc writes them."""
+    """Return the PNG of a sheet drawn from parsed tables; NS0801 if they are not as nscc writes
+    them."""
     try:
         return png_of(sheet, *arguments)
     except (csv.Error, AttributeError, LookupError, TypeError, ValueError) as error:
@@ -151,8 +146,8 @@ def _drawn(path: Path, sheet: Callable[..., Figure], *arguments: Any) -> bytes:
 def frame_view(
     arrays: dict[str, NDArray[Any]], meta: dict[str, Any], title: str, tone: str | None
 ) -> Figure:
-    """Every bucket of a frame file: codes, electrons, and what is saturated; of repeats the first,
-    of colours all three."""
+    """Draw every bucket of a frame file: codes, electrons, saturation; the first repeat, all
+    colours."""
     missing = np.zeros(arrays["frame"].shape)
     frame, exposure, marks = (arrays.get(key, missing) for key in _FRAME_KEYS)
     if frame.ndim == 4 and "colours" not in meta:

@@ -1,4 +1,4 @@
-"""`nscc calibrate`: the numbers of a sensor from flat and dark frames, by photon transfer."""
+"""`nscc calibrate`: parameters of a sensor from flat and dark frames, by photon transfer."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A calibration in words: the sensor file, JSON, a table, and what the user must be told."""
+"""Outputs of a calibration: the sensor file, JSON, a table, and messages."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from nscc_runtime.sensor import sensor_toml
 
 SCHEMA = "nscc-calibration-1"
 _BENT = 0.01
-"""A curve whose levels are further off than this part is worth a warning."""
+"""Relative deviation of levels from the line above which the message is a warning."""
 
 
 def as_toml(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
-    """A complete file for `--sensor`, every value with its standard error or its source."""
+    """Return a complete file for `--sensor`, every value with its standard error or its source."""
     flats, darks = calibration.flats, calibration.darks
     linear = calibration.quantities["linearity_error"]
     heading = [
@@ -43,7 +43,7 @@ def _source(choice: ParameterChoice) -> str:
 
 
 def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> str:
-    """The same for programs, with the points of the photon transfer curve."""
+    """Return the calibration as JSON, with the points of the photon transfer curve."""
     curve = calibration.curve
     reasons = {id(level): reason for level, reason in curve.left_out}
 
@@ -91,7 +91,7 @@ def as_json(calibration: Calibration, chosen: Mapping[str, ParameterChoice]) -> 
 
 
 def as_table(calibration: Calibration) -> str:
-    """A line a quantity."""
+    """Return a table with a row per quantity."""
     rows = []
     for q in calibration.quantities.values():
         error = "" if q.se is None else f" +- {q.se:.2g}"
@@ -104,7 +104,7 @@ def as_table(calibration: Calibration) -> str:
 
 
 def messages(calibration: Calibration) -> list[Diagnostic]:
-    """What could not be determined (a note), and a curve that is no line (a warning)."""
+    """Return a note on quantities that are unknown, and a warning on a curve that is not a line."""
     diagnostics: list[Diagnostic] = []
     unknown: dict[str, list[str]] = {}
     for quantity in calibration.quantities.values():

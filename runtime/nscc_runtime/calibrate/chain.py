@@ -1,4 +1,4 @@
-"""What a program does to the numbers of a chip on their way into a frame."""
+"""The factors with which a program's words scale the noise of a chip in a frame."""
 
 from __future__ import annotations
 
@@ -9,11 +9,12 @@ from nscc.words.container import Container
 
 @dataclass(frozen=True)
 class Chain:
-    """How often the noise of one part reaches an exposure.
+    """The factors of noise sources in an exposure.
 
-    `reads` and `resets`: of PIX, each weighted with its squared coefficient; `word_sum`: the signed
-    sum of the coefficients of all analog words, with which errors common to all words add up.
-    The default is a chain of one read and one word: figures of the sensor are those of a frame.
+    `reads` and `resets`: numbers of reads and resets of PIX, each weighted with its squared
+    coefficient; `word_sum`: the signed sum of the coefficients of all analog words, which scales
+    errors common to all words. The default is one read and one word: sensor values equal those of a
+    frame.
     """
 
     reads: float = 1.0
@@ -22,10 +23,8 @@ class Chain:
 
     @classmethod
     def of(cls, container: Container) -> Chain:
-        """The chain of a program that opens all its pixels alike, found from its words.
-
-        Means over the codes in use. Raises Rejected as `nscc_runtime.reference.trace.analog_words`.
-        """
+        """Return the chain of a program that opens all pixels alike, from its words. It is the mean
+        over the codes in use. Raises Rejected as `nscc_runtime.reference.trace.analog_words`."""
         import numpy as np
 
         from nscc_runtime.reference.trace import analog_words

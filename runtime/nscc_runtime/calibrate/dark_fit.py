@@ -1,4 +1,4 @@
-"""Darks: the code without charge and the dark current, pixel by pixel."""
+"""Fit of darks: the code without charge and the dark current, pixel by pixel."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
 
 @dataclass(frozen=True, eq=False)
 class DarkFit:
-    """What the darks say, in codes.
+    """The result of the darks, in codes.
 
-    `offset` is the mean code without charge, `offset_se` what the frames' noise leaves uncertain
-    of it, `offset_spread_se` with the pixels' own spread: of a chip's mean, and of the mean of all
-    such pixels. `current` in codes a second, its error as the latter; None where all times are the
-    same or unknown: then `offset` includes the dark charge of these frames. `offsets` and
-    `currents` (2, rows, cols) are maps from the even and from the odd frames.
+    `offset` is the mean code without charge; `offset_se` its standard error from temporal noise;
+    `offset_spread_se` its standard error as an estimate for all such pixels, including their
+    spread. `current` is in codes per second, with an error like the latter; None if all times are
+    equal or unknown: then `offset` includes the dark charge. `offsets` and `currents` (2, rows,
+    cols) are maps from the even and from the odd frames.
     """
 
     offset: float
@@ -32,20 +32,21 @@ class DarkFit:
     times_s: tuple[float, ...]
 
     def at(self, exposure_s: float | None) -> Map:
-        """The codes of a frame without light, from the even and from the odd frames."""
+        """Return the codes of a frame without light, (2, rows, cols), from the even and the odd
+        frames."""
         if self.currents is None or exposure_s is None:
             return self.offsets
         return self.offsets + self.currents * exposure_s
 
     def mean_at(self, exposure_s: float | None) -> float:
-        """Their mean over the good pixels."""
+        """Return the mean code of a frame without light over the good pixels."""
         return self.offset + (self.current or 0.0) * (exposure_s or 0.0)
 
 
 def dark_of(
     levels: Sequence[Level], level_moments: Sequence[LevelMoments], good_mask: Mask
 ) -> DarkFit | None:
-    """The line of codes over time through darks that are not cut off; None if there are none."""
+    """Fit codes over exposure time through the darks that are not clipped; None without any."""
     usable = [
         (level, moments)
         for level, moments in zip(levels, level_moments, strict=True)
@@ -57,7 +58,7 @@ def dark_of(
     known = [level.exposure_s for level in usable_levels if level.exposure_s is not None]
     pixels = int(np.count_nonzero(good_mask))
     if len(known) < len(usable_levels) or len(set(known)) < 2:
-        # Without times the darkest frames are the nearest to no charge.
+        # Without times the darkest frames approximate zero charge.
         level, moments = min(usable, key=lambda pair: pair[1].mean)
         times = () if level.exposure_s is None else (level.exposure_s,)
         same = [
@@ -95,12 +96,12 @@ def _size(terms: np.ndarray) -> float:
 
 
 def _combined(levels: Sequence[Level], weights: np.ndarray) -> Map:
-    """The weighted sums of the levels' halves."""
+    """Return the weighted sums of the levels' halves."""
     terms = (weight * level.halves for level, weight in zip(levels, weights, strict=True))
     return sum(terms, start=np.zeros_like(levels[0].halves))
 
 
 def _mean(halves: Map, good_mask: Mask) -> tuple[float, float]:
-    """Mean over the good pixels, and how much these differ."""
+    """Return the mean over the good pixels and their standard deviation."""
     both = (halves[0][good_mask] + halves[1][good_mask]) / 2
     return float(both.mean()), float(both.std())

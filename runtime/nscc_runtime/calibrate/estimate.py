@@ -1,4 +1,4 @@
-"""From frames to what photon transfer tells of a chip, in the words of EMVA 1288."""
+"""Estimate the quantities of EMVA 1288 from frames by photon transfer."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from nscc_runtime.calibrate.transfer import Transfer, kept_variance, transfer
 from nscc_runtime.progress import Progress, unseen
 
 ROUNDING = 1 / 12
-"""The variance that an ADC adds by rounding, in squared codes."""
+"""The variance of rounding by the ADC, in squared codes."""
 _SURE = 4.0
-"""Standard errors above 0 from which a dark current has a spread to speak of."""
+"""Minimum dark current, in standard errors, for an estimate of its spread."""
 _MOST_PRNU = 0.2
 _CUT_OFF = "the codes of every dark reach the end of the ADC's scale: raise its offset"
 
@@ -32,11 +32,9 @@ Known = Literal["measured", "at least", "at most", "given", "unknown"]
 
 @dataclass(frozen=True)
 class Quantity:
-    """One figure: value and standard error, or why there is none.
-
-    `known`: "measured"; a bound, or "given" by the user, without an error; or "unknown", both None.
-    `remark` says what the value is or why it is not there.
-    """
+    """A quantity: value and standard error, or the reason why it is unknown. `known`: "measured"; a
+    bound, or "given" by the user, without an error; or "unknown", with neither. `remark` explains
+    the value or its absence."""
 
     title: str
     unit: str
@@ -78,7 +76,7 @@ def _unknown(why: str, *names: str) -> dict[str, Quantity]:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """Everything found. `levels` are flats, then darks; `pixels` counts those that were used."""
+    """The result of a calibration; `pixels` counts the pixels that were used."""
 
     quantities: dict[str, Quantity]
     curve: Transfer
@@ -90,7 +88,7 @@ class Calibration:
 
     @property
     def frames(self) -> int:
-        """How many frames it was made from."""
+        """Number of frames."""
         return sum(level.frames for level in (*self.flats, *self.darks))
 
 
@@ -101,10 +99,8 @@ def calibrate_files(
     crosstalk: float | None = None,
     progress: Progress = unseen,
 ) -> Calibration:
-    """The photon transfer fit of frames in files, folders or PATH@TIME, one level each.
-
-    `crosstalk` None: it is measured. Raises Rejected for frames that cannot be read or do not do.
-    """
+    """Calibrate from files, folders or PATH@TIME, one level each. `crosstalk` None: it is measured.
+    Raises Rejected for frames that are unreadable or unsuitable."""
     top = target.top_code
     named = [*flats, *darks]
     stacks = [load_stack(name, top) for name in progress(named, "reading frames", len(named))]
@@ -115,13 +111,11 @@ def calibrate_files(
 def calibrated(
     flats: Sequence[Stack], darks: Sequence[Stack], top_code: int, crosstalk: float | None = None
 ) -> Calibration:
-    """The photon transfer of flats and darks, codes 0..`top_code`.
+    """Calibrate from flats and darks with codes 0..`top_code`.
 
-    `crosstalk`, where given, is taken as known instead of being measured: 0 is what EMVA 1288
-    assumes.
-
-    Raises Rejected, status 2: NS0757 for frames that do not go together, NS0758 for too few frames
-    or levels, NS0759 for frames that are no flats and darks.
+    `crosstalk`, if given, replaces its measurement; EMVA 1288 assumes 0. Raises Rejected, status 2:
+    NS0757 for frames that do not fit together, NS0758 for too few frames or levels, NS0759 for
+    frames that are not flats and darks.
     """
     light = [level_of(stack, top_code) for stack in flats]
     dim = [level_of(stack, top_code) for stack in darks]
@@ -207,7 +201,7 @@ def _noise(
 
 
 def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Quantity]:
-    """Offset, its pattern (DSNU), dark current and its spread over the pixels."""
+    """Return offset, DSNU, dark current and its spread over the pixels."""
     if dark is None:
         return _unknown(_CUT_OFF, "offset", "dsnu_lsb", "dsnu_e", "dark_current", "dark_spread")
     if dark.currents is None:
@@ -245,13 +239,13 @@ def _dark(curve: Transfer, dark: DarkFit | None, good_mask: Mask) -> dict[str, Q
 
 
 def _unsmeared(variance: tuple[float, float], curve: Transfer) -> tuple[float, float]:
-    """A variance over the pixels, and its error, as it was before crosstalk."""
+    """Return a variance over the pixels, and its error, as they were before crosstalk."""
     errors = np.diag([variance[1] ** 2, float(curve.covariance[2, 2])])
     return propagated(lambda v: v[0] / kept_variance(v[1]), [variance[0], curve.crosstalk], errors)
 
 
 def _fits(dark: DarkFit | None, flats: Sequence[LevelMoments]) -> bool:
-    """Whether the dark charge of every flat is known, pixel by pixel."""
+    """Return whether the dark charge of every flat is known for each pixel."""
     if dark is None:
         return False
     if dark.currents is not None:
@@ -260,7 +254,7 @@ def _fits(dark: DarkFit | None, flats: Sequence[LevelMoments]) -> bool:
 
 
 def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str, Quantity]:
-    """`freed`: of the spread of the dark charge, which otherwise counts in it."""
+    """Return the PRNU; `freed`: the spread of the dark charge has been subtracted."""
     value, error = root(*_unsmeared(spread, curve))
     if value > _MOST_PRNU:
         raise rejected(
@@ -276,7 +270,7 @@ def _prnu(spread: tuple[float, float], curve: Transfer, freed: bool) -> dict[str
 
 
 def _range(curve: Transfer, flats: Sequence[LevelMoments], top_code: int) -> dict[str, Quantity]:
-    """Where the chip saturates, in codes and electrons."""
+    """Return the saturation in codes and in electrons."""
     if curve.offset is None:
         return _unknown("no dark tells the code without charge", "saturation_lsb", "full_well")
     zero = curve.offset

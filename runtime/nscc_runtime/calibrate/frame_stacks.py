@@ -1,4 +1,4 @@
-"""The frames of a calibration: frame files of our own, arrays, pictures and folders of them.
+"""Read the frames of a calibration: frame files of nscc, arrays, pictures, and folders of them.
 
 Each file or folder is one level: frames of the same light and exposure time. An exposure time is
 taken, in this order, from the name as given (PATH@TIME, TIME a number with s, ms or us), from the
@@ -42,12 +42,9 @@ _SAME_PROGRAM = ("program_sha256", "scene_sha256", "sensor_sha256", "device_seed
 
 @dataclass(frozen=True, eq=False)
 class Stack:
-    """Frames of one light and one exposure time.
-
-    `codes` uint16 (K, rows, cols), what the ADC gave; `valid` bool (rows, cols); `exposure_s` None
-    where nobody says. `origin` tells frame files of the same run apart from others, None for
-    frames that do not say where they come from.
-    """
+    """Frames of one light and one exposure time. `codes` uint16 (K, rows, cols) of the ADC; `valid`
+    bool (rows, cols); `exposure_s` None if unknown. `origin` identifies the run of a frame file,
+    None for other frames."""
 
     name: str
     codes: Codes
@@ -57,11 +54,8 @@ class Stack:
 
 
 def load_stack(source: str, top_code: int) -> Stack:
-    """The frames of PATH or PATH@TIME, every code in 0..`top_code`.
-
-    Raises Rejected, status 2: NS0757 for what is no such frames, NS0732, NS0734, NS0735 for
-    pictures that cannot be read.
-    """
+    """Read the frames of PATH or PATH@TIME, with codes in 0..`top_code`. Raises Rejected, status 2:
+    NS0757 for unsuitable frames, NS0732, NS0734, NS0735 for unreadable pictures."""
     path, time_s = _timed(source)
     name = str(path)
     if not path.exists():
@@ -96,7 +90,7 @@ def load_stack(source: str, top_code: int) -> Stack:
 
 
 def grouped(stacks: Iterable[Stack]) -> list[Stack]:
-    """The same with frame files of one run (other seeds, same light) made one stack."""
+    """Return the stacks, with those of one run (other seeds, same light) merged."""
     stacks_by_run: dict[object, Stack] = {}
     for stack in stacks:
         run = (stack.origin, stack.exposure_s, stack.codes.shape[1:])
@@ -110,7 +104,7 @@ def grouped(stacks: Iterable[Stack]) -> list[Stack]:
 
 
 def _timed(source: str) -> tuple[Path, float | None]:
-    """The path and the time of PATH@TIME; a file of the whole name wins."""
+    """Return path and time of PATH@TIME; an existing file of the whole name has precedence."""
     match = _TIMED.fullmatch(source)
     if match is None or Path(source).exists():
         return Path(source), None
@@ -132,7 +126,7 @@ def _time_of_key(name: str, value: NDArray[Any]) -> float:
 
 
 def _is_time(us: float) -> bool:
-    """Whether pixels can be open so long: not at all, or from a picosecond to thirty years."""
+    """Return whether an exposure time is valid: 0, or from a picosecond to thirty years."""
     return us == 0 or 1e-6 <= us <= 1e15
 
 
@@ -144,7 +138,7 @@ def _wrong_time(name: str, text: str) -> Rejected:
 
 
 def _arrays(path: Path) -> dict[str, NDArray[Any]]:
-    """Everything in the file that is needed, by key; an .npy file's array is `frame`."""
+    """Return the arrays of the file that are needed, by key; that of an .npy file is `frame`."""
     reads(path)
     try:
         if path.suffix.lower() == ".mat":
@@ -157,7 +151,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
             return {KEYS[0]: np.load(path, allow_pickle=False)}
         with open(path, "rb") as file, np.load(file, allow_pickle=False) as archive:
             names = set(archive.files)
-            if "meta" in names:  # the exposures in electrons are what a chip does not give
+            if "meta" in names:  # a chip gives no exposures in electrons
                 names &= {KEYS[0], "valid", "meta", TIME_KEY}
             for key in sorted(names):
                 with archive.zip.open(f"{key}.npy") as entry:
@@ -176,7 +170,7 @@ def _arrays(path: Path) -> dict[str, NDArray[Any]]:
 
 
 def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
-    """Refuse an array by what the beginning of its .npy says, before it is read."""
+    """Check an array by its .npy header, before it is read."""
     version = np.lib.format.read_magic(file)
     if version in NPY_HEADERS:  # of other versions numpy has its own opinion
         shape, _, dtype = NPY_HEADERS[version](file)
@@ -186,10 +180,8 @@ def _check_header(path: Path, key: str, file: IO[bytes]) -> None:
 def _check_size(
     path: Path, key: str, shape: Sequence[int], frame: Sequence[int], itemsize: int
 ) -> None:
-    """NS0757 for frames larger than any chip, and for more of them than memory should be asked for.
-
-    `frame` are the axes of `shape` that a frame has.
-    """
+    """Raise NS0757 for frames larger than any chip, and for too many frames. `frame` are the axes
+    of `shape` that belong to a frame."""
     if prod(frame) > _MOST_PIXELS:
         raise _no_frames(
             f"'{key}' in '{path}' is {size(shape)}: a frame has at most {_MOST_PIXELS:,} pixels",
@@ -221,7 +213,7 @@ def _chosen(name: str, arrays: Mapping[str, NDArray[Any]]) -> tuple[str, NDArray
 def _ours(
     name: str, values: NDArray[Any], meta: Mapping[str, Any]
 ) -> tuple[NDArray[Any], float | None]:
-    """(K, rows, cols) of a frame file, and how long its pixels were open."""
+    """Return the codes (K, rows, cols) of a frame file, and the open time of its pixels."""
     shaped = values[None] if values.ndim == 3 else values
     if shaped.ndim != 4 or shaped.shape[1] != 1:
         raise _no_frames(
@@ -243,7 +235,7 @@ def _ours(
 
 
 def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArray[np.bool_] | None:
-    """Pixels that are valid in every frame of the file."""
+    """Return which pixels are valid in every frame of the file."""
     valid = arrays.get("valid")
     if valid is None or valid.size != np.prod(shape):
         return None
@@ -251,11 +243,11 @@ def _valid(arrays: Mapping[str, NDArray[Any]], shape: tuple[int, ...]) -> NDArra
 
 
 def _pictures(path: Path) -> NDArray[Any]:
-    """(K, rows, cols) of a picture or a folder of pictures, grey, as stored."""
+    """Return the stored values (K, rows, cols) of a grey picture or a folder of pictures."""
     from nscc_runtime.scenes import picture_files
 
     if path.is_dir():
-        # Frames of one kind have no order: a gap in their numbers is none in time.
+        # The order of frames does not matter, nor do gaps in their numbers.
         pictures = list(picture_files.read_folder(picture_files.files_of(path, skip=True)))
     elif path.suffix.lower() in picture_files.PICTURES:
         pictures = list(picture_files.open_pages(path).read())
@@ -276,7 +268,7 @@ def _pictures(path: Path) -> NDArray[Any]:
 
 
 def _codes(name: str, key: str, values: NDArray[Any], top_code: int) -> Codes:
-    """Codes (K, rows, cols); NS0757 where the values are no codes of the ADC."""
+    """Return codes (K, rows, cols); NS0757 for values that are not codes of the ADC."""
     if values.ndim == 2:
         values = values[None]
     if values.ndim != 3 or 0 in values.shape or min(values.shape[1:]) < 2:

@@ -1,9 +1,8 @@
-"""The moments of one level: means of two halves, temporal variance, neighbours' covariance.
+"""The moments of a level: means of two halves, temporal variance, covariance of neighbours.
 
-The noise of a level is what is left of its frames when every pixel's mean and every frame's mean
-are taken away: for two frames that is half the squared difference, fixed patterns and a light that
-drifts from frame to frame have no part in it. Fixed patterns are found the other way round, as
-the covariance of two halves of the frames, in which the noise has no part.
+The noise of a level is the residual of its frames after subtraction of every pixel's mean and every
+frame's mean: for two frames half the squared difference, free of fixed patterns and of drifts of
+the light. Fixed patterns are the covariance of two halves of the frames, free of noise.
 """
 
 from __future__ import annotations
@@ -20,9 +19,9 @@ Map = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
 QUIET = 0.24
-"""A variance, in squared codes, below which an ADC's rounding hides the noise (EMVA 1288)."""
+"""Variance in squared codes below which rounding of the ADC hides the noise (EMVA 1288)."""
 CLIPPED = 1e-4
-"""Levels with a larger part of their samples at an end of the ADC's scale are cut off there."""
+"""Fraction of samples at an end of the ADC's scale above which a level counts as clipped."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,11 +55,9 @@ class Level:
 
 @dataclass(frozen=True)
 class LevelMoments:
-    """The same over the good pixels.
-
-    `mean_se` is what noise and rounding leave uncertain of `mean`. `mean_rounding` is what rounding
-    does to it, and `rounding` what it does to `variance` beyond 1/12, as standard deviations.
-    """
+    """Moments of a level over the good pixels. `mean_se` is the standard error of `mean` from noise
+    and rounding. `mean_rounding` and `rounding` are the standard deviations that rounding adds to
+    `mean`, and to `variance` beyond 1/12."""
 
     name: str
     exposure_s: float | None
@@ -77,17 +74,17 @@ class LevelMoments:
 
     @property
     def cut_at_zero(self) -> bool:
-        """Whether codes below 0 would have been needed."""
+        """Whether the level is clipped at code 0."""
         return self.share_at_zero > CLIPPED
 
     @property
     def cut_at_top(self) -> bool:
-        """Whether codes above the top one would have been needed."""
+        """Whether the level is clipped at the top code."""
         return self.share_at_top > CLIPPED
 
 
 def level_of(stack: Stack, top_code: int) -> Level:
-    """The moments of a stack; NS0758 where it is a single frame, NS0757 for a frame given twice."""
+    """Return the moments of a stack; NS0758 for a single frame, NS0757 for a repeated frame."""
     count = len(stack.codes)
     if count < 2:
         raise rejected(
@@ -106,7 +103,7 @@ def level_of(stack: Stack, top_code: int) -> Level:
         squares += residual * residual
         beside += residual[:, :-1] * residual[:, 1:]
         below += residual[:-1] * residual[1:]
-    # What the means of N pixels and of the frames took away: one part in N, of K - 1 in all.
+    # Subtracting the means of N pixels and of the frames removes one part in N, of K - 1.
     variance = squares / (count - 1) * (mean.size / (mean.size - 1))
     removed = variance.mean() / mean.size
     level = Level(
@@ -119,7 +116,7 @@ def level_of(stack: Stack, top_code: int) -> Level:
 
 
 def moments(level: Level, good_mask: Mask) -> LevelMoments:
-    """Over the pixels where `good`; neighbours count where both are."""
+    """Return the moments over the pixels of `good_mask`; of neighbours where both are good."""
     pixels = int(np.count_nonzero(good_mask))
     variance = float(level.variance[good_mask].mean())
     pairs = (
@@ -147,12 +144,13 @@ def moments(level: Level, good_mask: Mask) -> LevelMoments:
 
 
 def _rounding(variance: float, spread: float) -> tuple[float, float]:
-    """What rounding does to mean and variance of a level, as standard deviations in codes.
+    """Return the effect of rounding on mean and variance of a level, as standard deviations in
+    codes.
 
-    Of normal noise of variance v rounded at fraction f of a code the mean is off by a sin(2 pi f) /
-    pi and the variance by 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2 v); smaller terms
-    left out. f is unknown. Pixels whose means differ have all fractions: what is left is another
-    factor exp(-2 pi^2 spread), `spread` the variance of the pixels' own means.
+    For normal noise of variance v, rounded at fraction f of a code, the mean is off by a sin(2 pi
+    f) / pi and the variance by 1/12 - a (4 v + 1 / pi^2) cos(2 pi f), a = exp(-2 pi^2 v), without
+    smaller terms. f is unknown. Pixels with different means have different fractions: their average
+    adds a factor exp(-2 pi^2 spread), where `spread` is the variance of the pixels' means.
     """
     noise = max(variance - 1 / 12, 0.0)
     amplitude = np.exp(-2 * np.pi**2 * (noise + spread)) / np.sqrt(2)
@@ -160,7 +158,7 @@ def _rounding(variance: float, spread: float) -> tuple[float, float]:
 
 
 def _refuse_twice(codes: Codes, level: Level) -> None:
-    """NS0757 where a level with noise has the same frame twice: its noise would be too small."""
+    """Raise NS0757 for a level that has the same frame twice, which underestimates its noise."""
     if level.variance.mean() < QUIET:
         return  # chance may make quiet frames equal
     if len({frame.tobytes() for frame in codes}) < len(codes):

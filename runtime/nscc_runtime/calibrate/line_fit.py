@@ -1,4 +1,4 @@
-"""Weighted lines, errors of what is computed from fitted values, and spreads from two halves."""
+"""Weighted line fits, error propagation, and variances from two halves."""
 
 from __future__ import annotations
 
@@ -19,11 +19,9 @@ IMPROBABLE = 1e-4
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """y = start + slope x, with the covariance (2, 2) of (start, slope).
-
-    `misfit` is chi squared, `freedom` the number of points less two; `apart` the root mean square
-    distance of the points, relative to the fitted y.
-    """
+    """y = start + slope x, with the covariance (2, 2) of (start, slope). `misfit` is chi squared,
+    `freedom` the degrees of freedom, `apart` the root mean square distance of the points relative
+    to the fitted y."""
 
     start: float
     slope: float
@@ -34,7 +32,7 @@ class Line:
 
     @property
     def chance(self) -> float:
-        """How probable a misfit as large is if the points lie on a line; 1 for two points."""
+        """Probability of a misfit this large for points on a line; 1 for two points."""
         if self.freedom < 1:
             return 1.0
         from scipy.special import gammaincc
@@ -43,19 +41,15 @@ class Line:
 
     @property
     def excess(self) -> float:
-        """How much larger the points' errors are than given, in variance, where that is certain.
-
-        1 unless a misfit as large has a chance below `IMPROBABLE`.
-        """
+        """Factor on the variance of the points' errors; 1 unless the misfit has a probability below
+        `IMPROBABLE`."""
         return self.misfit / self.freedom if self.chance < IMPROBABLE else 1.0
 
 
 def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
-    """The weighted least-squares line; `errors` gives the points' standard errors from fitted y.
-
-    Weights follow from the fit and not from the points: a point that came out low by chance would
-    weigh more, and pull the line down.
-    """
+    """Fit a weighted least-squares line; `errors` gives the points' standard errors from fitted y.
+    Weights come from the fit instead of the points, because points that are low by chance would get
+    more weight and bias the line."""
     fitted = y
     for _ in range(5):
         weight = 1.0 / errors(fitted) ** 2
@@ -76,7 +70,7 @@ def line(x: Vector, y: Vector, errors: Callable[[Vector], Vector]) -> Line:
 def propagated(
     function: Callable[[Vector], float], values: Sequence[float], covariance: Vector
 ) -> tuple[float, float]:
-    """The function of uncertain values, and its standard error to first order."""
+    """Return a function of uncertain values and its standard error, to first order."""
     at = np.array(values, np.float64)
     gradient = np.zeros(len(at))
     for i, error in enumerate(np.sqrt(np.diag(covariance))):
@@ -88,11 +82,9 @@ def propagated(
 
 
 def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tuple[float, float]:
-    """The variance over the good pixels of what two maps have in common, and its standard error.
-
-    `maps` is (2, rows, cols). Their own noise is independent and cancels in the mean. `taken` is
-    how many parameters of their shape were fitted and subtracted before, their mean included.
-    """
+    """Return the variance over the good pixels of the common pattern of two maps, and its standard
+    error. `maps` is (2, rows, cols); their independent noise cancels in the mean. `parameter_count`
+    is the number of parameters fitted and subtracted before, including the mean."""
     even, odd = (half_map[good_mask] - half_map[good_mask].mean() for half_map in maps)
     product = even * odd
     count = len(product)
@@ -100,10 +92,8 @@ def shared_variance(maps: Map, good_mask: Mask, parameter_count: int = 1) -> tup
 
 
 def root(variance: float, error: float) -> tuple[float, float]:
-    """The square root of a variance that may have come out negative, and its standard error.
-
-    Near 0 the error is what the root gains when the variance grows by its own error.
-    """
+    """Return the square root of a variance, which may be negative, and its standard error. Near 0
+    the error is the increase of the root when the variance grows by its error."""
     value = sqrt(max(variance, 0.0))
     if value > 0 and variance > error:
         return value, error / (2 * value)
@@ -111,13 +101,13 @@ def root(variance: float, error: float) -> tuple[float, float]:
 
 
 def robust_scale(values: Vector) -> tuple[float, float]:
-    """Median, and standard deviation from the median absolute deviation."""
+    """Return the median, and the standard deviation from the median absolute deviation."""
     middle = float(np.median(values))
     return middle, 1.4826 * float(np.median(np.abs(values - middle)))
 
 
 def surface(values: Map, good_mask: Mask) -> Map:
-    """The quadratic surface (rows, cols) through the good pixels: six parameters."""
+    """Fit a quadratic surface (rows, cols), six parameters, to the good pixels."""
     rows, cols = values.shape
     x, y = np.meshgrid(np.linspace(-1, 1, cols), np.linspace(-1, 1, rows))
     terms = np.stack([np.ones_like(x), x, y, x * y, x * x, y * y], axis=-1)

@@ -1,4 +1,4 @@
-"""Which pixels count: defects are left out, flats must be flat."""
+"""Selection of pixels: defects are excluded, and flats must be flat."""
 
 from __future__ import annotations
 
@@ -12,23 +12,20 @@ from nscc_runtime.calibrate.line_fit import robust_scale, surface
 from nscc_runtime.scenes.errors import size
 
 OUTLIER = 12.0
-"""Robust standard deviations beyond which a pixel is a defect; the tail of a lognormal dark
-current of 50 % spread reaches that far in one pixel of a hundred thousand."""
+"""Distance in robust standard deviations beyond which a pixel is a defect. A lognormal dark current
+of 50 % spread exceeds it in one pixel of a hundred thousand."""
 _LEAST_SCALE = 0.3
-"""In codes: about the rounding of the ADC, where all pixels are alike."""
+"""Minimum scale in codes, about the rounding of the ADC, if all pixels are alike."""
 LEAST_PIXELS = 64
-"""Surfaces, medians and standard errors over fewer mean nothing."""
+"""Minimum number of pixels for surfaces, medians and standard errors."""
 MOST_DEFECTS = 0.01
 MOST_UNEVEN = 0.2
-"""Flats may fall off by this part of their mean from the brightest to the darkest place."""
+"""Largest variation of a flat over the array, relative to its mean."""
 
 
 def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
-    """Pixels that are valid everywhere and no outliers in darks or flats.
-
-    NS0757 for levels of different sizes or too few pixels; NS0759 where more than 1 % of the
-    pixels are outliers.
-    """
+    """Return the pixels that are valid in all levels and not outliers. NS0757 for levels of
+    different sizes or too few pixels; NS0759 where more than 1 % of the pixels are outliers."""
     first = darks[0]
     for level in (*flats, *darks):
         if level.variance.shape != first.variance.shape:
@@ -68,12 +65,12 @@ def good_pixels(flats: Sequence[Level], darks: Sequence[Level]) -> Mask:
 
 
 def valid_pixels(levels: Sequence[Level]) -> Mask:
-    """Pixels that are valid in every frame."""
+    """Return the pixels that are valid in every frame."""
     return np.asarray(np.logical_and.reduce([level.valid for level in levels]))
 
 
 def refuse_uneven(flats: Sequence[Level], good_mask: Mask, zero: float) -> None:
-    """NS0759 for a flat whose light falls off too much over the array."""
+    """Raise NS0759 for a flat whose light varies too much over the array."""
     for level in flats:
         smooth = surface(level.mean_map, good_mask)
         light = float(level.mean_map[good_mask].mean()) - zero

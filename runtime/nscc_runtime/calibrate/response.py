@@ -1,4 +1,4 @@
-"""The pixels' response to light: how unequal it is, and how far it is from a line."""
+"""Non-uniformity and linearity of the pixels' response to light."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from nscc_runtime.calibrate.levels import Level, LevelMoments, Map, Mask
 from nscc_runtime.calibrate.line_fit import SURFACE_TERMS, line, shared_variance, surface
 
 _RANGE = (0.05, 0.95)
-"""The part of the range up to saturation over which linearity is judged (EMVA 1288)."""
+"""Fractions of the range up to saturation over which linearity is measured (EMVA 1288)."""
 _SAME = 0.01
 
 
@@ -23,11 +23,12 @@ def response_variance(
     dark: DarkFit | None,
     good_mask: Mask,
 ) -> tuple[float, float]:
-    """Variance over the pixels of the response to light, relative to its mean, with its error.
+    """Return the variance over the pixels of the response to light, relative to its mean, and its
+    error.
 
-    Each pixel's response is the weighted slope of its signal over the mean signal of the levels.
-    With darks it goes through them; without, it has a start of its own in each pixel. A smooth
-    surface, the fall of the light, does not count.
+    The response of a pixel is the weighted slope of its signal over the mean signal of the levels.
+    With darks the line passes through them; without, each pixel has its own intercept. A smooth
+    surface, the fall-off of the light, is excluded.
     """
     halves = np.stack([_response(levels, level_moments, dark, good_mask, half) for half in (0, 1)])
     smooth = surface((halves[0] + halves[1]) / 2, good_mask)
@@ -52,13 +53,14 @@ def _response(
     total = np.zeros_like(signal[0])
     for level_share, values in zip(share, signal, strict=True):
         total += level_share * values
-    # For every pixel alike, the part of `centre` falls out: the shares of a start add up to 0.
+    # `centre` cancels in every pixel: the weights of an intercept sum to 0.
     return np.asarray(total / (share * (mean - centre)).sum())
 
 
 @dataclass(frozen=True)
 class Linearity:
-    """Mean absolute deviation from the line of signal over time, in percent, over `levels`."""
+    """Mean absolute deviation from the line of signal over time, in percent, of a number
+    of levels."""
 
     error_percent: float
     error_se: float
@@ -68,10 +70,8 @@ class Linearity:
 def linearity(
     level_moments: Sequence[LevelMoments], dark: DarkFit | None, full: float
 ) -> Linearity | str:
-    """EMVA 1288's linearity error of flats of one light and several times, or why there is none.
-
-    `full` is the code at which flats saturate.
-    """
+    """Return EMVA 1288's linearity error of flats of one light and several times, or why it is
+    unknown. `full` is the code at which flats saturate."""
     if dark is None:
         return "no dark tells the code without charge"
     if any(level.exposure_s is None for level in level_moments):

@@ -1,8 +1,9 @@
-"""The parameters of a sensor file from what photon transfer found.
+"""The parameters of a sensor file from a calibration.
 
-Photon transfer sees a whole frame, not the parts that the sensor model takes it from. So noise of
-reads, resets, words and ADC comes as one (`read_noise_e`), gain of words and ADC as another
-(`electrons_per_lsb`); what such a sum contains is set to nothing, lest it count twice.
+Photon transfer measures whole frames, not the components of the sensor model. Noise of reads,
+resets, words and ADC is measured as one (`read_noise_e`), gain of words and ADC as one
+(`electrons_per_lsb`); the other components of such a sum are set to 0, so that they do not count
+twice.
 """
 
 from __future__ import annotations
@@ -25,19 +26,19 @@ _TAKEN = {
     "prnu_fraction": "prnu", "dark_current_e_per_s": "dark_current",
     "dark_spread_fraction": "dark_spread",
 }  # fmt: skip
-"""Parameters that are a figure as it was found."""
+"""Parameters that equal a quantity."""
 _SOURCES = _TAKEN | {
     "read_noise_e": "dark_noise_e", "analog_pattern_lsb": "dsnu_lsb", "analog_bias_lsb": "offset",
     "adc_offset_lsb": "offset", "analog_noise_lsb": "dark_noise_e", "adc_noise_lsb": "dark_noise_e",
     "spread_noise_lsb": "dark_noise_e", "full_well_e": "full_well",
 }  # fmt: skip
-"""The figure that tells of a parameter."""
+"""The quantity related to each parameter."""
 
 
 @dataclass(frozen=True)
 class ParameterChoice:
-    """The value of one parameter: `measured` with its standard error, taken from a `bound`,
-    `given` by the user, `contained` in another parameter, or the `default`; `remark` says why."""
+    """The value of a parameter: `measured` with its standard error, from a `bound`, `given` by the
+    user, `contained` in another parameter, or the `default`. `remark` says why."""
 
     value: float
     se: float | None
@@ -48,7 +49,7 @@ class ParameterChoice:
 def parameters(
     calibration: Calibration, target: Target, chain: Chain
 ) -> dict[str, ParameterChoice]:
-    """A value for every parameter of the sensor file, in the schema's order."""
+    """Return a value for every parameter of the sensor file, in the order of the schema."""
     quantity = calibration.quantities
     chosen: dict[str, ParameterChoice] = {}
     _contain(chosen, "analog_gain", 1.0, "electrons_per_lsb")
@@ -68,7 +69,7 @@ def parameters(
 
 
 def sensor_of(chosen: Mapping[str, ParameterChoice]) -> Sensor:
-    """The sensor of these parameters."""
+    """Return the sensor of these parameters."""
     return Sensor({name: choice.value for name, choice in chosen.items()})
 
 
@@ -91,7 +92,7 @@ def _contain(
 
 
 def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) -> None:
-    """Everything that differs between dark frames, as noise of the reads."""
+    """Set the temporal noise of dark frames as noise of the reads."""
     if noise.value is None or chain.reads < _NO_PART:
         return
     read_factor = sqrt(chain.reads)
@@ -114,8 +115,9 @@ def _noise(chosen: dict[str, ParameterChoice], noise: Quantity, chain: Chain) ->
 def _pattern(
     chosen: dict[str, ParameterChoice], quantities: Mapping[str, Quantity], chain: Chain
 ) -> None:
-    """The code without charge: whole codes in the ADC's offset, which adds after rounding; the
-    rest and the pattern of the pixels as errors of the words."""
+    """Set the code without charge and the pattern of the pixels. Whole codes become the ADC's
+    offset, which is added after rounding; the remainder and the pattern become errors of the
+    words."""
     offset, pattern = quantities["offset"], quantities["dsnu_lsb"]
     if offset.value is None or pattern.value is None:
         return
@@ -141,7 +143,7 @@ def _pattern(
 
 
 def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -> None:
-    """The full well, and registers that hold it: words of a frame pass it through them."""
+    """Set the full well, and the range of registers, through which words of a frame pass it."""
     if full.value is None:
         return
     if full.known == "measured":
@@ -157,7 +159,7 @@ def _range(chosen: dict[str, ParameterChoice], full: Quantity, target: Target) -
 
 
 def _unknown(name: str, quantities: Mapping[str, Quantity]) -> str:
-    """Why a parameter keeps its default."""
+    """Return why a parameter keeps its default."""
     quantity = quantities.get(_SOURCES.get(name, ""))
     if quantity is None:
         return "photon transfer does not tell"
@@ -174,7 +176,7 @@ def _shown(quantity: Quantity) -> str:
 
 
 def _rounded(choice: ParameterChoice) -> ParameterChoice:
-    """To six digits: beyond the errors, and the same on every machine."""
+    """Round to six digits, more precise than the errors and equal on every machine."""
     if choice.status == "default":
         return choice
     se = None if choice.se is None else float(f"{choice.se:.3g}")

@@ -1,9 +1,9 @@
-"""The photon transfer curve: which levels may be used, the gain of the system, saturation.
+"""The photon transfer curve: usable levels, system gain, saturation.
 
-Of a count of electrons mean and variance are equal. A code is K electrons, so the variance of a
-level over its mean rises with slope K, from the noise of a frame without charge. Charge that a
-pixel shares with its neighbours is lost to that variance, and found again in the neighbours'
-covariance (EMVA 1288 takes crosstalk to be absent).
+Mean and variance of a count of electrons are equal. A code is K electrons, so the variance of a
+level rises with its mean with slope K, from the noise of a frame without charge. Charge that a
+pixel shares with its neighbours reduces the variance and appears in the covariance of neighbours
+(EMVA 1288 assumes no crosstalk).
 """
 
 from __future__ import annotations
@@ -20,16 +20,17 @@ from nscc_runtime.calibrate.levels import QUIET, LevelMoments
 from nscc_runtime.calibrate.line_fit import Line, Vector, line
 
 LINEAR_PART = 0.7
-"""The part of the range up to saturation that the gain is fitted to (EMVA 1288)."""
+"""Fraction of the range up to saturation over which the gain is fitted (EMVA 1288)."""
 _DROP = 0.2
-"""Variance that falls by this part beyond its maximum has saturated."""
+"""Relative drop of the variance beyond its maximum that indicates saturation."""
 _STILL = 0.1
-"""Saturated pixels with less than this part of the shot noise are all at their limit."""
+"""Fraction of the shot noise below which all saturated pixels are at their limit."""
 
 
 @dataclass(frozen=True)
 class Saturation:
-    """Where flats stop rising: `mean` code; `of_pixel` if below the ADC's end, all pixels at it."""
+    """The saturation of flats: `mean` code; `of_pixel` if it is the pixels' limit, below the end of
+    the ADC."""
 
     mean: float
     mean_se: float
@@ -38,11 +39,12 @@ class Saturation:
 
 @dataclass(frozen=True, eq=False)
 class Transfer:
-    """The fitted curve. `offset` is the code without charge, None where no dark tells.
+    """The fitted curve.
 
-    `noise` is the variance of the codes without charge (rounding included), `gain` K in codes an
-    electron; `covariance` (3, 3) of (gain, noise, crosstalk). Without an offset `noise` means
-    nothing. `used` are the levels of the fit, `left_out` the others, each with the reason.
+    `offset` is the code without charge, None without darks. `noise` is the variance of codes
+    without charge (rounding included), meaningless without an offset; `gain` K in codes per
+    electron; `covariance` (3, 3) of (gain, noise, crosstalk). `used` are the levels of the fit,
+    `left_out` the others with the reasons.
     """
 
     offset: float | None
@@ -69,12 +71,9 @@ def transfer(
     top_code: int,
     crosstalk: float | None = None,
 ) -> Transfer:
-    """The photon transfer curve of levels.
-
-    `offset` is the code without charge, with its error, or None; `crosstalk` is taken as known
-    where it is given. NS0758 where fewer than two levels of light can be used, NS0759 where
-    variance does not rise with the mean.
-    """
+    """Fit the photon transfer curve of levels. `offset` is the code without charge with its error,
+    or None; `crosstalk`, if given, replaces its measurement. NS0758 for fewer than two usable
+    levels of light, NS0759 if the variance does not rise with the mean."""
     zero = offset[0] if offset else 0.0
     peak = max(flats, key=lambda level: level.variance)
     highest = max(flats, key=lambda level: level.mean)
@@ -97,7 +96,7 @@ def transfer(
 
 
 def _unfit(level: LevelMoments, limit: float) -> str:
-    """Why a level cannot be part of the fit; empty if it can."""
+    """Return why a level is excluded from the fit; empty if it is used."""
     if level.cut_at_top:
         return f"{100 * level.share_at_top:.3g} % of its codes are at the top"
     if level.cut_at_zero:
@@ -116,10 +115,10 @@ def _fitted(
     x = np.array([level.mean - zero for level in used])
     variance = np.array([level.variance for level in used])
     neighbours = np.array([level.neighbours for level in used])
-    # Of a sample variance and of a mean covariance of 2 N pairs, both of normal numbers.
+    # Degrees of freedom of the sample variance, and samples of the covariance of 2 N pairs.
     degrees = np.array([(level.frames - 1) * level.pixels for level in used], np.float64)
     samples = np.array([level.frames * level.pixels for level in used], np.float64)
-    # Darks of nearly the same mean are rounded alike: together no better than one of them.
+    # Darks of nearly equal means have the same rounding error: they count as one.
     alike = np.array(
         [sum(abs(level.mean - other_level.mean) < 0.5 for other_level in used) for level in used]
     )
@@ -158,18 +157,19 @@ def _fitted(
 
 
 def _solved(slopes: Vector, known: float | None) -> Vector:
-    """Gain, noise and crosstalk from slope and start of the variance, slope of the covariance."""
+    """Return gain, noise and crosstalk from slope and intercept of the variance and the slope of
+    the covariance."""
     crosstalk = _crosstalk(float(slopes[0]), float(slopes[2])) if known is None else known
     return np.array([slopes[0] / kept_variance(crosstalk), slopes[1], crosstalk])
 
 
 def kept_variance(crosstalk: float) -> float:
-    """What is left of the variance of independent pixels that give c to each neighbour."""
+    """Return the factor on the variance of independent pixels that give c to each neighbour."""
     return (1 - 4 * crosstalk) ** 2 + 4 * crosstalk**2
 
 
 def _crosstalk(variance: float, covariance: float) -> float:
-    """c, from covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2)."""
+    """Solve covariance / variance = 2 c (1 - 4 c) / ((1 - 4 c)^2 + 4 c^2) for c."""
     ratio = covariance / variance
     a, half_b = 20 * ratio + 8, 4 * ratio + 1
     return float((half_b - np.sqrt(max(half_b**2 - a * ratio, 0.0))) / a)

@@ -1,4 +1,4 @@
-"""The chip of a stand-in: our emulator, looking at a scene."""
+"""The chip of a stand-in: the emulator exposed to a scene."""
 
 from __future__ import annotations
 
@@ -25,13 +25,13 @@ if TYPE_CHECKING:
     from nscc_runtime.sensor import Sensor
 
 Scene = Callable[[Sequence[float]], "Light"]
-"""The light on the array in slots of these lengths, in microseconds."""
+"""Returns the light on the array in slots of given lengths in microseconds."""
 
 
 @dataclass(frozen=True, eq=False)
 class ExecutedFrame:
-    """A frame as a loader sends it, and what each code register holds after it, as a PLANE object
-    has it: states that are kept stand in such registers."""
+    """A frame as a loader sends it, and the code registers after it in the form of PLANE objects.
+    Kept states are stored in code registers."""
 
     frame: bytes
     planes: Mapping[str, bytes]
@@ -39,10 +39,8 @@ class ExecutedFrame:
 
 @dataclass
 class EmulatedChip:
-    """Exposes frames of `scene` with the emulator; slots of the same lengths see the same light.
-
-    `report` is told what went wrong: the host only learns that something did.
-    """
+    """Exposes frames of `scene` with the emulator; slots of equal lengths see equal light. `report`
+    gets the errors, because the host only learns that one occurred."""
 
     scene: Scene
     target: Target
@@ -52,9 +50,8 @@ class EmulatedChip:
     _light: tuple[tuple[float, ...], Light] | None = field(default=None, init=False)
 
     def execute(self, container: Container, channels: int) -> ExecutedFrame:
-        """One frame of a container: all codes, then all exposures, readout by readout, column by
-        column; then all planes of states.
-        """
+        """Expose one frame of a container. Returns all codes, then all exposures, readout by
+        readout, column by column; then all planes of states."""
         from nscc_runtime.frame_file import read_out
 
         if self._light is None or self._light[0] != container.slot_us:
@@ -72,8 +69,7 @@ class EmulatedChip:
         )
 
     def _converting(self, container: Container) -> Sensor:
-        """The sensor, with codes as they are where the program leaves no register to spread
-        exposures with."""
+        """Return the sensor; without a register for spreading exposures, codes stay unspread."""
         from nscc_runtime.sensor import default_sensor
 
         program_sensor = default_sensor(converter_of(container))
@@ -89,13 +85,13 @@ class EmulatedChip:
         )
 
     def exposure(self, container: Container, channels: int) -> bytes:
-        """The frame alone."""
+        """Return the bytes of one frame."""
         return self.execute(container, channels).frame
 
     def _executed(
         self, container: Container, light: Light
     ) -> tuple[Exposure, Mapping[str, NDArray[np.bool_]]]:
-        """The exposure without effects, and digital registers after the frame."""
+        """Return the exposure without effects, and the digital registers after the frame."""
         if looks(container):
             from nscc_runtime.reference.looks import executed
 
@@ -107,18 +103,20 @@ class EmulatedChip:
 
 
 def in_columns(frame: NDArray[Any]) -> bytes:
-    """The bytes of (readouts, rows, cols) values in the order in which a loader sends them."""
+    """Return the bytes of (readouts, rows, cols) values in the order in which a loader
+    sends them."""
     return np.ascontiguousarray(frame.transpose(0, 2, 1)).tobytes()
 
 
 def looks(container: Container) -> bool:
-    """Whether its words compare analog values: pixels then have FLAGs of their own."""
+    """Return whether words of the container compare analog values, so that each pixel has its own
+    FLAG."""
     words = (word for kernel in container.kernels for word in kernel.words)
     return any(decode(word).operation.effect is Effect.FLAG_ANALOG for word in words)
 
 
 def in_background(work: Callable[[], ExecutedFrame]) -> Future[ExecutedFrame]:
-    """What comes of work in a thread of its own, for which nobody waits when the process ends."""
+    """Start work in a daemon thread, which does not delay the end of the process."""
     future: Future[ExecutedFrame] = Future()
 
     def run() -> None:

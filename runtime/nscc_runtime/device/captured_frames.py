@@ -1,4 +1,4 @@
-"""Frames that a device exposed: their meta has the keys of the emulator's, without its physics."""
+"""Frames of a device: their meta has the keys of the emulator's, without its physics."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from nscc.words.container import Container
 from nscc.words.readout import converter_of
 from nscc_runtime.decode_table import with_table
 from nscc_runtime.device.device_chip import DeviceChip
+from nscc_runtime.device.device_errors import wrong_target
 from nscc_runtime.device.objects import target_digest
-from nscc_runtime.device.trouble import wrong_target
 from nscc_runtime.frame_file import Frame, FrameFile, Provenance, meta, stacked
 from nscc_runtime.light import Light
 from nscc_runtime.progress import Progress, unseen
@@ -32,10 +32,8 @@ def exposed(
     repeat: int | None = None,
     progress: Progress = unseen,
 ) -> tuple[Frame, dict[str, Any]]:
-    """The frame that `chip` exposes with a program, or `repeat` of them, and its meta.
-
-    `light`: the scene before it, where that is known. Raises Rejected (status 3) where it fails.
-    """
+    """Return the frame that `chip` exposes with a program, or `repeat` frames, and its meta.
+    `light` is the scene, if known. Raises Rejected (status 3) if the device fails."""
     chip.upload(container)
     most = repeat or 1
     shots = (chip.capture(container) for _ in range(most))
@@ -52,10 +50,8 @@ def device_meta(
     container: Container | None,
     light: Light | None = None,
 ) -> dict[str, Any]:
-    """What a frame file says of a frame that `chip` exposed just now; the rest as `meta`.
-
-    Seeds, plan and audit are None: nothing was simulated here.
-    """
+    """Return the meta of a frame that `chip` just exposed. Seeds, plan and audit are None, because
+    nothing was simulated."""
     info = chip.link.host.info
     assert info is not None  # a frame came
     origin = Provenance(chip.label.hex(), sensor, None, None, "device")
@@ -64,10 +60,8 @@ def device_meta(
 
 
 def target_of(chip: DeviceChip, named: str | None = None) -> Target:
-    """The chip behind the port: the table of its own name, or the one that the user names.
-
-    Raises Rejected where the device was made for another table.
-    """
+    """Return the target of the device: by its own name, or the one that the user names. Raises
+    Rejected if the device was built for another table."""
     info = chip.info()
     name = named or (info.target_name if info.target_name in target_names() else "scamp5")
     target = load_target(name, Path())
@@ -77,10 +71,8 @@ def target_of(chip: DeviceChip, named: str | None = None) -> Target:
 
 
 def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) -> Iterator[Path]:
-    """frame-000001.npz and so on in `folder`, each when its time has come; files there are kept.
-
-    At most `most` of them, `every_s` seconds apart. NS0784 where the folder cannot be made.
-    """
+    """Yield frame-000001.npz and so on in `folder`, each at its time, skipping existing files. At
+    most `most` of them, `every_s` seconds apart. NS0784 if the folder cannot be created."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
@@ -100,10 +92,8 @@ def numbered_paths(folder: Path, most: int | None = None, every_s: float = 0.0) 
 def capture_to(
     path: Path, chip: DeviceChip, target: Target, sensor: Sensor, container: Container | None
 ) -> None:
-    """Expose a frame of `container`, or of what the device holds, and write its file.
-
-    `meta` gets `time_utc` and `device_time_us`.
-    """
+    """Expose a frame of `container`, or of the program on the device, and write its file. `meta`
+    gets `time_utc` and `device_time_us`."""
     stamp = datetime.now(UTC).isoformat(timespec="microseconds")
     shot = chip.capture(container) if container else chip.capture_held(target)
     meta = device_meta(chip, shot.frame, sensor, container)

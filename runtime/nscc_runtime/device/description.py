@@ -1,4 +1,4 @@
-"""What a loader says of itself, for people and for programs."""
+"""The description of a loader as text and as JSON."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from nscc_runtime.device.messages import Info, LoaderState, Status
 
 
 def info_text(info: Info, status: Status) -> str:
-    """A loader's description, a line a fact."""
+    """Return a loader's description, one property per line."""
     state = (
         LoaderState(info.state).name.lower() if info.state in set(LoaderState) else str(info.state)
     )
@@ -31,7 +31,7 @@ def info_text(info: Info, status: Status) -> str:
 
 
 def info_json(info: Info, status: Status) -> str:
-    """The same as JSON, with digests in hexadecimal."""
+    """Return a loader's description as JSON, with digests in hexadecimal."""
     values = {**asdict(info), "status": asdict(status)}
     for name in ("target", "program", "label"):
         values[name] = values[name].hex()

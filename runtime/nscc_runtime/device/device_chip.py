@@ -1,4 +1,4 @@
-"""A device that runs a program on a chip behind a port."""
+"""A device that runs programs on a chip behind a port."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from nscc.words.container import state_registers
 from nscc.words.file import to_bytes
 from nscc.words.readout import converter_of
 from nscc_runtime.device import tasks
+from nscc_runtime.device.device_errors import check_fits, no_program, states_lost
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import SerialLink
@@ -27,7 +28,6 @@ from nscc_runtime.device.messages import (
     plane_bytes,
 )
 from nscc_runtime.device.objects import Upload, unpacked_plane, upload_of
-from nscc_runtime.device.trouble import check_fits, no_program, states_lost
 from nscc_runtime.effects import Selection, everything, selected
 from nscc_runtime.frame_file import Frame, last_codes
 from nscc_runtime.interface import Exposure
@@ -41,23 +41,21 @@ if TYPE_CHECKING:
     from nscc_runtime.light import Light
 
 _STEP = 1024
-"""Bytes that a step of a progress bar stands for."""
+"""Bytes per step of a progress bar."""
 
 
 @dataclass(frozen=True, eq=False)
 class Shot:
-    """A frame from a device. `captured` is what the loader said of it."""
+    """A frame from a device; `captured` is the loader's reply."""
 
     frame: Frame
     captured: CaptureReply
 
 
 class DeviceChip:
-    """The loader behind an open link.
-
-    `sensor` says what a code is in electrons (None: the target's figures), where the loader hands
-    out codes only. All raise Rejected, status 3, where the device fails.
-    """
+    """The chip behind an open link. `sensor` converts codes to electrons (None: the values of the
+    target) if the loader sends codes only. All methods raise Rejected, status 3, if the device
+    fails."""
 
     def __init__(
         self, link: SerialLink, sensor: Sensor | None = None, progress: Progress = unseen
@@ -69,20 +67,21 @@ class DeviceChip:
         """SHA-256 of the container whose frames the device exposes."""
 
     def expose(self, container: Container, light: Light | None = None) -> Exposure:
-        """One frame of `container`; the device sees what is before it, so `light` is not used."""
+        """Expose one frame of `container`; `light` is not used, because the device sees its own
+        scene."""
         self.upload(container)
         shot = self.capture(container)
         return Exposure(shot.frame.exposure_e, shot.frame.valid, shot.frame.saturated_by)
 
     @property
     def effects(self) -> Selection:
-        """What becomes of light behind an open port: everything, or nothing in a stand-in."""
+        """The effects of the device: all of a chip, none of a stand-in."""
         info = self.link.host.info
         exact = info is not None and channels_of(info) & Channel.EXPOSURE
         return selected("none") if exact else everything()
 
     def info(self) -> Info:
-        """What the loader says of itself, asked anew."""
+        """Ask the loader for its description."""
         host = self.link.host
         host.info = None
 
@@ -94,8 +93,8 @@ class DeviceChip:
         return self.link.run(hello_info)
 
     def upload(self, container: Container) -> Upload:
-        """Bring a program to the device; one that it has already is not sent again, unless it keeps
-        states: they then have their first values again."""
+        """Upload a program, unless the device has it already. A program that keeps states is always
+        sent, which resets them."""
         program = self._program(container)
         info = self.info()
         check_fits(self.link.path, program, container.target, info, channels_of(info, program))
@@ -128,15 +127,14 @@ class DeviceChip:
             pass
 
     def capture(self, container: Container) -> Shot:
-        """One frame of the program that was uploaded, which is sent again should it be lost.
-
-        NS0774 where it was lost and keeps states from frame to frame: these cannot be sent again.
-        """
+        """Capture one frame of the uploaded program, which is sent again if the device lost it.
+        Raises NS0774 if a lost program keeps states from frame to frame, because these cannot be
+        restored."""
         program = self._program(container)
         return self._shot(container.target, container, program)
 
     def capture_held(self, target: Target) -> Shot:
-        """One frame of whatever program the device holds; NS0771 if it holds none."""
+        """Capture one frame of the program on the device; NS0771 if it has none."""
         info = self.info()
         self.label = info.label
         if info.state not in (LoaderState.READY, LoaderState.EXPOSING):
@@ -171,7 +169,7 @@ class DeviceChip:
 
 
 def channels_of(info: Info, program: Upload | None = None) -> int:
-    """The channels to ask a loader for: all that it has of a program."""
+    """Return the channels to request from a loader: all that it supports for a program."""
     exact = info.capabilities & Capability.EXACT
     states = Channel.STATES if program and program.states else 0
     return Channel.CODES | (Channel.EXPOSURE if exact else 0) | states
@@ -181,11 +179,12 @@ def frame_of(
     data: bytes, channels: int, shape: tuple[int, ...], sensor: Sensor, target: Target,
     container: Container | None = None,
 ) -> Frame:  # fmt: skip
-    """A frame from its channels' bytes; without EXPOSURE electrons are those of the codes.
+    """Return a frame from the bytes of its channels; without EXPOSURE electrons follow from the
+    codes.
 
-    What is saturated the codes tell: the last of the scale, and with the program those that a full
-    well or register reads. A loader with EXPOSURE stands in for a chip without either. What pixels
-    that looked say of their light comes from the planes of STATES, with the program.
+    Codes decide which pixels are saturated: the last code of the scale, and with a program the
+    codes of a full well or register. A loader with EXPOSURE emulates a chip without saturation.
+    With a program, the light of pixels that looked comes from the planes of STATES.
     """
     readouts, rows, cols = shape
     pixels, columns = readouts * rows * cols, (readouts, cols, rows)
@@ -212,7 +211,7 @@ def _keeps(container: Container) -> bool:
 
 
 def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.bool_]]:
-    """The planes at the end of a frame's bytes, by register."""
+    """Return the planes at the end of a frame's bytes, by register."""
     shape = container.target.rows, container.target.cols
     size, names = plane_bytes(shape[0] * shape[1]), state_registers(container)
     ends = (len(data) - size * k for k in reversed(range(len(names))))
@@ -225,7 +224,7 @@ def _state_planes(data: bytes, container: Container) -> dict[str, NDArray[np.boo
 def _full(
     codes: NDArray[np.uint8], container: Container, sensor: Sensor
 ) -> NDArray[np.uint8] | np.uint8:
-    """The bits of what the codes tell by the sensor's figures."""
+    """Return the saturation bits that the codes indicate for this sensor."""
     from nscc_runtime.full_codes import marked_by_codes
 
     try:

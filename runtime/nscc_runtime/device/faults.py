@@ -1,4 +1,4 @@
-"""Bad cables: what `--fault` makes of the bytes that pass."""
+"""Simulated line faults: the effect of `--fault` on bytes."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ EXAMPLE = "corrupt=1e-4,drop=1e-5,delay=50ms,disconnect=after:20000,reboot=after
 
 @dataclass(frozen=True)
 class LineFaults:
-    """What goes wrong. `corrupt` and `drop` are rates a byte, `delay_s` holds for either way;
-    after so many bytes (of both ways) the line is away for `outage_s`, or the loader reboots,
-    each of them once. None: never."""
+    """Simulated faults of a line. `corrupt` and `drop` are rates per byte, `delay_s` applies in
+    both directions. After a number of bytes (both directions) the line is interrupted for
+    `outage_s`, or the loader reboots, once each. None: never."""
 
     corrupt: float = 0.0
     drop: float = 0.0
@@ -48,7 +48,7 @@ NAMES = {
 
 
 def parse_faults(text: str) -> LineFaults:
-    """The faults that a list such as EXAMPLE names; raises Rejected (NS0769, status 2)."""
+    """Parse a list of faults such as EXAMPLE; raises Rejected (NS0769, status 2)."""
     values: dict[str, Any] = {}
     for item in text.split(","):
         name, _, value = (piece.strip() for piece in item.partition("="))
@@ -92,7 +92,7 @@ def _invalid_faults(problem: str, *helps: str) -> Rejected:
 
 
 class Spoiler:
-    """Spoils bytes at the rates of `faults`; one seed, one sequence of faults."""
+    """Corrupts and drops bytes at the rates of `faults`; the seed determines the sequence."""
 
     def __init__(self, faults: LineFaults, seed: int) -> None:
         self._random = Random(f"{faults.seed} {seed}")
@@ -101,7 +101,7 @@ class Spoiler:
         self._to_drop = self._gap(faults.drop)
 
     def _gap(self, rate: float) -> int:
-        """How many bytes pass before the next one that is hit."""
+        """Return the number of bytes before the next fault."""
         if rate <= 0:
             return 1 << 62
         if rate >= 1:
@@ -109,7 +109,7 @@ class Spoiler:
         return int(log(1 - self._random.random()) / log(1 - rate))
 
     def spoiled(self, data: bytes) -> bytes:
-        """What comes out of the line at the other end."""
+        """Return the bytes at the other end of the line."""
         if self._to_corrupt >= len(data) and self._to_drop >= len(data):
             self._to_corrupt -= len(data)
             self._to_drop -= len(data)
@@ -130,7 +130,7 @@ class Spoiler:
 
 
 class Accidents:
-    """Says, from the number of bytes that passed, when the line breaks and when the loader
+    """Decides, from the number of transferred bytes, when the line breaks and the loader
     reboots."""
 
     def __init__(self, faults: LineFaults) -> None:
@@ -139,7 +139,8 @@ class Accidents:
         self._passed = 0
 
     def passed(self, count: int) -> list[str]:
-        """ "disconnect" and "reboot" where these bytes bring them about."""
+        """Return the accidents, "disconnect" and "reboot", that fall into the next
+        `count` bytes."""
         self._passed += count
         due = [name for name, after in self._to_come.items() if self._passed >= after]
         for name in due:

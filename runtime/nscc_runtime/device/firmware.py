@@ -1,8 +1,6 @@
-"""The firmware, compiled for this machine: how it is built, and how its process is talked to.
-
-The process runs the real core (`runtime/firmware`). What its board is told to do comes here as a
-job, word for word, and runs on the emulator.
-"""
+"""The firmware compiled for this machine, and communication with its process. The process runs the
+real core (`runtime/firmware`). The commands to its board arrive here as a job, word by word, and
+run on the emulator."""
 
 from __future__ import annotations
 
@@ -44,15 +42,15 @@ _START_S = 10.0
 
 
 class NotBuilt(Exception):
-    """The firmware cannot be compiled here: why."""
+    """The firmware cannot be compiled here; the text says why."""
 
 
 class NotStarted(NotBuilt):
-    """The firmware is compiled and does not start: why."""
+    """The firmware does not start; the text says why."""
 
 
 class Built(NamedTuple):
-    """A compiled loader and the compiler that made it."""
+    """A compiled loader, its compiler, and its target."""
 
     path: Path
     compiler: str
@@ -60,17 +58,14 @@ class Built(NamedTuple):
 
 
 def compiler() -> str | None:
-    """A C++ compiler of this machine: `CXX`, g++ or clang++; None where there is none."""
+    """Return a C++ compiler of this machine: `CXX`, g++ or clang++; None without any."""
     names = [os.environ.get("CXX", ""), "g++", "clang++"]
     return next((name for name in names if name and shutil.which(name)), None)
 
 
 def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None = None) -> Built:
-    """The loader for a target, compiled now or before; raises NotBuilt.
-
-    It is kept in nscc's cache folder, or in `folder`; where there is no cache, for this process
-    alone.
-    """
+    """Return the loader for a target, compiled now or cached; raises NotBuilt. It is stored in
+    nscc's cache folder, or in `folder`; without a cache, for this process only."""
     compiler_path = compiler()
     if compiler_path is None:
         raise NotBuilt("there is no C++ compiler")
@@ -83,10 +78,8 @@ def built(target: Target, extra: Sequence[str] = ("-O2",), folder: Path | None =
 def compiled(
     command: Sequence[str], subfolders: Sequence[str], target: Target, folder: Path | None = None
 ) -> Path:
-    """What a compiler makes of these parts of the firmware for a target, now or before.
-
-    Raises NotBuilt.
-    """
+    """Return the executable of folders of the firmware for a target, compiled now or cached. Raises
+    NotBuilt."""
     sources = [
         path for subfolder in subfolders for path in sorted(SOURCES.glob(f"{subfolder}/*.cpp"))
     ]
@@ -108,7 +101,9 @@ def compiled(
         except Rejected as reason:
             if folder is not None:
                 raise NotBuilt(reason.diagnostics[0].message) from None
-            place = passing_folder() / name  # a full or damaged cache does not stop the loader
+            place = (
+                passing_folder() / name
+            )  # use a temporary folder if the cache is full or damaged
             keep(place, image)
     return place
 
@@ -127,7 +122,7 @@ def _compile(command: list[str], header: str) -> bytes:
 
 
 class Firmware:
-    """The loader's process; its jobs, which come as records like all else, run on `chip`."""
+    """The process of the loader; its jobs arrive as records and run on `chip`."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         self.chip, self.target = chip, target
@@ -145,24 +140,24 @@ class Firmware:
         self.close()
 
     def fileno(self) -> int:
-        """Readable where there are records."""
+        """The file descriptor that is readable when there are records."""
         return self._out.fileno()
 
     def write_record(self, kind: bytes, data: bytes = b"") -> None:
-        """Hand the process a record."""
+        """Send a record to the process."""
         view = memoryview(_RECORD.pack(kind[0], len(data)) + data)
         while view:
             view = view[os.write(self._in.fileno(), view) :]
 
     def fill(self) -> None:
-        """Wait for bytes; raises RuntimeError where the process has ended."""
+        """Wait for bytes; raises RuntimeError if the process has ended."""
         data = os.read(self.fileno(), _MOST_READ)
         if not data:
             raise RuntimeError(f"the loader's process ended: status {self._process.wait()}")
         self._held += data
 
     def next(self) -> tuple[bytes, bytes] | None:
-        """Kind and data of the next record that is here whole."""
+        """Return kind and data of the next complete record, or None."""
         if len(self._held) < _RECORD.size:
             return None
         kind, size = _RECORD.unpack_from(self._held)
@@ -174,15 +169,15 @@ class Firmware:
         return bytes([kind]), data
 
     def announce(self) -> None:
-        """Start the loader anew."""
+        """Restart the loader."""
         self.write_record(b"X")
 
     def execute(self, job: BoardJob) -> ExecutedFrame:
-        """What becomes of what the loader's board was told to do."""
+        """Execute a job of the loader's board."""
         return self.chip.execute(job.container, job.channels)
 
     def answer(self, job: BoardJob, exposed: Callable[[], ExecutedFrame]) -> None:
-        """Tell the loader of its frame, or that there is none, whatever the reason."""
+        """Send the loader its frame, or the failure of the job."""
         try:
             executed = exposed()
         except Exception as error:
@@ -193,11 +188,12 @@ class Firmware:
             self.write_record(b"R", _RESULT.pack(job.number, 1) + self.sent(job, executed.frame))
 
     def sent(self, job: BoardJob, frame: bytes) -> bytes:
-        """What of a frame is sent with the news that it is there: all of it."""
+        """Return the part of a frame that is sent with the reply to its job: all of it."""
         return frame
 
     def close(self) -> int:
-        """End the process; its exit status, which a sanitizer makes other than 0."""
+        """End the process and return its exit status, which is not 0 if a sanitizer found
+        an error."""
         with suppress(OSError):
             self._in.close()
         try:
@@ -210,7 +206,7 @@ class Firmware:
 
 
 class RunningFirmware(Firmware):
-    """A loader in real time, behind a line of its own: a file descriptor that does not wait."""
+    """A loader in real time behind a non-blocking file descriptor."""
 
     def __init__(self, command: Sequence[str], target: Target, chip: EmulatedChip) -> None:
         super().__init__(command, target, chip)
@@ -220,21 +216,21 @@ class RunningFirmware(Firmware):
 
     @property
     def busy(self) -> bool:
-        """Whether bytes wait for the loader to take them, or a frame is being exposed."""
+        """Whether bytes wait for the loader, or a frame is being exposed."""
         return bool(self._unsent) or bool(self._exposing)
 
     def watched(self) -> list[int]:
-        """The line, and the pipe on which jobs come."""
+        """The file descriptors of the line and of the job pipe."""
         return [self._line, self.fileno()]
 
     def receive(self, data: bytes, now_us: int) -> None:
-        """Hand bytes to the loader; it has a clock of its own."""
+        """Send bytes to the loader, which has its own clock."""
         self._unsent += data
         with suppress(BlockingIOError):
             self._unsent = self._unsent[os.write(self._line, self._unsent) :]
 
     def poll(self, now_us: int, room: int) -> bytes:
-        """What the loader has sent."""
+        """Return bytes that the loader has sent."""
         self.receive(b"", now_us)
         while select([self.fileno()], [], [], 0)[0]:
             self.fill()
@@ -249,7 +245,7 @@ class RunningFirmware(Firmware):
             return b""
 
     def follow(self, kind: bytes, data: bytes) -> None:
-        """Do what a record of the loader's asks for."""
+        """Handle a record of the loader."""
         job = self._recording.take(kind, data)
         if job is not None:
             self._exposing.append((job, in_background(partial(self.execute, job))))
@@ -275,7 +271,7 @@ class Process(RunningFirmware):
         self._line = os.open(self.port, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
 
     def _named(self) -> str:
-        """The name of its terminal, which comes after what its board was told at the start."""
+        """Wait for the name of the terminal, handling the records before it."""
         while True:
             record = self.next()
             if record is None:

@@ -1,4 +1,4 @@
-"""A frame that a host wants: what it must be as the host reckons, and what is there of it."""
+"""A frame that a host requests: its expected size and time, and its received bytes."""
 
 from __future__ import annotations
 
@@ -8,18 +8,16 @@ from nscc_runtime.device.messages import CaptureReply, frame_bytes
 from nscc_runtime.device.objects import Upload
 
 LONGEST_US = 1_200_000_000
-"""From the first word of a frame to its last, at most."""
+"""Longest time from the first to the last word of a frame."""
 CHUNK = 64
-"""Bytes of a frame come in multiples of so many, but for its end."""
+"""Bytes of a frame are sent in multiples of this, except at its end."""
 _BESIDE_S = 10.0
 
 
 @dataclass(eq=False)
 class FrameRequest:
-    """A frame to be exposed, by its number: no other has it. `received` is what came of it so far.
-
-    Of what program it is, None where only the device knows: then of so many `pixels`.
-    """
+    """A frame to be exposed, with a unique number; `received` holds its bytes so far. `program` is
+    None if only the device knows it: then the frame has `pixels`."""
 
     number: int
     channels: int
@@ -28,7 +26,7 @@ class FrameRequest:
     received: FrameBytes | None = None
 
     def bytes(self, readouts: int) -> int:
-        """What the frame has to have; 0 where it cannot have so many readouts."""
+        """Return the expected bytes of the frame; 0 for a wrong number of readouts."""
         program = self.program
         if program is None:
             return frame_bytes(self.channels, self.pixels, readouts, 0)
@@ -36,14 +34,14 @@ class FrameRequest:
         return matches * frame_bytes(self.channels, program.pixels, readouts, program.states)
 
     def exposure_s(self, captured: CaptureReply) -> float:
-        """What its slots take, by the loader's figures and the host's own."""
+        """Return the expected exposure time, from the loader's figures and the host's own."""
         own_ms = captured.estimate_ms if self.program is None else self.program.frame_ms
         return min(own_ms, captured.estimate_ms) / 1000
 
     @property
     def longest_s(self) -> float:
-        """What a loader may take for it, whatever it says: twice what the host makes it, and what
-        is beside the frame; of an unknown program what no loader exceeds."""
+        """Longest time that a loader may take. It is twice the host's estimate, plus overhead; for
+        an unknown program the limit of all loaders."""
         program = self.program
         if program is None:
             return 2e-6 * LONGEST_US
@@ -51,8 +49,8 @@ class FrameRequest:
 
 
 class FrameBytes:
-    """The bytes of a frame that are here. A loader does not keep those that a host says it has, so
-    they outlast a line that goes away. `origin` is what tells this exposure from another."""
+    """The received bytes of a frame. They survive a lost line, because a loader discards bytes that
+    the host has confirmed. `origin` identifies the exposure."""
 
     def __init__(self, length: int, origin: tuple[int, int]) -> None:
         self.origin = origin
@@ -62,12 +60,12 @@ class FrameBytes:
 
     @property
     def confirmed(self) -> int:
-        """All bytes before this one are here."""
+        """The offset before which all bytes have been received."""
         first = self.missing.find(1)
         return len(self.data) if first < 0 else first * CHUNK
 
     def store(self, offset: int, data: bytes) -> bool:
-        """Keep bytes of whole chunks; whether any of them were missing."""
+        """Store bytes of complete chunks; return whether any of them were missing."""
         first, last = offset // CHUNK, -(-(offset + len(data)) // CHUNK)
         fresh = self.missing.count(1, first, last)
         if fresh:

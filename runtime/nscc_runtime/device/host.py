@@ -1,8 +1,8 @@
-"""The host's end of the protocol: no I/O and no clock of its own.
+"""The host's side of the protocol, without I/O and without a clock.
 
-A `Host` runs one task at a time, a generator that sends packets and waits for replies. Whoever
-drives it hands in bytes (`receive`), asks for bytes (`poll`) and says what time it is. Every wait
-has an end: a task finishes, or it raises one of this module's exceptions.
+A `Host` runs one task at a time, a generator that sends packets and waits for replies. The caller
+passes received bytes (`receive`), fetches bytes to send (`poll`), and passes the time. Every wait
+is bounded: a task finishes, or raises an exception of this module.
 """
 
 from __future__ import annotations
@@ -23,32 +23,34 @@ from nscc_runtime.device.packets import REPLY, VERSION, Packet, PacketKind, Unpa
 
 Result = TypeVar("Result")
 Task = Generator[float, "Packet | None", Result]
-"""Yields until when it waits at most; gets a packet, or None when that time has come."""
+"""Yields the deadline of its wait; receives a packet, or None at the deadline."""
 
 FIRST_WAIT_S = 0.25
 LONGEST_WAIT_S = 0.5
-"""Between two tries: short beside the two seconds in which a lost link is to be taken up again."""
+"""Longest interval between retries, short compared with the two seconds for resuming a
+lost link."""
 _SHORTEST_WAIT_S = 0.05
 _MOST_RESTARTS = 40
 _MOST_TAKEN = 4
-"""Sessions that may be lost, while the loader runs on, before somebody else must have them."""
+"""Sessions that may be taken by others, while the loader keeps running, before Contested
+is raised."""
 _STALL_FACTOR = 6
 
 
 @dataclass(eq=False)
 class Silent(Exception):
-    """Nothing was heard for as long as the host is willing to wait; `ever` whether before."""
+    """No reply arrived within the patience; `ever`: one arrived before."""
 
     ever: bool
     noise: int
 
 
 class Stalled(Exception):
-    """The loader answers, and nothing gets done."""
+    """The loader replies, but the task makes no progress."""
 
 
 class Implausible(Exception):
-    """A loader says of a frame what no frame of the program can be."""
+    """A loader's reply about a frame contradicts the program."""
 
     def __init__(self, captured: CaptureReply) -> None:
         super().__init__()
@@ -56,35 +58,32 @@ class Implausible(Exception):
 
 
 class Contested(Exception):
-    """Another host begins conversations with the loader."""
+    """Another host starts sessions with the loader."""
 
 
 @dataclass(eq=False)
 class RequestRefused(Exception):
-    """The loader said why it will not do what it was asked."""
+    """The loader refused a request, with a reason."""
 
     failure: LoaderFailure
 
     @property
     def fault(self) -> int:
-        """The fault's number; `messages.Fault` names those that this version knows."""
+        """The number of the fault; `messages.LoaderFault` names those of this version."""
         return self.failure.fault
 
 
 class SessionLost(Exception):
-    """The loader has started anew, or the line was away: say hello and go on from there."""
+    """The loader restarted, or the line was interrupted: say hello and resume."""
 
 
 class SessionTaken(SessionLost):
-    """The loader says that it has another session, or none."""
+    """The loader has another session, or none."""
 
 
 class Host:
-    """One end of a line. `new_session` returns numbers in 1 .. 2^32 - 1, another one each time.
-
-    `patience_s` is how long silence may last, `line_s` how long a window of bytes takes on the
-    line.
-    """
+    """The host's end of a line. `new_session` returns a different number in 1 .. 2^32 - 1 each
+    time. `patience_s` is the longest silence, `line_s` the transfer time of a window of bytes."""
 
     def __init__(
         self, new_session: Callable[[], int], *, patience_s: float = 10.0, line_s: float = 0.06
@@ -110,7 +109,7 @@ class Host:
         self.result: object = None
 
     def start(self, task: Generator[float, Packet | None, object], now: float) -> None:
-        """Begin a task. What the one before left unsent is forgotten."""
+        """Start a task; unsent bytes of the previous task are discarded."""
         self.now = self._heard = self._moved = now
         self._out.clear()
         self.result = None
@@ -119,11 +118,11 @@ class Host:
 
     @property
     def running(self) -> bool:
-        """Whether the task still has something to do."""
+        """Whether the task is running."""
         return self._task is not None
 
     def receive(self, data: bytes, now: float) -> None:
-        """Take bytes from the line; may raise what the task raises."""
+        """Process bytes from the line; may raise the exceptions of the task."""
         self.now = now
         for packet in self._unpacker.feed(data):
             self._heard = now
@@ -137,7 +136,7 @@ class Host:
                 self._step(packet)
 
     def poll(self, now: float) -> bytes:
-        """Go on where a wait has ended; the bytes to send now."""
+        """Resume an expired wait; return the bytes to send."""
         self.now = now
         if self._task is not None and now >= self.deadline:
             self._step(None)
@@ -146,7 +145,7 @@ class Host:
         return out
 
     def line_restored(self, now: float) -> None:
-        """The line was away and is there again."""
+        """Note that the line is available again."""
         self.now = self._heard = now
         self._unpacker = Unpacker()
         self._out.clear()
@@ -165,24 +164,24 @@ class Host:
             raise
 
     def send(self, kind: PacketKind, body: bytes = b"") -> int:
-        """Send a request; its sequence number."""
+        """Send a request; return its sequence number."""
         self._sequence = self._sequence + 1 & 0xFFFF
         self._out += Packet(kind, self._sequence, self._session, body).wire()
         return self._sequence
 
     def moved(self) -> None:
-        """Something got done: a task calls this so that it is not taken for stalled."""
+        """Note progress of the task, so that it does not count as stalled."""
         self._moved = self.now
 
     def check_patience(self, extra_s: float = 0.0) -> None:
-        """Raise Silent or Stalled where it has taken too long; `extra_s` is expected silence."""
+        """Raise Silent or Stalled after too long a wait; `extra_s` is expected silence."""
         if self.now - self._heard > self.patience_s + extra_s:
             raise Silent(self._ever_heard, self._unpacker.damaged)
         if self.now - self._moved > _STALL_FACTOR * self.patience_s + extra_s:
             raise Stalled
 
     def timed(self, seconds: float) -> None:
-        """A reply came after so long: what to expect of the next one (Jacobson's estimate)."""
+        """Update the estimate of the reply time (Jacobson's algorithm)."""
         if self._round_s is None:
             self._round_s, self._spread_s = seconds, seconds / 2
         else:
@@ -191,13 +190,14 @@ class Host:
 
     @property
     def wait_s(self) -> float:
-        """How long to wait for a reply before asking again."""
+        """Time to wait for a reply before the request is repeated."""
         if self._round_s is None:
             return FIRST_WAIT_S + self._line_s
         return max(self._round_s + 4 * self._spread_s, _SHORTEST_WAIT_S) + self._line_s
 
     def ask(self, kind: PacketKind, body: bytes = b"", *, extra_s: float = 0.0) -> Task[Packet]:
-        """Send a request until it is answered; raises Refused, SessionLost, Silent or Stalled."""
+        """Send a request until it is answered; raises RequestRefused, SessionLost, Silent or
+        Stalled."""
         sent: dict[int, float] = {}
         wait = self.wait_s
         while True:
@@ -218,7 +218,7 @@ class Host:
             wait = min(2 * wait, max(LONGEST_WAIT_S, self.wait_s))
 
     def hello(self) -> Task[Info]:
-        """Begin a conversation; what the loader says of itself."""
+        """Start a session; return the loader's description."""
         self._session = self._new_session()
         self.info = None
         reply = yield from self.ask(PacketKind.HELLO, Hello(VERSION, VERSION).pack())
@@ -226,18 +226,18 @@ class Host:
         return self.info
 
     def status(self) -> Task[Status]:
-        """The loader's state and counters."""
+        """Return the loader's state and counters."""
         reply = yield from self.ask(PacketKind.STATUS)
         return checked(Status.unpack, reply)
 
     def cancel(self) -> Task[None]:
-        """Stop what the loader is doing, so that anything can begin."""
+        """Stop the loader's current activity."""
         yield from self.ask(PacketKind.CANCEL)
 
     def lasting(self, work: Callable[[], Task[Result]]) -> Task[Result]:
-        """Say hello and do `work`, again and again until it is done: each time it goes on from
-        what the loader has. Raises Stalled where the loader keeps starting anew, Contested where it
-        does not and yet has the sessions of another host."""
+        """Say hello and do `work`, restarting after lost sessions from the loader's state. Raises
+        Stalled if the loader keeps restarting, Contested if it does not restart and yet has the
+        sessions of another host."""
         lost_sessions, boot = 0, None
         for _ in range(_MOST_RESTARTS):
             try:
@@ -257,7 +257,7 @@ class Host:
 
 
 def raise_failure(packet: Packet) -> None:
-    """Raise what an ERROR packet says: SessionLost or Refused."""
+    """Raise the exception of an ERROR packet: SessionLost or RequestRefused."""
     failure = checked(LoaderFailure.unpack, packet)
     if failure.fault == LoaderFault.NO_SESSION:
         raise SessionTaken
@@ -265,7 +265,7 @@ def raise_failure(packet: Packet) -> None:
 
 
 def checked(unpack: Callable[[bytes], Result], packet: Packet) -> Result:
-    """The body of a reply; one that is none is refused as a fault of the loader."""
+    """Unpack the body of a reply; an invalid body is refused as a fault of the loader."""
     try:
         return unpack(packet.body)
     except ValueError:

@@ -1,4 +1,4 @@
-"""Compiled loaders in the cache, with their SHA-256: a damaged one is never executed."""
+"""Compiled loaders in the cache, verified by SHA-256 before they are executed."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from nscc.files import write_together
 
 
 def _digest_of(place: Path) -> Path:
-    """The file with the SHA-256 of a kept loader."""
+    """Return the file with the SHA-256 of a cached loader."""
     return place.with_name(f"{place.name}.sha256")
 
 
 def is_whole(place: Path) -> bool:
-    """Whether a kept loader may be executed: its bytes are those that were compiled."""
+    """Return whether a cached loader is intact."""
     try:
         digest = sha256(place.read_bytes()).hexdigest().encode()
         return _digest_of(place).read_bytes() == digest and os.access(place, os.X_OK)
@@ -29,13 +29,13 @@ def is_whole(place: Path) -> bool:
 
 
 def keep(place: Path, image: bytes) -> None:
-    """Keep a loader with its SHA-256; raises Rejected where the folder cannot be written."""
+    """Store a loader with its SHA-256; raises Rejected if the folder is not writable."""
     write_together({_digest_of(place): sha256(image).hexdigest().encode(), place: image})
     place.chmod(0o755)
 
 
 def cached_folder() -> Path:
-    """The folder of loaders in the cache, or one for this process alone."""
+    """Return the cache folder of loaders, or a temporary one for this process."""
     cache = cache_folder()
     if cache is not None:
         folder = cache / "firmware"
@@ -47,7 +47,7 @@ def cached_folder() -> Path:
 
 
 def passing_folder() -> Path:
-    """A folder that is removed when this process ends."""
+    """Return a folder that is removed when this process ends."""
     folder = tempfile.mkdtemp(prefix="nscc-firmware-")
     register(shutil.rmtree, folder, ignore_errors=True)
     return Path(folder)

@@ -1,4 +1,4 @@
-"""A host's task over a real port, in real time: what `nscc run --on PORT` talks through."""
+"""Run a host's tasks over a real port, in real time: the link of `nscc run --on PORT`."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from random import SystemRandom
 from time import monotonic
 from typing import Any, Self, TypeVar
 
+from nscc_runtime.device.device_errors import explained, port_lost, port_trouble
 from nscc_runtime.device.host import Host, Task
 from nscc_runtime.device.port import DEFAULT_BAUD, Port, PortGone, PortTrouble, open_port
-from nscc_runtime.device.trouble import explained, port_lost, port_trouble
 
 Result = TypeVar("Result")
 
@@ -24,10 +24,8 @@ _WINDOW_BITS = 16384 * 10
 
 
 class SerialLink:
-    """An open port with a host behind it. Raises Rejected (status 3) where the device fails.
-
-    A port that goes away is opened again, for `patience_s` at most, and the task goes on.
-    """
+    """An open port with its host. Methods raise Rejected (status 3) if the device fails. A lost
+    port is reopened for at most `patience_s`, and the task resumes."""
 
     def __init__(
         self, path: str, *, baud: int = DEFAULT_BAUD, patience_s: float = PATIENCE_S
@@ -47,7 +45,7 @@ class SerialLink:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
-        """Leave a device that can be used: what it was doing is stopped if we leave early."""
+        """Close the port; if the task is unfinished, stop the device first."""
         if self._port is not None and kind is not None and self.host.info is not None:
             with suppress(Exception):
                 self._goodbye()
@@ -61,13 +59,13 @@ class SerialLink:
             self._turn()
 
     def run(self, work: Callable[[], Task[Result]]) -> Result:
-        """Do `work`, a task of this host, to its end, whatever the line does meanwhile."""
+        """Run `work`, a task of this host, to its end, despite interruptions of the line."""
         for _ in self.steps(work, lambda: 0):
             pass
         return self.host.result  # type: ignore[return-value]
 
     def steps(self, work: Callable[[], Task[Any]], reached: Callable[[], int]) -> Iterator[int]:
-        """Do `work`, and yield whenever `reached()` has grown, so many times as it grew."""
+        """Run `work`, and yield once per unit by which `reached()` has grown."""
         with explained(self.path, self.patience_s):
             self.host.start(self.host.lasting(work), monotonic())
             before = reached()
@@ -78,7 +76,7 @@ class SerialLink:
                     yield before
 
     def _turn(self) -> None:
-        """Send what there is to send, wait for bytes or for the time to go on."""
+        """Send pending bytes, and wait for bytes or for the deadline."""
         try:
             if self._port is None:
                 self._reopen()
@@ -102,7 +100,7 @@ class SerialLink:
             self.host.receive(port.read(), monotonic())
 
     def _reopen(self) -> None:
-        """Open the port that went away, as soon as it is there again."""
+        """Reopen a lost port as soon as it is available."""
         until, pause = monotonic() + self.patience_s, _FIRST_REOPEN_S
         while True:
             select.select([], [], [], pause)

@@ -1,8 +1,6 @@
-"""What a device takes for launches, words, waits and readouts: measured, as keys of its target.
-
-Each figure is the difference of two frames that differ in nothing else, so what all frames have in
-common drops out. The loader's own clock tells how long they took.
-"""
+"""Measure the times of launches, words, waits and readouts of a device, as keys of its target. Each
+time is the difference of two frames that differ in nothing else, so common times cancel. The
+loader's clock measures the duration."""
 
 from __future__ import annotations
 
@@ -17,6 +15,7 @@ from nscc.chips.target import Target
 from nscc.operations import Op, op
 from nscc.words.encoding import encode
 from nscc_runtime.device import tasks
+from nscc_runtime.device.device_errors import rejected
 from nscc_runtime.device.frame_request import FrameRequest
 from nscc_runtime.device.host import Task
 from nscc_runtime.device.link import SerialLink
@@ -32,19 +31,19 @@ from nscc_runtime.device.objects import (
     Upload,
     target_digest,
 )
-from nscc_runtime.device.trouble import rejected
 
 LAUNCHES = 2001
 WORDS = 100
 _NO_LIMIT = (1 << 32) - 1
 _NO_TIME_US = 1e-3
 _LONGEST_MS = 10_000
-"""More than all words of a frame take on any device that is worth measuring."""
+"""Upper limit of the time of a frame's words, in milliseconds."""
 
 
 @dataclass(frozen=True)
 class MeasuredTimes:
-    """Microseconds of a launch, an analog and a digital word, the loop at a boundary, a readout."""
+    """Times in microseconds: a launch, an analog and a digital word, the loop at a boundary, a
+    readout."""
 
     launch_us: float
     analog_word_us: float
@@ -53,7 +52,7 @@ class MeasuredTimes:
     readout_us: float
 
     def of(self, target: Target) -> Target:
-        """The target with these times."""
+        """Return the target with these times."""
         return replace(
             target,
             launch_us=self.launch_us,
@@ -65,10 +64,8 @@ class MeasuredTimes:
 
 
 def measured(link: SerialLink, target: Target) -> MeasuredTimes:
-    """The times of the device behind a link; it loses the program that it holds.
-
-    Raises Rejected (NS0723, status 3) for a device on which words take no time.
-    """
+    """Measure the times of the device behind a link; its program is replaced. Raises Rejected
+    (NS0723, status 3) for a device on which words take no time."""
     register = target.digital_registers[-1]
     analog, digital = op("nop"), op("CLR", [register])
 
@@ -98,7 +95,7 @@ def measured(link: SerialLink, target: Target) -> MeasuredTimes:
 
 
 def _captured(link: SerialLink, program: Upload) -> CaptureReply:
-    """What the loader says of a frame of a program, once all of it has been fetched."""
+    """Return the loader's reply about a frame of a program, after all of it has been fetched."""
     request = FrameRequest(SystemRandom().randrange(1 << 63), Channel.CODES, program)
 
     def work() -> Task[tasks.FetchedFrame]:
@@ -109,8 +106,8 @@ def _captured(link: SerialLink, program: Upload) -> CaptureReply:
 
 
 def _program(target: Target, kernel: Sequence[Op], launches: int, waits: bool) -> Upload:
-    """`launches` of a kernel, at once or each behind a slot of its own that takes no time; they may
-    be as late as they are."""
+    """Return a program with `launches` of a kernel, at once or each after a slot of no length. Late
+    launches are allowed."""
     slots = launches if waits else 1
     words = np.array([encode(op("rpix")), *(encode(word) for word in kernel)], "<u4")
     objects = (

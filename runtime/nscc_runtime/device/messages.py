@@ -1,8 +1,6 @@
-"""What packets say: the bodies of requests and replies, as values. Integers are little endian.
-
-Each `unpack` raises ValueError for a body that is none; the checksum has been checked before, so
-that only another version of the protocol, or an enemy, sends such a body.
-"""
+"""The bodies of requests and replies, as values. Integers are little endian. Each `unpack` raises
+ValueError for an invalid body. The checksum has been verified before, so an invalid body comes from
+another version of the protocol, or an attacker."""
 
 from __future__ import annotations
 
@@ -13,7 +11,7 @@ from typing import Any, ClassVar, Self
 
 
 class LoaderState(IntEnum):
-    """What a loader is doing."""
+    """The state of a loader."""
 
     EMPTY = 0
     RECEIVING = 1
@@ -24,7 +22,7 @@ class LoaderState(IntEnum):
 
 
 class LoaderFault(IntEnum):
-    """Why a loader did not do what it was asked."""
+    """The reason why a loader refused a request."""
 
     NO_SESSION = 1
     VERSION = 2
@@ -46,19 +44,19 @@ class LoaderFault(IntEnum):
 
 
 class Capability(IntFlag):
-    """What a loader can do beyond the least."""
+    """Optional features of a loader."""
 
     EXACT = 1
-    """Hand out exposures in float64 beside the converter's codes."""
+    """Sends exposures in float64 beside the codes of the converter."""
     GAIN = 2
-    """Multiply a register by a gain other than 1 before it is converted."""
+    """Multiplies a register by a gain other than 1 before conversion."""
     LOOKS = 4
-    """Set IN between kernels, and send digital registers with the frame."""
+    """Sets IN between kernels, and sends digital registers with the frame."""
 
 
 class Channel(IntFlag):
-    """What a frame holds: CODES, a byte a pixel; EXPOSURE, a float64 a pixel in electrons; STATES,
-    the planes of the digital registers that the program names, a bit a pixel."""
+    """The content of a frame: CODES, a byte per pixel; EXPOSURE, a float64 per pixel in electrons;
+    STATES, the planes of the digital registers that the program names, a bit per pixel."""
 
     CODES = 1
     EXPOSURE = 2
@@ -66,7 +64,8 @@ class Channel(IntFlag):
 
 
 def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
-    """Bytes of a frame: of all readouts in these channels, and of so many planes of states."""
+    """Return the bytes of a frame: all readouts in these channels, and `states` planes of
+    states."""
     bytes_per_pixel = (1 if channels & Channel.CODES else 0) + (
         8 if channels & Channel.EXPOSURE else 0
     )
@@ -75,12 +74,12 @@ def frame_bytes(channels: int, pixels: int, readouts: int, states: int) -> int:
 
 
 def plane_bytes(pixels: int) -> int:
-    """Bytes of one bit a pixel."""
+    """Return the bytes of a plane of one bit per pixel."""
     return (pixels + 7) // 8
 
 
 class _Body:
-    """A body of fixed layout, whose fields are the dataclass's in their order."""
+    """A body of fixed layout, whose fields are those of the dataclass, in order."""
 
     layout: ClassVar[Struct]
 
@@ -90,7 +89,7 @@ class _Body:
 
     @classmethod
     def unpack(cls, body: bytes) -> Self:
-        """The value of a body; ValueError where it has another length."""
+        """Return the value of a body; ValueError for another length."""
         return cls(*_fields(cls.layout, body))
 
 
@@ -112,14 +111,13 @@ class Hello(_Body):
 
 @dataclass(frozen=True)
 class Info(_Body):
-    """What a loader is, what it holds and how much it takes.
+    """The description of a loader.
 
-    `boot` names the life of the loader since it started: another number means that everything
-    uploaded is gone. `window` is how many bytes on the wire may await their acknowledgement.
-    The limits are numbers of words, kernels, rows of the schedule, runs of equal slots, bytes of
-    all channels of a frame, and milliseconds from its first word to its last. `hold` is how many
-    bytes of a frame are kept behind those that the host says it has. `program` and `label` are
-    zeros while there is no program.
+    `boot` identifies its current run: another number means that all uploads are lost. `window` is
+    the number of unacknowledged bytes on the wire. The limits are numbers of words, kernels, rows
+    of the schedule, runs of equal slots, bytes of all channels of a frame, and milliseconds from
+    first to last word. `hold` is the number of bytes of a frame that stay available behind those
+    confirmed by the host. `program` and `label` are zeros without a program.
     """
 
     version: int
@@ -145,7 +143,7 @@ class Info(_Body):
     layout = Struct("<BBHIIIIIIIIIIHH32s32s32s")
 
     def pack(self) -> bytes:
-        """The body's bytes; its texts follow, each behind its length."""
+        """Return the bytes of the body, followed by its texts, each after its length."""
         *fixed, name, firmware = astuple(self)
         texts = (name.encode()[:60], firmware.encode()[:60])
         return self.layout.pack(*fixed) + b"".join(bytes([len(text)]) + text for text in texts)
@@ -159,7 +157,7 @@ class Info(_Body):
             if at >= len(body) or at + 1 + body[at] > len(body):
                 raise ValueError("a text is cut short")
             text = body[at + 1 : at + 1 + body[at]].decode("utf-8", "replace")
-            # It goes to terminals, which obey what is not printed.
+            # Texts are printed, and terminals interpret control characters.
             shown = (c if c.isprintable() else "\N{REPLACEMENT CHARACTER}" for c in text)
             texts.append("".join(shown))
             at += 1 + body[at]
@@ -168,8 +166,8 @@ class Info(_Body):
 
 @dataclass(frozen=True)
 class Begin(_Body):
-    """A program is announced: digests of its target table and of itself, a label of the host's
-    choice (nscc: SHA-256 of the container file), bytes and number of its objects."""
+    """The announcement of a program: digests of its target table and of the program, a label chosen
+    by the host (nscc: SHA-256 of the container file), total bytes and number of objects."""
 
     target: bytes
     program: bytes
@@ -181,7 +179,7 @@ class Begin(_Body):
 
 @dataclass(frozen=True)
 class ObjectEntry(_Body):
-    """An object: what it is, the register of a plane, bytes, SHA-256 of them."""
+    """An object: its kind, the register of a plane, its bytes and their SHA-256."""
 
     kind: int
     register: int
@@ -192,7 +190,7 @@ class ObjectEntry(_Body):
 
 @dataclass(frozen=True)
 class Declare(_Body):
-    """Some of a program's entries, from number `first` on."""
+    """Consecutive entries of a program, from number `first` on."""
 
     first: int
     entries: tuple[ObjectEntry, ...]
@@ -220,13 +218,13 @@ class Declare(_Body):
 
 
 MOST_ENTRIES = 26
-"""Most entries of one DECLARE: they fit a packet."""
+"""Most entries of one DECLARE packet."""
 
 
 @dataclass(frozen=True)
 class UploadProgress(_Body):
-    """How far an upload is: entries declared, bytes received of all objects in their order,
-    and how often an object's digest did not fit, so that its bytes were dropped."""
+    """The progress of an upload: entries declared, bytes received of all objects in order, and the
+    number of objects dropped for a wrong digest."""
 
     state: int
     failures: int
@@ -237,7 +235,7 @@ class UploadProgress(_Body):
 
 @dataclass(frozen=True)
 class CaptureRequest(_Body):
-    """Expose a frame, unless it is the one of this number that is there or being exposed."""
+    """Expose a frame, unless the frame of this number exists or is being exposed."""
 
     number: int
     channels: int
@@ -246,13 +244,13 @@ class CaptureRequest(_Body):
 
 @dataclass(frozen=True)
 class CaptureReply(_Body):
-    """What became of a capture.
+    """The state of a capture.
 
-    `ready`: whether its frame can be read; `estimate_ms` is how long exposure and readout take, and
-    `started_us` the loader's clock when it began. The bytes before `released` are gone. The frame
-    took `lasted_us` from its first word to its last, and `readout_us` to read out so far; `late`
-    launches came later than the program allows a launch to, the latest one by `latest_us`. The
-    sums are those of all `length` bytes, 0 until the loader has made them all (`complete`).
+    `ready`: its frame can be read. `estimate_ms`: time of exposure and readout; `started_us`: the
+    loader's clock at the start. Bytes before `released` are no longer available. The frame took
+    `lasted_us` from first to last word, and `readout_us` of readout so far; `late` launches
+    exceeded the program's tolerance, the latest by `latest_us`. The checksums cover all `length`
+    bytes, and are 0 until the loader has made all of them (`complete`).
     """
 
     number: int
@@ -275,10 +273,8 @@ class CaptureReply(_Body):
 
 @dataclass(frozen=True)
 class ReadRequest(_Body):
-    """Send `length` bytes of a frame from `offset`, at most `chunk` of them a packet.
-
-    The host has all bytes before `confirmed`.
-    """
+    """Send `length` bytes of a frame from `offset`, at most `chunk` of them a packet. The host has
+    all bytes before `confirmed`."""
 
     number: int
     offset: int
@@ -290,7 +286,7 @@ class ReadRequest(_Body):
 
 @dataclass(frozen=True)
 class Status(_Body):
-    """A loader's state and counters since it started."""
+    """The state and the counters of a loader since its start."""
 
     state: int
     boot: int
@@ -303,7 +299,7 @@ class Status(_Body):
 
 @dataclass(frozen=True)
 class LoaderFailure(_Body):
-    """A request was not carried out; `detail` depends on the fault (the number of a word, ..)."""
+    """The failure of a request; `detail` depends on the fault (the number of a word, ..)."""
 
     request: int
     fault: int

@@ -49,11 +49,11 @@ _REGISTER = Struct("<B")
 WORD = Struct("<5I")
 LEVEL = Struct("<h")
 AS_IT_IS = -32768
-"""The level of a row that leaves IN alone."""
+"""The level of a row that leaves IN unchanged."""
 
 
 class ObjectKind(IntEnum):
-    """What an object holds."""
+    """The kind of an object."""
 
     READOUTS = 1
     KERNELS = 2
@@ -65,7 +65,7 @@ class ObjectKind(IntEnum):
 
 @dataclass(frozen=True)
 class Object:
-    """One object: `register` is that of a plane, else 0."""
+    """One object; `register` is that of a plane, else 0."""
 
     kind: ObjectKind
     register: int
@@ -73,15 +73,18 @@ class Object:
 
     @cached_property
     def entry(self) -> ObjectEntry:
-        """What DECLARE says about it."""
+        """The entry of the object in DECLARE."""
         return ObjectEntry(self.kind, self.register, len(self.data), sha256(self.data).digest())
 
 
 @dataclass(frozen=True)
 class Upload:
-    """A program ready to be sent: `words`, `kernels`, `rows`, `runs` are what it takes of a
-    loader's room, `frame_ms` and `readout_ms` of its time; `readouts`, `states` how many registers
-    come with a frame, of so many `pixels`; `levels`: IN is set."""
+    """A program in the form that is sent.
+
+    `words`, `kernels`, `rows`, `runs` are its demands on a loader's memory, `frame_ms` and
+    `readout_ms` its times; `readouts` and `states` are the numbers of registers sent with a frame
+    of `pixels`; `gains`: readouts are scaled; `levels`: IN is set.
+    """
 
     target: bytes
     label: bytes
@@ -100,28 +103,28 @@ class Upload:
 
     @cached_property
     def digest(self) -> bytes:
-        """The program's digest."""
+        """The digest of the program."""
         entries = b"".join(object_.entry.pack() for object_ in self.objects)
         return program_digest(self.target, self.label, entries)
 
     @cached_property
     def stream(self) -> bytes:
-        """All objects' bytes, one after the other."""
+        """The bytes of all objects, concatenated."""
         return b"".join(object_.data for object_ in self.objects)
 
     @property
     def begin(self) -> Begin:
-        """The message that announces it."""
+        """The message that announces the program."""
         return Begin(self.target, self.digest, self.label, len(self.stream), len(self.objects))
 
 
 def program_digest(target: bytes, label: bytes, entries: bytes) -> bytes:
-    """The digest of a program: of its target's digest, its label and its packed entries."""
+    """Return the digest of a program from its target's digest, its label and its packed entries."""
     return sha256(b"nscc-program-1" + target + label + entries).digest()
 
 
 def target_digest(target: Target) -> bytes:
-    """The digest by which a loader and a host know that they mean the same chip."""
+    """Return the digest by which loader and host identify a target."""
     values = target_dict(target)
     del values["description"]
     text = json.dumps(values, sort_keys=True, separators=(",", ":"), allow_nan=False)
@@ -129,10 +132,8 @@ def target_digest(target: Target) -> bytes:
 
 
 def upload_of(container: Container, label: bytes) -> Upload:
-    """The objects of a container with pixels (NS0741 without); `label` is 32 bytes.
-
-    Raises Rejected: NS0510 for a program that has planes instead of words.
-    """
+    """Return the objects of a container with pixels (NS0741 without); `label` is 32 bytes. Raises
+    Rejected: NS0510 for a program with planes instead of words."""
     refuse_planes(
         container.target,
         "the loader takes words, and cannot be sent this program",
@@ -162,7 +163,7 @@ def upload_of(container: Container, label: bytes) -> Upload:
         objects.append(Object(ObjectKind.LEVELS, 0, _counted(LEVEL, levels)))
     objects.append(Object(ObjectKind.SCHEDULE, 0, schedule))
     planes = container.planes()
-    # It takes a write only where the mask is 1, so it comes before the mask's own code.
+    # Writes are masked, so this plane precedes the mask's own code.
     for register in sorted(planes, key=lambda name: name != target.masked_register):
         number = target.digital_registers.index(register)
         objects.append(Object(ObjectKind.PLANE, number, packed_plane(planes[register])))
@@ -185,20 +186,20 @@ def upload_of(container: Container, label: bytes) -> Upload:
 
 
 def packed_plane(plane: NDArray[np.bool_]) -> bytes:
-    """A plane (rows, cols) as the bytes of a PLANE object."""
+    """Return a plane (rows, cols) as the bytes of a PLANE object."""
     return np.packbits(plane, axis=None, bitorder="little").tobytes()
 
 
 def unpacked_plane(data: bytes, shape: tuple[int, int]) -> NDArray[np.bool_]:
-    """The plane (rows, cols) that a PLANE object holds."""
+    """Return the plane (rows, cols) of a PLANE object."""
     bits = np.frombuffer(data, np.uint8)
     flat = np.unpackbits(bits, count=shape[0] * shape[1], bitorder="little")
     return flat.view(np.bool_).reshape(shape)
 
 
 def grace_ns(target: Target) -> int:
-    """How late a launch may be, in nanoseconds: by what the loop takes, whose clock may be one of
-    whole microseconds."""
+    """Return the tolerance of launches in nanoseconds. It covers the time of the loop, whose clock
+    may have a resolution of one microsecond."""
     return min(round(1000 * target.wait_us) + 1000, (1 << 32) - 1)
 
 
@@ -230,7 +231,8 @@ def _kernels(container: Container) -> bytes:
 
 
 def _rows(container: Container) -> Iterator[tuple[int, int, int, int | None]]:
-    """(advance, kernel, times, level): launches with equal distances between them are one row."""
+    """Yield rows (advance, kernel, times, level) of the schedule, merging launches at equal
+    distances."""
     at = 0
     steps = []
     for launch in container.launches:

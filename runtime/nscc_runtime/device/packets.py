@@ -1,8 +1,6 @@
-"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end.
-
-A byte stream may lose, change or cut anything: `Unpacker` hands on packets whose checksum holds
-and drops the rest, and no input makes it keep more than one packet's bytes.
-"""
+"""Packets on the wire: COBS between zero bytes, a header of eight bytes, CRC-32 at the end. A byte
+stream may lose, change or cut anything: `Unpacker` returns packets with a valid checksum, drops the
+rest, and buffers at most one packet."""
 
 from __future__ import annotations
 
@@ -24,7 +22,7 @@ _BLOCK = 254
 
 
 class PacketKind(IntEnum):
-    """What a packet is; a reply has the number of its request plus 0x80."""
+    """The kind of a packet; a reply has the number of its request plus 0x80."""
 
     HELLO = 0x01
     STATUS = 0x02
@@ -44,8 +42,8 @@ REPLY = 0x80
 
 @dataclass(frozen=True, slots=True)
 class Packet:
-    """One packet. `session` is the host's number for this conversation, `sequence` counts its
-    requests; a reply repeats both."""
+    """A packet. `session` is the host's number of the session, `sequence` counts its requests; a
+    reply repeats both."""
 
     kind: int
     sequence: int
@@ -53,16 +51,14 @@ class Packet:
     body: bytes = b""
 
     def wire(self) -> bytes:
-        """The packet's bytes on the line, zero bytes at both ends.
-
-        The first one ends whatever noise came before.
-        """
+        """Return the bytes of the packet on the line, with zero bytes at both ends. The first zero
+        byte ends any noise before."""
         plain = _HEADER.pack(self.kind, 0, self.sequence, self.session) + self.body
         return b"\0" + stuffed(plain + _CRC.pack(crc32(plain))) + b"\0"
 
 
 def unpacked(stuffed_bytes: bytes) -> Packet | None:
-    """The packet between two zero bytes; None where it is damaged."""
+    """Return the packet between two zero bytes; None if it is damaged."""
     plain = unstuffed(stuffed_bytes)
     if plain is None or not OVERHEAD <= len(plain) <= _LARGEST:
         return None
@@ -76,7 +72,7 @@ def unpacked(stuffed_bytes: bytes) -> Packet | None:
 
 
 class Unpacker:
-    """Finds the packets in a stream of bytes. `damaged` counts what was dropped."""
+    """Finds the packets in a stream of bytes; `damaged` counts the dropped ones."""
 
     def __init__(self) -> None:
         self.damaged = 0
@@ -84,7 +80,7 @@ class Unpacker:
         self._overlong = False
 
     def feed(self, data: bytes) -> list[Packet]:
-        """The packets that these bytes complete."""
+        """Return the packets that these bytes complete."""
         *pieces, tail = (self._waiting + data).split(b"\0")
         packets = []
         for piece in pieces:
@@ -103,7 +99,7 @@ class Unpacker:
 
 
 def stuffed(data: bytes) -> bytes:
-    """Consistent overhead byte stuffing: `data` without any zero byte, 1/254 longer at most."""
+    """Apply consistent overhead byte stuffing: `data` without zero bytes, at most 1/254 longer."""
     out = bytearray()
     for piece in data.split(b"\0"):
         while len(piece) >= _BLOCK:
@@ -114,7 +110,7 @@ def stuffed(data: bytes) -> bytes:
 
 
 def unstuffed(data: bytes) -> bytes | None:
-    """What `stuffed` was given; None for bytes that it cannot have made."""
+    """Return the input of `stuffed`; None for bytes that it cannot produce."""
     out = bytearray()
     at = 0
     while at < len(data):

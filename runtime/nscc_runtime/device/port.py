@@ -15,31 +15,29 @@ _MOST_READ = 1 << 16
 
 @dataclass(eq=False)
 class PortTrouble(Exception):
-    """A port cannot be opened. `kind`: missing, forbidden, busy, unsuited, baud or other."""
+    """A port cannot be opened; `kind` is missing, forbidden, busy, unsuited, baud or other."""
 
     kind: str
     reason: str
 
 
 class PortGone(Exception):
-    """An open port went away."""
+    """An open port was lost."""
 
 
 @dataclass
 class Port:
-    """An open serial port; nothing it does blocks."""
+    """An open serial port with non-blocking methods."""
 
     serial: Any
 
     def fileno(self) -> int:
-        """For select."""
+        """Return the file descriptor, for select."""
         return int(self.serial.fileno())
 
     def read(self) -> bytes:
-        """What has arrived, where select says that something has; raises PortGone.
-
-        A port that is readable and has nothing to read is one that went away.
-        """
+        """Return the received bytes, if select reports any; raises PortGone. A port that is
+        readable without bytes is lost."""
         try:
             data = os.read(self.fileno(), _MOST_READ)
         except BlockingIOError:
@@ -51,7 +49,7 @@ class Port:
         return data
 
     def write(self, data: bytes) -> int:
-        """How many of these bytes the port took; raises PortGone."""
+        """Write bytes; return how many the port accepted; raises PortGone."""
         try:
             return os.write(self.fileno(), data)
         except BlockingIOError:
@@ -60,13 +58,13 @@ class Port:
             raise PortGone(str(error)) from None
 
     def close(self) -> None:
-        """Let the port go; no matter in what state it is."""
+        """Close the port, in any state."""
         with suppress(OSError):
             self.serial.close()
 
 
 def open_port(path: str, baud: int = DEFAULT_BAUD) -> Port:
-    """Open a port for ourselves alone: 8 data bits, no parity, one stop bit. Raises PortTrouble."""
+    """Open a port exclusively: 8 data bits, no parity, one stop bit. Raises PortTrouble."""
     import serial
 
     try:
@@ -89,14 +87,14 @@ def _trouble(error: OSError) -> PortTrouble:
         return PortTrouble("forbidden", "you may not use it")
     if number in (errno.EAGAIN, errno.EWOULDBLOCK, errno.EBUSY):
         return PortTrouble("busy", "another program has it open")
-    # pyserial wraps what termios says, for a file that is no terminal, without its number.
+    # For a file that is not a terminal, pyserial wraps the error of termios without its number.
     if number in (errno.ENOTTY, errno.EINVAL, errno.EISDIR) or "configure port" in str(error):
         return PortTrouble("unsuited", "it is no serial port")
     return PortTrouble("other", os.strerror(number) if number else str(error))
 
 
 def list_ports(list_comports: Callable[[], Any] | None = None) -> list[tuple[str, str]]:
-    """Name and description of this machine's serial ports, in order of their names."""
+    """Return names and descriptions of this machine's serial ports, sorted by name."""
     from serial.tools.list_ports import comports
 
     ports = (list_comports or comports)()

@@ -1,7 +1,5 @@
-"""The firmware on a Cortex-M that QEMU emulates: compiled for the chip, and run bit by bit.
-
-Its first serial port is the line; behind the second one runs the emulator of the pixels.
-"""
+"""The firmware compiled for a Cortex-M, on QEMU. Its first serial port is the line; the second one
+connects it to the emulator of the pixels."""
 
 from __future__ import annotations
 
@@ -30,26 +28,26 @@ if TYPE_CHECKING:
 Core = Literal["m0", "m4"]
 COMPILER, EMULATOR = "arm-none-eabi-g++", "qemu-system-arm"
 _MACHINES: dict[Core, str] = {"m0": "mps2-an385", "m4": "mps2-an386"}
-"""What runs the code of a core. A Cortex-M3 runs a Cortex-M0's, here with its traps."""
+"""The machine for each core. A Cortex-M3 runs the code of a Cortex-M0, with traps enabled."""
 _PARTS = ("core", "port", "emulated", "qemu")
 CHIP_FLAGS = (
     *CORE_FLAGS, *WARNINGS, "-O2", "-mthumb", "-fno-threadsafe-statics", "-ffunction-sections",
     "-fdata-sections", "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections",
 )  # fmt: skip
 _TIME = "shift=2,sleep=off"
-"""An instruction takes 4 ns, about what it takes on the SCAMP-5d: how busy this machine is does not
+"""An instruction takes 4 ns, about as on the SCAMP-5d, so that the load of this machine does not
 make launches late."""
 _WANTED = Struct("<III")
 _START_S = 20.0
 
 
 def missing() -> str | None:
-    """Which of the two programs that this needs is not installed; None where both are."""
+    """Return which of the two required programs is not installed; None if both are."""
     return next((name for name in (COMPILER, EMULATOR) if shutil.which(name) is None), None)
 
 
 def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Built:
-    """The loader for a target, compiled for a core; raises NotBuilt."""
+    """Return the loader for a target, compiled for a core; raises NotBuilt."""
     absent = missing()
     if absent is not None:
         raise NotBuilt(f"{absent} is not installed")
@@ -61,7 +59,8 @@ def built(target: Target, core: Core = "m4", folder: Path | None = None) -> Buil
 
 
 def command(core: Core, image: Path, time: str) -> list[str]:
-    """What runs an image, without its serial ports; `time` as QEMU's -icount takes it."""
+    """Return the command that runs an image, without its serial ports; `time` as of
+    QEMU's -icount."""
     return [
         EMULATOR, "-M", _MACHINES[core], "-kernel", str(image), "-icount", time,
         "-display", "none", "-monitor", "none",
@@ -96,7 +95,7 @@ class Emulated(RunningFirmware):
             self._line = line.detach()
 
     def sent(self, job: BoardJob, frame: bytes) -> bytes:
-        """Nothing: the board asks for the bytes of a frame, a column at a time."""
+        """Return nothing: the board requests the bytes of a frame column by column."""
         self._frame = job.number, frame
         return b""
 
@@ -110,6 +109,6 @@ class Emulated(RunningFirmware):
         self.write_record(b"B", frame[offset : offset + count] if number == frame_number else b"")
 
     def close(self) -> int:
-        """End the emulator, which does not end by itself."""
+        """End the emulator."""
         self._process.kill()
         return super().close()

@@ -1,4 +1,4 @@
-"""Records of what a loader tells its board to do, as programs that the emulator runs."""
+"""Records of a loader's commands to its board, as programs for the emulator."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _IN_IS_SET = 0xFFFF_FFFE
 
 
 class BoardJob(NamedTuple):
-    """A frame that a loader wants of its board."""
+    """A frame that a loader requests from its board."""
 
     number: int
     channels: int
@@ -33,7 +33,7 @@ class BoardJob(NamedTuple):
 
 
 class Recording:
-    """What a loader does with its board, told record by record (`emulated/records.hpp`)."""
+    """The commands of a loader to its board, received as records (`emulated/records.hpp`)."""
 
     def __init__(self, target: Target) -> None:
         self.target = target
@@ -46,7 +46,7 @@ class Recording:
         self._events: list[tuple[int, int]] = []
 
     def take(self, kind: bytes, data: bytes) -> BoardJob | None:
-        """Follow the loader; a job where a frame is to be exposed."""
+        """Process a record; return a job if a frame is to be exposed."""
         match kind:
             case b"F":
                 self._forget()
@@ -77,7 +77,8 @@ class Recording:
         return None
 
     def keep(self, job: BoardJob, planes: Mapping[str, bytes]) -> None:
-        """What a frame left in code registers: the next one of the same program begins with it."""
+        """Store the code registers after a frame, which the next frame of the program
+        starts with."""
         if job is self._latest:
             names = self.target.digital_registers
             self._planes = {names.index(name): plane for name, plane in planes.items()}
@@ -119,10 +120,8 @@ def container_of(
     states: Sequence[int],
     planes: dict[int, bytes],
 ) -> Container:
-    """What a chip was told to do, as a container that the emulator runs.
-
-    Each digital register that comes with the frame is a state of one bit, by its own name.
-    """
+    """Return the commands to a chip as a container for the emulator. Each digital register that is
+    sent with the frame is a state of one bit, under its own name."""
     shape = (target.rows, target.cols)
     slot_us = tuple(us for count, us in runs for _ in range(count))
     bits: dict[str, NDArray[np.bool_]] = {}

@@ -22,7 +22,7 @@ _PAUSE_S = 0.0002
 _IDLE_S = 0.25
 _BOOT_S = 0.1
 _LET_GO_S = 2.0
-"""How long a host may take to let go of a port that vanished."""
+"""Time for a host to close a port that vanished, in seconds."""
 _MOST_TRIES = 64
 
 
@@ -31,19 +31,19 @@ class Loaded(Protocol):
 
     @property
     def busy(self) -> bool:
-        """Whether `poll` has something to do without new bytes."""
+        """Whether `poll` has work without new bytes."""
 
     def receive(self, data: bytes, now_us: int) -> None:
-        """Take bytes from the line."""
+        """Receive bytes from the line."""
 
     def poll(self, now_us: int, room: int) -> bytes:
-        """Bytes for the line."""
+        """Return bytes for the line."""
 
     def announce(self) -> None:
-        """Start anew."""
+        """Restart."""
 
     def watched(self) -> list[int]:
-        """File descriptors whose bytes give `poll` something to do."""
+        """Return the file descriptors whose input gives `poll` work."""
 
 
 class Terminal:
@@ -64,7 +64,7 @@ class Terminal:
             else:
                 master = spare_masters.pop()
         finally:
-            # Numbers are given out lowest first: the others were only in the way of ours.
+            # The lowest free number is assigned first: close the terminals that were in the way.
             for spare in spare_masters:
                 os.close(spare)
         os.set_blocking(master, False)
@@ -72,7 +72,7 @@ class Terminal:
         self.opened = False
 
     def read(self) -> bytes | None:
-        """What the other side wrote; None while nobody has the port open."""
+        """Return the bytes written by the other side; None while the port is not open."""
         try:
             data = os.read(self.fd, _MOST_READ)
         except BlockingIOError:
@@ -85,29 +85,27 @@ class Terminal:
         return data
 
     def write(self, data: bytes) -> int:
-        """How many of these bytes there was room for."""
+        """Write bytes; return how many were accepted."""
         try:
             return os.write(self.fd, data)
         except BlockingIOError:
             return 0
 
     def hung_up(self) -> bool:
-        """Whether nobody has the port open."""
+        """Return whether the port is not open."""
         poller = select.poll()
         poller.register(self.fd, select.POLLIN)
         return any(happened & select.POLLHUP for _, happened in poller.poll(0))
 
     def close(self) -> None:
-        """Pull the plug."""
+        """Close the terminal."""
         with suppress(OSError):
             os.close(self.fd)
 
 
 class StandInServer:
-    """Hands bytes between a terminal and a loader, spoiled by `faults`.
-
-    `moved` is told the name of the port where it had to change.
-    """
+    """Transfers bytes between a terminal and a loader, with `faults` of the line. `moved` gets the
+    name of the port if it changes."""
 
     def __init__(
         self, loader: Loaded, faults: LineFaults, moved: Callable[[str], None] = lambda _: None
@@ -123,11 +121,11 @@ class StandInServer:
         self._until: float | None = None
 
     def serve(self, *, once: bool = False, seconds: float | None = None) -> None:
-        """Serve for `seconds`, with `once` until the first host has left, or for ever."""
+        """Serve for `seconds`, with `once` until the first host has left, or forever."""
         self._until = None if seconds is None else monotonic() + seconds
         while not self._over():
             if self.terminal.hung_up():
-                # What is said while nobody listens is lost, as on any line.
+                # Bytes are lost while the port is not open, as on any line.
                 self._leaving.clear()
                 if self._connected and once:
                     return
@@ -153,7 +151,7 @@ class StandInServer:
             _, piece = self._arriving.popleft()
             if now >= self._boots_until:
                 self.loader.receive(piece, self._now_us())
-        # What is under way takes no room: only what should have left already does.
+        # Only bytes that are due occupy the buffer.
         late = sum(len(piece) for due, piece in self._leaving if due <= now)
         if now >= self._boots_until and late < _ROOM:
             out = self.loader.poll(self._now_us(), _ROOM)
@@ -178,9 +176,9 @@ class StandInServer:
                 self._boots_until = monotonic() + _BOOT_S
 
     def _disconnect(self) -> None:
-        """The port vanishes, and is there again after the outage, under its old name if it can."""
+        """Remove the port, and open it again after the outage, under its old name if possible."""
         name = self.terminal.name
-        # As long as somebody has its other side open, nobody else gets its number.
+        # While the other side is open, the number is not reused.
         reserved = os.open(name, os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
         self.terminal.close()
         back = monotonic() + self.faults.outage_s
@@ -197,7 +195,7 @@ class StandInServer:
             self.moved(self.terminal.name)
 
     def _wait(self) -> None:
-        """Until a byte arrives, or there is something to do without one."""
+        """Wait until a byte arrives, or other work is due."""
         now = monotonic()
         readers = [self.terminal.fd, *self.loader.watched()]
         if self._leaving and self._leaving[0][0] <= now:

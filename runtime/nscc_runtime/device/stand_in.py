@@ -1,4 +1,4 @@
-"""A stand-in for a chip at a serial port: the loader that a chip has, over the emulator."""
+"""A stand-in for a chip at a serial port: the real loader over the emulator."""
 
 from __future__ import annotations
 
@@ -29,11 +29,9 @@ def emulated_chip(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     failed: Callable[[Exception], None] = lambda _: None,
 ) -> EmulatedChip:
-    """A chip that sees `scene` whatever program comes.
-
-    Refuses at once what is no scene for any program. Later `warn` gets what is said of the scene,
-    and `failed` why there is no frame: the host only learns that there is none.
-    """
+    """Return an emulated chip that sees `scene` with any program. Scenes that suit no program are
+    refused at once. Later `warn` gets messages about the scene, and `failed` the reason for a
+    missing frame, because the host only learns that it is missing."""
     if scene.name.startswith("builtin:") or not Path(scene.name).exists():
         scene.light((1000.0,), target)
     return EmulatedChip(
@@ -50,11 +48,9 @@ def serve(
     once: bool = False,
     seconds: float | None = None,
 ) -> None:
-    """Serve a loader behind a pseudo-terminal whose name `opened` is told, through a bad cable.
-
-    Ends after the first host with `once`, after `seconds`, or never. `moved` is told the port's new
-    name where the old one was taken.
-    """
+    """Serve a loader behind a pseudo-terminal, over a simulated line; `opened` gets its name. Ends
+    after the first host with `once`, after `seconds`, or never. `moved` gets the new name of the
+    port if the old one is taken."""
     server = StandInServer(loader, faults, moved)
     try:
         opened(server.terminal.name)
@@ -67,11 +63,9 @@ def serve(
 def loaded(
     machine: Machine, target: Target, chip: EmulatedChip, say: Callable[[str], None]
 ) -> Iterator[Loaded]:
-    """The firmware, compiled for a machine and running on it in a process of its own.
-
-    `qemu` and `qemu-m0` are an emulated Cortex-M4 and Cortex-M0. `say` is told what runs. Raises
-    Rejected (NS0772, status 2) where the firmware cannot be compiled or does not start.
-    """
+    """Run the firmware, compiled for a machine, in its own process. `qemu` and `qemu-m0` are an
+    emulated Cortex-M4 and Cortex-M0. `say` gets a text on what runs. Raises Rejected (NS0772,
+    status 2) if the firmware cannot be compiled or does not start."""
     try:
         if machine == "host":
             built = firmware.built(target)

@@ -1,7 +1,5 @@
-"""The firmware's target table, written from nscc's own: `target.hpp` of `runtime/firmware`.
-
-python -m nscc_runtime.device.target_header scamp5 > runtime/firmware/targets/scamp5/target.hpp
-"""
+"""Write the firmware's target table from nscc's own: `target.hpp` of `runtime/firmware`. python -m
+nscc_runtime.device.target_header scamp5 > runtime/firmware/targets/scamp5/target.hpp"""
 
 from __future__ import annotations
 
@@ -26,11 +24,9 @@ _LONGEST_REFRESH = 5
 
 
 def target_header(target: Target) -> str:
-    """`target.hpp` for a target: what the loader believes of words, and of nothing else.
-
-    Raises ValueError for a target with words of its own, which the loader does not know, and for
-    one whose pixels have no logic.
-    """
+    """Return `target.hpp` for a target: the words that the loader accepts. Raises ValueError for a
+    target with words of its own, which the loader does not know, and for a target whose pixels have
+    no logic."""
     if target.streamed:
         raise ValueError(f"the loader's firmware runs words, and the pixels of {target.name} none")
     if target.words:
@@ -127,7 +123,8 @@ def _registers(target: Target) -> Iterator[str]:
 
 
 def _sequences(target: Target) -> Iterator[str]:
-    """The words that write a register back, and that open the masked register to writing."""
+    """Yield the words that refresh a register, and those that open the masked register
+    for writing."""
     yield f"struct Refresh {{ uint32_t count; uint32_t word[{_LONGEST_REFRESH}][5]; }};\n"
     yield "// Writes a register back to itself; the masked one where the mask's code waits in FLAG."
     yield "constexpr Refresh refresh[] = {"
@@ -149,8 +146,8 @@ def _sequences(target: Target) -> Iterator[str]:
 
 
 def _spreading(target: Target) -> Iterator[str]:
-    """The words that make a register 2 x exposure - full well before it is converted, and what a
-    code of the converter's, which is symmetric around 0, is in the frame."""
+    """Yield the words that map a register to 2 x exposure - full well before conversion, and the
+    mapping of the converter's symmetric codes to those of a frame."""
     names, level = target.analog_registers, target.spread_level
     yield "\n// What readout makes of exposures, so that they take all codes of the converter."
     yield f"constexpr bool spreads = {str(level is not None).lower()};"
@@ -168,7 +165,7 @@ def _spreading(target: Target) -> Iterator[str]:
 
 
 def refresh_words(target: Target, register: str) -> list[Op]:
-    """The words that write a digital register back to itself, and change nothing else."""
+    """Return the words that write a digital register back to itself, without other changes."""
     again = list(pair("REFRESH", register, [register]))
     mask = target.mask_register
     if register != target.masked_register or mask is None:

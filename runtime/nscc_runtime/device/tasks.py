@@ -1,4 +1,4 @@
-"""What a host does with a loader, as tasks: send a program, expose a frame, fetch it."""
+"""Tasks of a host: upload a program, expose a frame, fetch it."""
 
 from __future__ import annotations
 
@@ -40,24 +40,24 @@ _LONGEST_POLL_S = 0.25
 _LONGEST_SILENCE_S = 5.0
 _BUSY_WAIT_S = 0.1
 _FIRST_WINDOW = 2048
-"""Bytes that are sent ahead before anything is known of the line: more follow while nothing is
-lost, and half as many after a loss, so that a slow line is not drowned."""
+"""Initial bytes in flight: the window grows without losses, and is halved after a loss, for slow
+lines."""
 
 Watch = Callable[[int], None]
-"""Told how many bytes are there."""
+"""Gets the number of bytes transferred."""
 
 
 @dataclass(frozen=True)
 class FetchedFrame:
-    """A frame as it came: what the loader said of it, and its bytes, whose sums hold."""
+    """A received frame: the loader's reply, and its bytes with verified checksums."""
 
     captured: CaptureReply
     data: bytes
 
 
 def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[bool]:
-    """Bring a program to the loader, from where it was when the link was lost; then it is ready.
-    Whether it was there already."""
+    """Upload a program, resuming after a lost link; then it is ready. Returns whether the loader
+    already had it."""
     progress = yield from _begun(host, program.begin)
     already_held = progress.state != LoaderState.RECEIVING
     while progress.declared < len(program.objects) and progress.state == LoaderState.RECEIVING:
@@ -74,13 +74,13 @@ def upload(host: Host, program: Upload, watch: Watch = lambda _: None) -> Task[b
 
 
 def forget(host: Host, program: Upload) -> Task[None]:
-    """Have the loader forget the program that it holds: one without objects takes its place."""
+    """Make the loader forget its program, by a program without objects."""
     zeros = bytes(32)
     yield from _begun(host, messages.Begin(program.target, zeros, zeros, 0, 0))
 
 
 def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
-    """Announce a program; a loader that still exposes is stopped first."""
+    """Announce a program, after stopping an exposure if necessary."""
     while True:
         try:
             reply = yield from host.ask(PacketKind.BEGIN, begin.pack())
@@ -95,7 +95,7 @@ def _begun(host: Host, begin: messages.Begin) -> Task[UploadProgress]:
 
 
 def pause(host: Host, seconds: float) -> Task[None]:
-    """Wait; whatever arrives meanwhile is of no interest."""
+    """Wait, ignoring packets."""
     until = host.now + seconds
     while host.now < until:
         yield until
@@ -103,7 +103,7 @@ def pause(host: Host, seconds: float) -> Task[None]:
 
 
 class _Chunk:
-    """How many bytes go into a packet: halved where packets are lost, doubled after a while."""
+    """The bytes per packet: halved after losses, doubled after a while without."""
 
     def __init__(self, most: int) -> None:
         self.most = self.size = max(CHUNK, most // CHUNK * CHUNK)
@@ -119,8 +119,8 @@ class _Chunk:
 
 
 class _Sender:
-    """Sends a stream, many packets ahead of their acknowledgements, and goes back where one is
-    lost: the loader only ever takes the bytes that it waits for."""
+    """Sends a stream, many packets ahead of their acknowledgements, and goes back after a loss. The
+    loader accepts bytes only in order."""
 
     def __init__(self, host: Host, stream: bytes, progress: UploadProgress, watch: Watch) -> None:
         assert host.info is not None
@@ -176,7 +176,7 @@ class _Sender:
         self.acknowledged = self.next = position
 
     def _acknowledge(self, sequence: int, progress: UploadProgress) -> None:
-        """Take note of an acknowledgement."""
+        """Process an acknowledgement."""
         if not self._ours(sequence):
             self._acknowledge_late(sequence, progress)
             return
@@ -198,12 +198,13 @@ class _Sender:
             self.host.timed(self.host.now - since)
             self.wait = self.host.wait_s
             self.chunk.record_arrival()
-            # One more packet ahead for each that arrived: twice as many after a round.
+            # One more packet in flight per acknowledgement: twice as many after a round trip.
             self.window = min(self.window + cost, self.most)
             self._advance(progress.position)
 
     def _acknowledge_late(self, sequence: int, progress: UploadProgress) -> None:
-        """What was given up too soon has arrived after all: the line is slower than was thought."""
+        """Process an acknowledgement that arrived after its timeout: the line is slower than
+        estimated."""
         since = self.given_up.pop(sequence, None)
         if since is not None:
             self.host.timed(self.host.now - since)
@@ -213,7 +214,7 @@ class _Sender:
 
     def _advance(self, position: int) -> None:
         self.acknowledged = max(self.acknowledged, position)
-        # The loader may be ahead of what was sent again, but never behind what it said.
+        # The loader may be ahead of retransmissions, but never behind its acknowledgement.
         behind = self.next < self.acknowledged or not self.sent
         self.next = self.acknowledged if behind else self.next
         self.host.moved()
@@ -221,7 +222,7 @@ class _Sender:
 
 
 def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
-    """Expose a frame and fetch it; one that is there already is not exposed again."""
+    """Expose a frame and fetch it; an existing frame is not exposed again."""
     captured = yield from _captured(host, request)
     assert host.info is not None
     origin = host.info.boot, captured.started_us
@@ -237,7 +238,7 @@ def capture(host: Host, request: FrameRequest) -> Task[FetchedFrame]:
 
 
 def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
-    """What the loader says of a frame that is exposed."""
+    """Return the loader's reply about an exposed frame."""
     body = messages.CaptureRequest(request.number, request.channels).pack()
     poll, extra, silent = _POLL_S, 0.0, False
     while True:
@@ -259,7 +260,7 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
         extra = min(2 * captured.estimate_ms / 1000, request.longest_s)
         host.check_patience(extra)
         if not silent:
-            # While words run a loader has better to do than to answer.
+            # Do not disturb the loader while words run.
             silent = True
             yield from pause(host, min(request.exposure_s(captured), _LONGEST_SILENCE_S))
         yield from pause(host, poll)
@@ -268,8 +269,8 @@ def _captured(host: Host, request: FrameRequest) -> Task[CaptureReply]:
 
 @dataclass(frozen=True)
 class _Range:
-    """A request under way: bytes `start` to `stop` of the frame, asked for at `since`; `alone`:
-    with no other before it, so that its first packet tells how long a reply takes."""
+    """A pending request: bytes `start` to `stop` of the frame, sent at `since`. `alone`: without
+    another request before it, so that its first packet measures the reply time."""
 
     start: int
     stop: int
@@ -278,9 +279,9 @@ class _Range:
 
 
 class _Fetcher:
-    """Asks for ranges of a frame, some ahead, and again for what did not come. A loader serves
-    them in order: a packet of one says that nothing more comes of those before it. It keeps only
-    so many bytes behind those that the host has."""
+    """Requests ranges of a frame, some ahead, and again after losses. A loader serves them in
+    order: a packet of one means that earlier requests are complete. It keeps only a limited number
+    of bytes behind those confirmed by the host."""
 
     def __init__(self, host: Host, number: int, frame_bytes: FrameBytes) -> None:
         assert host.info is not None

@@ -1,14 +1,13 @@
-"""The effects of the sensor, one file each, with all that any part of the emulator needs of it.
+"""The effects of the sensor, one file each, with everything that the emulator needs of them.
 
-Nothing outside of this package names an effect: who wants one iterates over those that are
-registered. `effect` says what a declaration has, `parts` of what a path can make an effect.
+Code outside of this package names no effect; it iterates over the registered ones. `effect` defines
+a declaration, `parts` the components that the fast paths support.
 
-Noise that reaches an exposure in many small parts (reads, resets, analog words) is drawn so that
-its sum is one keyed draw: with e_i independent normal numbers and c_i their coefficients in the
-exposures, sum c_i e_i is L z, L L^T = sum c_i^2 sigma_i^2, z keyed by (seed, effect, frame,
-bucket). A plan that adds the sum alone has the same numbers as the reference, which spreads it.
-The c_i are those of the sensor's analog gain and mean leakage, whether these effects are on or not:
-leaving one out changes no draw.
+Noise of many small errors (reads, resets, analog words) is drawn so that its sum is one keyed draw:
+with independent normal numbers e_i and their coefficients c_i in the exposures, sum c_i e_i is L z,
+L L^T = sum c_i^2 sigma_i^2, z keyed by (seed, effect, frame, bucket). A plan that adds only the sum
+has the same numbers as the reference, which distributes it. The c_i are those of the sensor's
+analog gain and mean leakage, whether these effects are on or not: leaving one out changes no draw.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The keys of counted charge: one count a pixel, source, frame and group of slots."""
+"""The keys of counted charge: one count per pixel, source, frame and group of slots."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from nscc_runtime.noise import key
 LIGHT, WITHOUT_LIGHT = 0, 1
 """Sources of charge."""
 THINNED = 2
-"""Added to a source: the key with which its counts are spread over the slots of a group."""
+"""Offset on a source, for the key that distributes its counts over the slots of a group."""
 
 
 def count_key(seed: int, stream: int, source: int, frame: int, group: int) -> np.uint64:
-    """The key of the counts of a group of slots; `stream` is the counting effect's."""
+    """Return the key of the counts of a group of slots; `stream` is the counting effect's."""
     return key(seed, stream, source, frame, group)
 
 
 def thinning_key(seed: int, stream: int, source: int, frame: int, group: int) -> np.uint64:
-    """The key with which these counts are spread over the slots of the group."""
+    """Return the key that distributes these counts over the slots of the group."""
     return key(seed, stream, THINNED + source, frame, group)

@@ -16,7 +16,7 @@ FRACTION = parameter(
 
 
 def smeared(charge: Values, fraction: float) -> Values:
-    """q + c laplacian(q) along the last two axes (rows, cols); the border reflects."""
+    """Return q + c laplacian(q) along the last two axes (rows, cols); the border reflects."""
     flow = np.zeros_like(charge)
     down = charge[..., 1:, :] - charge[..., :-1, :]
     right = charge[..., :, 1:] - charge[..., :, :-1]
@@ -46,7 +46,7 @@ CROSSTALK = Effect(
     size="rms and mean of c sum S laplacian(E), dark charge included, and of the noise of the "
     "counts that pass between pixels; worst at saturated and moving edges",
     sums=(Exchange(FRACTION, smeared),),
-    # Neighbours multiply what has to be counted.
+    # Neighbours multiply the number of counts.
     words=InLoop("exchanges", {"exchanged": FRACTION}),
     cost_ns=3.0,
     light_ns=0.5,

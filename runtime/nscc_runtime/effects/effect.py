@@ -1,10 +1,9 @@
-"""What an effect is: one declaration, from which every part of the emulator takes what it needs.
+"""The declaration of an effect, from which every part of the emulator takes what it needs.
 
-The reference runs an effect's functions at the stages of a frame where it acts (`STAGES`). The
-fast paths know the parts of `nscc_runtime.effects.parts` and simulate an effect by those it is made
-of. One that is made of something else says that a path cannot have it, and a run that keeps it
-takes a slower path: in the end the reference. Nothing here foresees what an effect does to a scene:
-planning measures that.
+The reference runs an effect's functions at their stages of a frame (`STAGES`). The fast paths
+support the parts of `nscc_runtime.effects.parts` and simulate an effect by its parts. An effect
+without suitable parts declares that a path cannot simulate it; a run that keeps it takes a slower
+path, in the end the reference. Planning measures what an effect changes in a scene.
 """
 
 from __future__ import annotations
@@ -25,7 +24,7 @@ Kind = Literal["fixed", "random", "both", "after"]
 P = TypeVar("P", bound=Part)
 
 RESERVED = ("auto", "all", "none")
-"""What `--effects` calls choices."""
+"""Names of choices of `--effects`."""
 
 STAGES = {
     "scene": "(scene) -> scene: which light falls on the array",
@@ -51,23 +50,24 @@ STAGES = {
     "effects' errors are one draw",
     "codes": "(sensor, exposure, noise, top) -> codes of exposures, `noise` codes off",
 }
-"""Where in a frame effects act, in the order in which a frame comes to them, and the function that
-an effect has there; `slots`, `pixels`, `where` and `word` are of `nscc_runtime.effects.views`."""
+"""The stages of a frame in order, and the function of an effect at each stage. `slots`, `pixels`,
+`where` and `word` are of `nscc_runtime.effects.views`."""
 
 
 @dataclass(frozen=True)
 class CannotHave:
-    """The statement that a path cannot simulate an effect."""
+    """Declares that a path cannot simulate an effect, with the reason."""
 
     reason: str
 
 
 @dataclass(frozen=True)
 class InLoop:
-    """What the loops over words are told of an effect, by their own names (of single pixels:
-    `nscc_runtime.execution.layout`; of programs that look: `nscc_runtime.looking.layout`): `switch`
-    turns it on, `numbers` are its figures, `device_key` is that of its stream on the device,
-    `draws_key` of its draws at words, where it has no `Errors`, `function` what is called.
+    """The fields of the loops over words that an effect sets, by name.
+
+    Names are those of the records in `nscc_runtime.execution.layout`. `switch` turns the effect on,
+    `numbers` are its values, `device_key` is the key of its stream on the device, `draws_key` that
+    of its draws at words if it has no `Errors`, `function` is called by the loop.
     """
 
     switch: str | None = None
@@ -79,19 +79,34 @@ class InLoop:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Effect:
-    """One effect of the sensor, whole; `nscc_runtime.effects.registry.register` takes no less.
+    """One effect of the sensor.
 
-    `stream` is its number in the keys of random numbers and never changes. `kind`: the same in
-    every frame; new in every frame; both; after the exposure, in the readout only. `model` is the
-    effect in words with its formula, `cost` what simulating it takes, `applied` where the reference
-    does, `size` how much it changes exposures, `absent` why it may change nothing. `parameters`:
-    the sensor's that it depends on. `reference`: its functions by stage. `sums`: its parts in sums
-    over slots; `words`: in the loops over the words of single pixels and of pixels that look.
-    `cost_ns`: nanoseconds a pixel that leaving it out of sums saves, measured, to a factor of about
-    two, and `light_ns` as many more for each frame of light; what it costs elsewhere follows from
-    its parts (`nscc_runtime.planning.prices`).
-    `always` effects cannot be left out. `marks`: how a frame tells where it cut values off, by what
-    is marked (`nscc_runtime.effects.marks`).
+    `nscc_runtime.effects.registry.register` requires a complete declaration.
+
+    Attributes
+    ----------
+    stream : int
+        Its number in the keys of random numbers, which never changes.
+    kind : str
+        Fixed in every frame, new in every frame, both, or after the exposure (readout only).
+    model, cost, applied, size, absent : str
+        Texts: the model with its formula, the cost of simulation, the place in the reference, the
+        size of the change of exposures, and when the effect changes nothing.
+    parameters : tuple of Parameter
+        Parameters of the sensor that it depends on.
+    reference : mapping
+        Its functions by stage.
+    sums, words
+        Its parts in sums over slots, and its fields in the loops over words of single pixels and of
+        pixels that look.
+    cost_ns, light_ns : float
+        Nanoseconds per pixel saved by leaving it out of sums, measured, to a factor of about two;
+        and additional ones per frame of light. Costs elsewhere follow from its parts
+        (`nscc_runtime.planning.prices`).
+    always : bool
+        Whether it cannot be left out.
+    marks : mapping
+        The bits that mark clipped values in a frame (`nscc_runtime.effects.marks`).
     """
 
     name: str
@@ -113,17 +128,18 @@ class Effect:
     marks: Mapping[str, Mark] = field_of(default_factory=dict)
 
     def summed_ns(self, frames: int) -> float:
-        """Nanoseconds a pixel that leaving it out of sums over so many frames of light saves."""
+        """Return the nanoseconds per pixel saved by leaving it out of sums over a number of frames
+        of light."""
         return self.cost_ns + self.light_ns * frames
 
     def parts(self, kind: type[P]) -> list[P]:
-        """Its parts of that kind in sums over slots."""
+        """Return its parts of a kind in sums over slots."""
         if isinstance(self.sums, CannotHave):
             return []
         return [part for part in self.sums if isinstance(part, kind)]
 
     def lacks(self) -> list[str]:
-        """What this declaration lacks, in words."""
+        """Return the missing entries of the declaration, as texts."""
         found = [
             f"`{name}`, a text"
             for name in ("name", "title", "model", "size", "cost", "applied", "absent")

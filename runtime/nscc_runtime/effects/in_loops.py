@@ -1,4 +1,4 @@
-"""What compiled loops are told of the effects, by the names of their own records."""
+"""The inputs of compiled loops that depend on effects, by the names of the loops' records."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from nscc_runtime.noise import key
 from nscc_runtime.noise.keys import base
 
 Record = type[Any]
-"""As `nscc_runtime.loop.record` makes it."""
+"""A record of `nscc_runtime.loop.record`."""
 
 
 def switches(record: Record, effects: Selection) -> dict[str, int]:
-    """Whether each effect that has a switch there is on."""
+    """Return whether each effect with a switch is on."""
     names = _names(record)
     return {
         loop.switch: int(effect in effects)
@@ -30,7 +30,7 @@ def switches(record: Record, effects: Selection) -> dict[str, int]:
 
 
 def figures(record: Record, sensor: Sensor, effects: Selection) -> dict[str, float]:
-    """The figures of the effects; 0 of those that are off."""
+    """Return the values of the effects; 0 for effects that are off."""
     names = _names(record)
     return {
         name: figure(sensor) if effect in effects else 0.0
@@ -41,7 +41,7 @@ def figures(record: Record, sensor: Sensor, effects: Selection) -> dict[str, flo
 
 
 def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
-    """The keys of what is fixed on a chip."""
+    """Return the keys of fixed patterns of the chip."""
     names = _names(record)
     return {
         loop.device_key: key(device_seed, effect.stream) for effect, loop in _in_loops()
@@ -50,8 +50,7 @@ def device_keys(record: Record, device_seed: int) -> dict[str, np.uint64]:
 
 
 def draws_keys(record: Record, seed: int, source: int) -> dict[str, np.uint64]:
-    """The keys from which those of draws at words follow: of small errors by where they are made,
-    and of what else is drawn there."""
+    """Return the keys of draws at words: of small errors by their source, and of other draws."""
     found: dict[str, np.uint64] = {
         part.at: base(seed, effect.stream, source)
         for effect in registered()

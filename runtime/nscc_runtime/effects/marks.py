@@ -1,9 +1,9 @@
-"""How a frame tells which of its values lost something to a limit: `saturated_by`, a bit a cause.
+"""The marks of clipped values in a frame: `saturated_by`, one bit per cause.
 
-What PIX lost goes where its value goes. A word that reads PIX when it is full marks what it writes,
-as added or as subtracted, and every further word, whose result is inverted, exchanges the two. So a
-full PIX that no exposure depends on marks none, and one that was subtracted, as the reset level is,
-can be told from one that was added. What registers lose adds up along the same way.
+A mark follows the value. A word that reads a full PIX marks its result as added or as subtracted,
+and every further word, which inverts its result, exchanges the two. So a full PIX that no exposure
+depends on leaves no mark, and a subtracted one, such as the reset level, differs from an added one.
+Losses of registers accumulate in the same way.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ MARKED = {
     "registers": ("registers", "registers lost more than `least_e` of what they were to hold"),
     "codes": ("codes", "the code is the last of the scale"),
 }
-"""What an effect may mark, each with the stage at which it acts. One effect has each."""
+"""The kinds of marks, each with the stage at which it is set. Each belongs to one effect."""
 
 
 @dataclass(frozen=True)
 class Mark:
-    """A bit of `saturated_by` and its name, of a loss of more than `least_e` electrons."""
+    """A bit of `saturated_by` and its name, for a loss of more than `least_e` electrons."""
 
     bit: int
     name: str

@@ -1,8 +1,6 @@
-"""What a parameter of the sensor is: name, default, unit, range and where the default comes from.
-
-Each effect declares its own; reading a sensor file, writing one, overriding a value, the attributes
-of a `Sensor` and `nscc effects` all follow from it.
-"""
+"""Parameters of the sensor: name, default, unit, range and source of the default. Each effect
+declares its own. Reading and writing sensor files, overriding values, the attributes of a `Sensor`
+and `nscc effects` follow from the declarations."""
 
 from __future__ import annotations
 
@@ -18,25 +16,24 @@ OURS = "this project's default: not public"
 TARGET = "the target table"
 
 Default = float | Callable[[Target, Mapping[str, float]], float] | None
-"""A number; what gives it for a target and the values of the parameters that stand before; None
-for what the target says under the same name."""
+"""A number; a function of the target and of the preceding parameters; None for the target's value
+of the same name."""
 
 
 @dataclass(frozen=True, slots=True)
 class Parameter(Key):
-    """A row of the sensor's schema: a number in `kind`'s unit and range with a `Default`. Under a
-    heading those of a greater `place` stand below the others. Called, it gives a sensor's value.
-    """
+    """A row of the sensor's schema: a number with unit, range and `Default`. Under a heading,
+    parameters are sorted by `place`. Called, it returns a sensor's value."""
 
     kind: Number
     place: int = 0
 
     def __call__(self, sensor: Sensor) -> float:
-        """Its value on a sensor."""
+        """Return the value on a sensor."""
         return sensor.values[self.name]
 
     def default_for(self, target: Target, values: Mapping[str, float]) -> float:
-        """The default on that target, where the parameters before have these values."""
+        """Return the default on a target, given the values of the preceding parameters."""
         if self.default is None:
             return float(getattr(target, self.name))
         return float(self.default(target, values) if callable(self.default) else self.default)
@@ -47,7 +44,7 @@ def parameter(
     source: str = OURS, *, low_excluded: bool = False, high_excluded: bool = False,
     place: int = 0,
 ) -> Parameter:  # fmt: skip
-    """A parameter, listed under `heading`; `source` is where its default comes from."""
+    """Return a parameter, listed under `heading`; `source` documents its default."""
     kind = Number(low, high, unit, low_excluded, high_excluded)
     return Parameter("", name, kind, meaning, default, source, heading=heading, place=place)
 
@@ -64,4 +61,4 @@ HEADINGS = {
     "memory": "what registers lose",
     "readout": "the ADC",
 }
-"""The headings of a file in their order, each with a remark."""
+"""The headings of a sensor file in order, each with a remark."""

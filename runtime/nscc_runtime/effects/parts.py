@@ -1,8 +1,8 @@
-"""The parts that the fast paths know: what sums over slots can be made of.
+"""The parts of effects that the fast paths support.
 
-A sum over slots weighs the light of every slot by the pixel's code, draws counts for groups of
-slots, and the errors of all words at once. An effect takes part in it by these. One effect has each
-of them, but for `Errors` and `Converter`, of which there may be any number.
+A sum over slots weights the light of every slot by the pixel's code, draws counts for groups of
+slots, and draws the errors of all words at once. Effects contribute to it by these parts. Each part
+belongs to one effect, except `Errors` and `Converter`, of which there may be several.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ Values = NDArray[np.float64]
 
 
 class Part:
-    """A part of an effect, for what it does at a `stage` of the reference."""
+    """A part of an effect, standing for its function at a `stage` of the reference."""
 
     stage: ClassVar[str] = ""
 
@@ -32,19 +32,19 @@ class Part:
 
 @dataclass(frozen=True)
 class Moving(Part, stage="scene"):
-    """Light is that with motion inside slots, where a scene has any."""
+    """The light moves inside slots, if the scene has motion."""
 
 
 @dataclass(frozen=True)
 class Echo(Part, stage="light"):
-    """A part of the light of the frame before, the same scene, comes again."""
+    """A fraction of the light of the previous frame, of the same scene, is added."""
 
     fraction: OfSensor
 
 
 @dataclass(frozen=True)
 class Response(Part, stage="response"):
-    """A factor of each pixel on its light."""
+    """Each pixel has a factor on its light."""
 
     factor: OnDevice
 
@@ -55,39 +55,39 @@ class Counted(Part):
 
 @dataclass(frozen=True)
 class CountedLight(Counted, stage="count"):
-    """Of light."""
+    """Light is counted."""
 
 
 @dataclass(frozen=True)
 class CountedDark(Counted, stage="charge"):
-    """Of charge that falls without light, `per_s` electrons a second in the mean."""
+    """Dark charge is counted, `per_s` electrons per second on average."""
 
     per_s: OnDevice
 
 
 @dataclass(frozen=True)
 class Exchange(Part, stage="neighbours"):
-    """A part of the charge of a pixel goes to each of its four neighbours: `smeared(charge (..,
-    rows, cols), fraction)` is what there is afterwards."""
+    """A fraction of a pixel's charge goes to each of its four neighbours. `smeared(charge (..,
+    rows, cols), fraction)` returns the charge afterwards."""
 
     fraction: OfSensor
     smeared: Callable[[Values, float], Values]
 
 
 class Saturates(Part):
-    """Something holds no more than so much; pixels that come near run through their words."""
+    """A storage saturates; pixels near saturation run through their words."""
 
 
 @dataclass(frozen=True)
 class Well(Saturates, stage="well"):
-    """PIX holds `full_e`, exactly: sums of one read may be clipped."""
+    """PIX saturates at exactly `full_e`: sums of one read may be clipped."""
 
     full_e: OfSensor
 
 
 @dataclass(frozen=True)
 class Soft(Saturates, stage="registers"):
-    """Registers are linear up to `linear_e`; of a value of this size they lose `lost_e`."""
+    """Registers are linear up to `linear_e`; at that value they lose `lost_e`."""
 
     linear_e: OfSensor
     lost_e: Callable[[Sensor, Values], Values]
@@ -95,8 +95,8 @@ class Soft(Saturates, stage="registers"):
 
 @dataclass(frozen=True)
 class Errors(Part):
-    """Many small errors that are one draw a bucket: `sigma_e` `at` every read or reset of PIX, or
-    at every word."""
+    """Many small errors, drawn as one per bucket: `sigma_e` `at` every read or reset of PIX, or
+    every word."""
 
     at: Literal["reads", "resets", "words"]
     sigma_e: OfSensor
@@ -104,7 +104,7 @@ class Errors(Part):
 
 @dataclass(frozen=True)
 class WordGain(Part, stage="words"):
-    """A word multiplies with `gain` and adds a fixed error: of mean `mean_e` and standard deviation
+    """A word multiplies by `gain` and adds a fixed error of mean `mean_e` and standard deviation
     `spread_e` over the pixels."""
 
     gain: OfSensor
@@ -115,8 +115,8 @@ class WordGain(Part, stage="words"):
 
 @dataclass(frozen=True)
 class Leak(Part, stage="hold"):
-    """Registers lose their values at a rate in 1/s of each pixel: 1 / `tau_s` in the mean,
-    lognormal, `spread` its relative standard deviation."""
+    """Registers decay at a rate in 1/s of each pixel: 1 / `tau_s` on average, lognormal with
+    relative standard deviation `spread`."""
 
     per_s: OnDevice
     tau_s: OfSensor
@@ -130,25 +130,25 @@ class SlowWords(Part, stage="time"):
 
 @dataclass(frozen=True)
 class LitLevel(Part, stage="level"):
-    """Where light falls while words run, the level of a reset is read with what fell since."""
+    """Light that falls while words run is included in the level of a reset."""
 
 
 @dataclass(frozen=True)
 class Fading(Part, stage="digital"):
-    """Digital registers lose their values after a while."""
+    """Digital registers lose their values after a time."""
 
 
 @dataclass(frozen=True)
 class Converter(Part, stage="converter"):
-    """The converter is off by `sigma_lsb` codes, drawn for every pixel and bucket, once for all
-    effects with such a part."""
+    """The converter has an error of `sigma_lsb` codes, drawn per pixel and bucket, once for all
+    effects with this part."""
 
     sigma_lsb: OfSensor
 
 
 @dataclass(frozen=True)
 class Codes(Part, stage="codes"):
-    """The converter's codes: electrons a code, and the code of no electrons."""
+    """The converter's codes: electrons per code, and the code of zero electrons."""
 
     electrons: OfSensor
     offset: OfSensor

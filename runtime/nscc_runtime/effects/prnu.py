@@ -18,7 +18,7 @@ SPREAD = parameter(
 
 
 def response(sensor: Sensor, device_seed: int, pixels: Places) -> Values:
-    """The factor of each pixel."""
+    """Return the factor of each pixel."""
     z = normals(key(device_seed, PRNU.stream), pixels)
     return np.asarray(np.maximum(1.0 + SPREAD(sensor) * z, 0.0))
 

@@ -29,7 +29,7 @@ KNEE = parameter(
 
 
 def soft(value: Values, sensor: Sensor) -> Values:
-    """What a register holds when `value` is written to it; exactly `value` up to the knee."""
+    """Return the content of a register after `value` is written; exactly `value` up to the knee."""
     knee = KNEE(sensor)
     limit = np.where(value < 0, -LOWEST(sensor), HIGHEST(sensor))
     size = np.abs(value)
@@ -42,7 +42,7 @@ def soft(value: Values, sensor: Sensor) -> Values:
 
 @compiled
 def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
-    """The same for the loop over words."""
+    """Return the content of a register after a write, in the loop over words."""
     limit = -low if value < 0.0 else high
     size = abs(value)
     if size <= knee * limit:
@@ -55,7 +55,7 @@ def soft_in_loop(value: float, low: float, high: float, knee: float) -> float:
 
 
 def _high(sensor: Sensor) -> float:
-    """The lesser of the two ends."""
+    """Return the smaller of the two limits."""
     return min(abs(LOWEST(sensor)), HIGHEST(sensor))
 
 
@@ -70,7 +70,7 @@ def _lost(sensor: Sensor, size: Values) -> Values:
 
 
 def _much(sensor: Sensor) -> float:
-    """What a register has lost where it keeps half of what is added: tanh' = 1/2 there."""
+    """Return the loss of a register where it keeps half of an increment: tanh' = 1/2."""
     half = math.acosh(math.sqrt(2.0))
     return (half - math.tanh(half)) * (_high(sensor) - _linear(sensor))
 

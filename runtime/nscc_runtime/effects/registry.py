@@ -1,7 +1,5 @@
-"""The registered effects: this package's, then those that other distributions add.
-
-What a declaration lacks is refused here, so that everybody else may take it as it is.
-"""
+"""The registered effects: those of this package, then those of other distributions. Incomplete
+declarations are refused here, so that other code can rely on them."""
 
 from __future__ import annotations
 
@@ -15,8 +13,7 @@ from nscc_runtime.effects.adc import ADC
 from nscc_runtime.effects.adc_noise import ADC_NOISE
 from nscc_runtime.effects.analog import ANALOG
 from nscc_runtime.effects.black_sun import BLACK_SUN
-from nscc_runtime.effects.comparator_noise import COMPARATOR_NOISE
-from nscc_runtime.effects.comparator_offset import COMPARATOR_OFFSET
+from nscc_runtime.effects.comparator import COMPARATOR_NOISE, COMPARATOR_OFFSET
 from nscc_runtime.effects.crosstalk import CROSSTALK
 from nscc_runtime.effects.dark import DARK
 from nscc_runtime.effects.dead_time import DEAD_TIME
@@ -41,15 +38,18 @@ _OURS = (
     SHOT, PRNU, DARK, LAG, MOTION, CROSSTALK, FULL_WELL, RESET, READ, DEAD_TIME, BLACK_SUN, ANALOG,
     REGISTER, COMPARATOR_OFFSET, COMPARATOR_NOISE, LEAKAGE, DECAY, ADC_NOISE, SPREADING, ADC,
 )  # fmt: skip
-"""In the order in which charge meets them."""
+"""The effects in the order in which charge meets them."""
 
 _registered: dict[str, Effect] = {}
 _complete = False
-"""Whether other distributions have been asked."""
+"""Whether the effects of other distributions have been loaded."""
 
 
 def register(effect: Effect) -> None:
-    """Add an effect; Rejected (NS0905), which names it and all that it lacks, changes nothing."""
+    """Add an effect.
+
+    Raises Rejected (NS0905) with all missing entries; then nothing is added.
+    """
     lacking = effect.lacks() if isinstance(effect, Effect) else ["a declaration: it is no Effect"]
     lacking = lacking or _clashes(effect)
     if lacking:
@@ -65,7 +65,7 @@ def register(effect: Effect) -> None:
 
 
 def _clashes(effect: Effect) -> list[str]:
-    """What a declaration that is whole by itself lacks beside those that are registered."""
+    """Return the conflicts of a complete declaration with the registered effects."""
     known = {row.name: row for other in _registered.values() for row in other.parameters}
     found = [
         f"a name of its own for its parameter `{row.name}`"
@@ -98,7 +98,7 @@ def _clashes(effect: Effect) -> list[str]:
 
 
 def registered() -> tuple[Effect, ...]:
-    """All effects; the first call asks other distributions for theirs."""
+    """Return all effects; the first call loads those of other distributions."""
     global _complete
     if not _complete:
         for effect in added("nscc.effects").values():
@@ -109,34 +109,34 @@ def registered() -> tuple[Effect, ...]:
 
 
 def in_loop(switch: str) -> Callable[..., float]:
-    """The function that the loop over words calls for the effect that has a switch there."""
+    """Return the function that the loop over words calls for the effect with a switch."""
     loops = (each.words for each in _OURS)
     found = (e.function for e in loops if isinstance(e, InLoop) and e.switch == switch)
     return next(function for function in found if function is not None)
 
 
 def by_name() -> dict[str, Effect]:
-    """All effects by their names."""
+    """Return all effects by name."""
     return {effect.name: effect for effect in registered()}
 
 
 def optional() -> tuple[str, ...]:
-    """The names of those that can be left out."""
+    """Return the names of effects that can be left out."""
     return tuple(effect.name for effect in registered() if not effect.always)
 
 
 def marks() -> dict[str, Mark]:
-    """What frames mark as saturated, by what is marked."""
+    """Return the marks of frames by kind."""
     return {at: mark for effect in registered() for at, mark in effect.marks.items()}
 
 
 def always_on() -> frozenset[str]:
-    """The names of those that cannot."""
+    """Return the names of effects that cannot be left out."""
     return frozenset(by_name()).difference(optional())
 
 
 def parameters() -> tuple[Parameter, ...]:
-    """What the effects depend on, each once, in the order of a sensor file."""
+    """Return the parameters of all effects, each once, in the order of a sensor file."""
     return _parameters(registered())
 
 
@@ -147,7 +147,7 @@ def _parameters(effects: tuple[Effect, ...]) -> tuple[Parameter, ...]:
 
 
 def effects_json(sensor: Sensor) -> list[dict[str, Any]]:
-    """The effects as JSON values; the parameters' defaults are those of `sensor`."""
+    """Return the effects as JSON values; defaults of parameters are those of `sensor`."""
     return [
         {
             "name": effect.name,

@@ -1,4 +1,4 @@
-"""The choice that `--effects` makes of the registered effects."""
+"""Selections of effects, as `--effects` makes them."""
 
 from __future__ import annotations
 
@@ -23,10 +23,8 @@ P = TypeVar("P", bound=Part)
 
 @dataclass(frozen=True)
 class Selection:
-    """The effects that are on, `always` ones included, and those that were named one by one.
-
-    With `auto` a planner decides on those that were not named; `on` has them all.
-    """
+    """The effects that are on, including `always` ones, and those named explicitly. With `auto` a
+    planner decides on the effects that are not named; `on` contains them all."""
 
     on: frozenset[str]
     forced: frozenset[str]
@@ -34,7 +32,7 @@ class Selection:
 
     @property
     def noiseless(self) -> bool:
-        """Whether only what is always on is on: the exposure is the sum of light."""
+        """Whether only `always` effects are on: the exposure is the sum of light."""
         return not self.on & set(optional())
 
     def __contains__(self, effect: object) -> bool:
@@ -42,56 +40,56 @@ class Selection:
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """The effects that are on, in the order in which they are registered."""
+        """The effects that are on, in the order of registration."""
         return tuple(effect for effect in registered() if effect in self)
 
     def acting(self, stage: str) -> list[tuple[Effect, Callable[..., Any]]]:
-        """Those that act in the reference at a stage, with what they do."""
+        """Return the effects that act in the reference at a stage, with their functions."""
         return [(each, each.reference[stage]) for each in self.effects if stage in each.reference]
 
     def at(self, stage: str) -> list[Callable[..., Any]]:
-        """What they do in the reference at a stage."""
+        """Return the functions of the effects in the reference at a stage."""
         return [does for _, does in self.acting(stage)]
 
     def marking(self, at: str) -> Mark | None:
-        """How those that are on mark what is cut off there (`nscc_runtime.effects.marks`)."""
+        """Return the marks of a kind of the effects that are on (`nscc_runtime.effects.marks`)."""
         return next((each.marks[at] for each in self.effects if at in each.marks), None)
 
     @remembered
     def having(self, kind: type[P]) -> list[tuple[Effect, P]]:
-        """Those that have a part of that kind in sums over slots, with the part."""
-        # mypy takes a class for nothing that can be hashed.
+        """Return the effects with a part of a kind in sums over slots, and the parts."""
+        # mypy considers a class not hashable.
         parts = _parts(registered(), kind)  # type: ignore[arg-type]
         return [each for each in parts if each[0].name in self.on]
 
     @remembered
     def names(self, kind: type[Part]) -> frozenset[str]:
-        """The names of those that have a part of that kind."""
+        """Return the names of the effects with a part of a kind."""
         return frozenset(effect.name for effect, _ in self.having(kind))
 
     @remembered
     def part(self, kind: type[P]) -> P | None:
-        """The part of that kind; None where nothing that is on has one."""
+        """Return the part of a kind; None if no effect that is on has one."""
         return next((part for _, part in self.having(kind)), None)
 
     def the(self, kind: type[P]) -> P:
-        """The part of that kind; ValueError where nothing that is on has one."""
+        """Return the part of a kind; ValueError if no effect that is on has one."""
         found = self.part(kind)
         if found is None:
             raise ValueError(f"no effect has a part {kind.__name__}")
         return found
 
     def errors(self) -> list[tuple[Effect, Errors]]:
-        """Those that have small errors: of reads, then of resets, then of words."""
+        """Return the effects with small errors: of reads, then of resets, then of words."""
         return sorted(self.having(Errors), key=lambda each: each[1].at)
 
     def converter_lsb(self, sensor: Sensor) -> float:
-        """The standard deviation of a code before it is rounded."""
+        """Return the standard deviation of a code before rounding."""
         return hypot(*(part.sigma_lsb(sensor) for _, part in self.having(Converter)))
 
     def without(self, *names: str) -> Selection:
-        """The same without some effects; one for all who ask, as selections remember their
-        parts."""
+        """Return the selection without some effects. The same object is returned to all callers,
+        because selections cache their parts."""
         return _without(self, frozenset(names))
 
 
@@ -101,7 +99,7 @@ def _without(selection: Selection, names: frozenset[str]) -> Selection:
 
 
 def everything() -> Selection:
-    """All effects."""
+    """Return a selection of all effects."""
     return _all_of(registered())
 
 
@@ -112,16 +110,14 @@ def _all_of(effects: tuple[Effect, ...]) -> Selection:
 
 @cache
 def _parts(effects: tuple[Effect, ...], kind: type[P]) -> tuple[tuple[Effect, P], ...]:
-    """The parts of that kind of all of these effects."""
+    """Return the parts of a kind of all these effects."""
     return tuple((effect, part) for effect in effects for part in effect.parts(kind))
 
 
 def selected(text: str) -> Selection:
-    """The effects of `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
-
-    Changes alone start from `none` where the first adds, from `all` where it takes away.
-    Raises Rejected (NS0756, status 2) for anything else.
-    """
+    """Parse a selection: `auto`, `all`, `none` or `a,b`, each followed by changes `+a` and `-a`.
+    Changes alone start from `none` if the first one adds, from `all` if it removes. Raises Rejected
+    (NS0756, status 2) for other texts."""
     return _selected(text, registered())
 
 
@@ -149,7 +145,7 @@ def _selected(text: str, _effects: tuple[Effect, ...]) -> Selection:
 
 
 def named(name: str) -> Effect:
-    """The effect of that name; NS0756 (status 2) if there is none."""
+    """Return an effect by name; NS0756 (status 2) for an unknown name."""
     found = by_name().get(name)
     if found is None:
         raise _wrong(

@@ -1,4 +1,4 @@
-"""A sensor: every number that its effects depend on, as one frozen value."""
+"""A sensor: the values of all parameters of its effects, frozen."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class Sensor:
         return html.card("sensor", f"{len(rows)} numbers", html.table(rows))
 
     def __getattr__(self, name: str) -> float:
-        # Copies and pickles ask for attributes of a sensor that has no values yet.
+        # Copies and pickles read attributes before the values are set.
         if name.startswith("__") or name == "values" or name not in self.values:
             raise AttributeError(f"a sensor has no parameter {name!a}")
         return self.values[name]
@@ -44,7 +44,7 @@ class Sensor:
 
     @cached_property
     def _hash(self) -> int:
-        # Of numbers alone: what is kept goes along to other processes, which hash names otherwise.
+        # Hash the numbers alone: cached hashes travel to processes that hash names differently.
         return hash(frozenset(self.values.values()))
 
     def changed(self, **values: float) -> Sensor:
@@ -70,5 +70,5 @@ class Sensor:
 
 
 def sensor_sha256(sensor: Sensor) -> str:
-    """Hexadecimal digest of all values: the same sensor wherever its numbers came from."""
+    """Return the hexadecimal digest of all values, which identifies a sensor."""
     return hashlib.sha256(json.dumps(dict(sensor.values), sort_keys=True).encode()).hexdigest()

@@ -11,17 +11,18 @@ from nscc_runtime.loop import compiled
 
 
 def log_variance(fraction: float) -> float:
-    """The variance of the logarithm of lognormal numbers with this relative deviation."""
+    """Return the variance of the logarithm of lognormal numbers with a relative standard
+    deviation."""
     return float(np.log1p(fraction * fraction))
 
 
 def log_normal(fraction: float, z: Values) -> Values:
-    """Positive factors with mean 1 and standard deviation `fraction` from normal numbers."""
+    """Return positive factors of mean 1 and standard deviation `fraction` from normal numbers."""
     variance = log_variance(fraction)
     return np.asarray(np.exp(np.sqrt(variance) * z - variance / 2))
 
 
 @compiled
 def log_normal_in_loop(variance: float, z: float) -> float:
-    """The same for the loops, of the logarithm's variance."""
+    """Return such a factor in loops, from the variance of the logarithm."""
     return math.exp(math.sqrt(variance) * z - variance / 2)

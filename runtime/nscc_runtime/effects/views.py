@@ -1,5 +1,5 @@
-"""What the reference shows to an effect's functions: one of some pixels, as charge falls on them in
-slots, and as words run over them."""
+"""The views that the reference passes to an effect's functions: pixels while charge falls in slots,
+and while words run."""
 
 from __future__ import annotations
 
@@ -18,12 +18,13 @@ from nscc_runtime.remembered import remembered
 Values = NDArray[np.float64]
 Places = NDArray[np.int64]
 OnDevice = Callable[[Sensor, int, Places], Values]
-"""What is fixed on a chip: of a sensor, the device's seed and places row * cols + col."""
+"""Returns a fixed pattern of a chip from a sensor, the device's seed and places row *
+cols + col."""
 
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """The light of a frame and of the one before it, and how long the slots are."""
+    """The light of a frame and of the previous frame, and the slot lengths."""
 
     light: Light
     previous: Light
@@ -40,7 +41,7 @@ class Device:
 
     @remembered
     def fixed(self, make: OnDevice) -> Values:
-        """What is fixed on the chip (pixels,), made once."""
+        """Return a fixed pattern of the chip (pixels,), computed once."""
         return make(self.sensor, self.device_seed, self.places)
 
 
@@ -53,7 +54,7 @@ class Where(Device):
 
 
 class Word(Protocol):
-    """A word as it runs: the analog words of a frame are numbered."""
+    """A word during execution; the analog words of a frame are numbered."""
 
     @property
     def number(self) -> int: ...
@@ -63,22 +64,23 @@ class Word(Protocol):
 
 @dataclass(eq=False, kw_only=True)
 class Slots(Where, ABC):
-    """Whole rows of pixels; arrays are (N, rows, cols), those of `fixed` (rows, cols)."""
+    """Complete rows of pixels; arrays are (N, rows, cols), those of `fixed` (rows, cols)."""
 
     scene: Scene
 
     @abstractmethod
     def electrons(self, light: Light) -> Values:
-        """The light of every slot."""
+        """Return the light of every slot."""
 
     @abstractmethod
     def counted(self, stream: int, source: int, rates: Values) -> Values:
-        """Counts of Poisson processes of these rates; `nscc_runtime.effects.counts` has sources."""
+        """Return counts of Poisson processes of these rates; `nscc_runtime.effects.counts` lists
+        sources."""
 
 
 class Pixels(Where, ABC):
-    """Pixels under their words; arrays are (pixels,)."""
+    """Pixels during their words; arrays are (pixels,)."""
 
     @abstractmethod
     def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        """The unit normal error that an effect's `Errors` have at a word."""
+        """Return the unit normal error of an effect's `Errors` at a word."""

@@ -1,19 +1,18 @@
 """What falls on a pixel in a run of slots: rates, counts spread by halving, neighbours' charge.
 
 Part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`). The rate of a site, a
-pixel
-or one beside it, in a run of slots is its `scales` times a difference of `sums` over the slots,
-whose rows, one a group, begin at its `rows`: two of each, of light and of dark charge.
+pixel or one beside it, in a run of slots is its scale times a difference of sums over the slots.
 """
 
 from __future__ import annotations
 
 import math
+from typing import Annotated, NamedTuple
 
 import numpy as np
 
 from nscc_runtime.execution.layout import Keys, Numbers, Sizes
-from nscc_runtime.loop import Floats, Ints, Ints32, Words, compiled
+from nscc_runtime.loop import Floats, Ints, Ints32, Words, Written, compiled
 from nscc_runtime.noise.counter import bits
 from nscc_runtime.noise.noise_loops import halved, uniform
 from nscc_runtime.noise.poisson_law import poisson_exact
@@ -24,6 +23,35 @@ LIT, DARK = range(2)
 """Sources of charge."""
 SURE = 9.0
 """Standard deviations below which a count does not come."""
+
+
+class Sites(NamedTuple):
+    """The light of pixels and of those beside them: the `number` of each place that was asked for
+    in `rows` and `scales` (sites, 2), which say where in `sums`, a row of slots + 1 for each group,
+    the light and the dark charge of each begin, and by what they are multiplied."""
+
+    number: Written[Annotated[Ints32, "rows cols"]]
+    rows: Written[Annotated[Ints, "sites 2"]]
+    scales: Written[Annotated[Floats, "sites 2"]]
+    sums: Written[Floats]
+
+
+class Away(NamedTuple):
+    """Counts that are given: how far they are `from_mean` (counted groups, pixels), and in which of
+    these rows each group's are, -1: in none."""
+
+    row: Annotated[Ints, "groups"]
+    from_mean: Floats
+
+
+class Counts(NamedTuple):
+    """Scratch: the keys of a frame's counts, the counts that were drawn, and of which pixel each
+    is (-1 at first); a pixel's place and those of its neighbours."""
+
+    streams: Written[Words]
+    heap: Written[Floats]
+    stamps: Written[Ints]
+    places: Written[Ints]
 
 
 @compiled
@@ -41,10 +69,11 @@ def _share(sums: Floats, row: int, first: int, stop: int) -> float:
 
 @compiled
 def _split(
-    heap: Floats, stamps: Ints, top: int, parent: int, slots: int, whole: int,
-    sums: Floats, row: int, stream: np.uint64, place: int,
+    sizes: Sizes, counts: Counts, top: int, parent: int, sums: Floats, row: int,
+    stream: np.uint64, place: int,
 ) -> None:  # fmt: skip
     """Halve the count of a node."""
+    heap, stamps, slots, whole = counts.heap, counts.stamps, sizes.slots, sizes.whole
     size, above = whole, parent
     while above > 1:
         size //= 2
@@ -66,15 +95,13 @@ def _split(
 
 @compiled
 def _counted(
-    heap: Floats, stamps: Ints, top: int, first: int, stop: int, slots: int, whole: int,
-    sums: Floats, row: int, stream: np.uint64, place: int,
+    sizes: Sizes, counts: Counts, top: int, first: int, stop: int, sums: Floats, row: int,
+    stream: np.uint64, place: int,
 ) -> float:  # fmt: skip
-    """The count of a group in the slots `first` .. `stop` - 1.
-
-    `heap` from `top` on keeps the counts of the nodes that were found for this pixel.
-    """
+    """The count of a group in the slots `first` .. `stop` - 1. `heap` from `top` on keeps the
+    counts of the nodes that were found for this pixel."""
     total = 0.0
-    low, high = first + whole, stop + whole
+    low, high = first + sizes.whole, stop + sizes.whole
     while low < high:
         for side in range(2):
             node = 0
@@ -86,12 +113,12 @@ def _counted(
                 node = high
             if node > 0:
                 depth = 0
-                while stamps[top + (node >> depth)] != place:
+                while counts.stamps[top + (node >> depth)] != place:
                     depth += 1
                 while depth > 0:
-                    _split(heap, stamps, top, node >> depth, slots, whole, sums, row, stream, place)
+                    _split(sizes, counts, top, node >> depth, sums, row, stream, place)
                     depth -= 1
-                total += heap[top + node]
+                total += counts.heap[top + node]
         low //= 2
         high //= 2
     return total
@@ -99,38 +126,38 @@ def _counted(
 
 @compiled
 def _between(
-    sizes: Sizes, numbers: Numbers, source: int, counted: bool, place: int, begin: int, stop: int,
-    scale: float, sums: Floats, rows: int, streams: Words, heap: Floats, stamps: Ints, kept: int,
+    sizes: Sizes, numbers: Numbers, source: int, place: int, begin: int, stop: int,
+    sites: Sites, counts: Counts, kept: int,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 of one source (`LIT`, `DARK`) at a site, whose
-    heaps are number `kept`. A group's count is drawn when it is first asked for.
+    counts are kept in heaps from number `kept` on. A group's count is drawn when it is first asked
+    for.
     """
-    total = 0.0
-    slots, whole, count = sizes.slots, sizes.whole, sizes.groups
+    total, sums, heap, stamps = 0.0, sites.sums, counts.heap, counts.stamps
+    slots, count = sizes.slots, sizes.groups
+    counted = source == DARK or sizes.counts_light == 1
+    site, kept = 2 * sites.number[place] + source, kept + source
+    scale, row = sites.scales[site], sites.rows[site]
     for group in range(count):
-        row = rows + group * (slots + 1)
         inside, every = scale * _share(sums, row, begin, stop), scale * sums[row + slots]
-        if inside <= 0.0:
-            continue
-        if not counted:
+        if inside > 0.0 and not counted:
             total += inside
-            continue
-        top = (kept * count + group) * 2 * whole
-        if stamps[top + 1] != place:
-            rate = every if every < numbers.rate_cap else numbers.rate_cap
-            stream = streams[2 * source * count + group]
-            heap[top + 1] = poisson_exact(uniform(stream, place), rate)
-            stamps[top + 1] = place
-        # Where nothing was counted there is nothing to spread: so it is with most dark charge. Nor
-        # is there where no slot of the group is left out.
-        whole_group = sums[row + begin] <= 0.0 and sums[row + stop] >= sums[row + slots]
-        if heap[top + 1] <= 0.0 or whole_group:
-            total += heap[top + 1]
-            continue
-        stream = streams[(2 * source + 1) * count + group]
-        total += _counted(
-            heap, stamps, top, begin, stop, slots, whole, sums, row, stream, place
-        )  # fmt: skip
+        elif inside > 0.0:
+            top = (kept * count + group) * 2 * sizes.whole
+            if stamps[top + 1] != place:
+                rate = every if every < numbers.rate_cap else numbers.rate_cap
+                stream = counts.streams[2 * source * count + group]
+                heap[top + 1] = poisson_exact(uniform(stream, place), rate)
+                stamps[top + 1] = place
+            # Where nothing was counted there is nothing to spread: so it is with most dark charge.
+            # Nor is there where no slot of the group is left out.
+            whole_group = sums[row + begin] <= 0.0 and sums[row + stop] >= sums[row + slots]
+            if heap[top + 1] <= 0.0 or whole_group:
+                total += heap[top + 1]
+            else:
+                stream = counts.streams[(2 * source + 1) * count + group]
+                total += _counted(sizes, counts, top, begin, stop, sums, row, stream, place)
+        row += slots + 1
     return total
 
 
@@ -158,47 +185,39 @@ def _heaps_at(sizes: Sizes, place: int) -> int:
 
 @compiled
 def _of_site(
-    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
-    rows: Ints, scales: Floats, sums: Floats, streams: Words, heap: Floats,
-    stamps: Ints,
+    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
+    counts: Counts,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 at a site."""
-    lit, kept = 2 * sites[place] + LIT, 2 * _heaps_at(sizes, place)
-    dark = lit - LIT + DARK
-    total = _between(
-        sizes, numbers, LIT, sizes.counts_light == 1, place, begin, stop, scales[lit], sums,
-        rows[lit], streams, heap, stamps, kept + LIT,
-    )  # fmt: skip
+    kept = 2 * _heaps_at(sizes, place)
+    total = _between(sizes, numbers, LIT, place, begin, stop, sites, counts, kept)
     if sizes.counts_dark:
-        total += _between(
-            sizes, numbers, DARK, True, place, begin, stop, scales[dark], sums, rows[dark],
-            streams, heap, stamps, kept + DARK,
-        )  # fmt: skip
+        total += _between(sizes, numbers, DARK, place, begin, stop, sites, counts, kept)
     return total
 
 
 @compiled
 def _taken_evenly(
-    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
-    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
+    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites,
+    away: Away,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 at a site whose counts are so far `away` from
     their means, spread as its light is."""
-    slots, site = sizes.slots, sites[place]
-    lit, dark = rows[2 * site + LIT], rows[2 * site + DARK]
+    slots, site, sums = sizes.slots, 2 * sites.number[place], sites.sums
+    lit, dark, scale = sites.rows[site + LIT], sites.rows[site + DARK], sites.scales[site + LIT]
     pixels, total = sizes.rows * sizes.cols, 0.0
     for group in range(sizes.groups):
         inside, every = _share(sums, lit, begin, stop), sums[lit + slots]
-        total += scales[2 * site + LIT] * inside
+        total += scale * inside
+        # Of rates beyond the cap, sums know no count.
+        known = scale * every < numbers.rate_cap
         if sizes.counts_dark:
             in_time = _share(sums, dark, begin, stop)
-            total += scales[2 * site + DARK] * in_time
+            total += sites.scales[site + DARK] * in_time
             if every <= 0.0:
                 inside, every = in_time, sums[dark + slots]
-        # Of rates beyond the cap, sums know no count.
-        known = scales[2 * site + LIT] * sums[lit + slots] < numbers.rate_cap
-        if of_group[group] >= 0 and inside > 0.0 and known:
-            total += away[of_group[group] * pixels + place] * (inside / every)
+        if away.row[group] >= 0 and inside > 0.0 and known:
+            total += away.from_mean[away.row[group] * pixels + place] * (inside / every)
         lit += slots + 1
         dark += slots + 1
     return total
@@ -206,70 +225,56 @@ def _taken_evenly(
 
 @compiled
 def charge(
-    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sites: Ints32,
-    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
-    streams: Words, heap: Floats, stamps: Ints,
+    sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
+    counts: Counts,
 ) -> float:  # fmt: skip
     """The charge of the slots `begin` .. `stop` - 1 that falls on the pixel, smeared."""
     if begin >= stop:
         return 0.0
-    own = _of_site(
-        sizes, numbers, places[0], begin, stop, sites, rows, scales, sums, streams, heap,
-        stamps,
-    )  # fmt: skip
+    own = _of_site(sizes, numbers, counts.places[0], begin, stop, sites, counts)
     if not sizes.exchanges:
         return own
     flow = 0.0
     for beside in range(1, SITES):
-        place = places[beside]
+        place = counts.places[beside]
         if place < 0:
             continue
         if sizes.given:
-            total = _taken_evenly(
-                sizes, numbers, place, begin, stop, sites, rows, scales, sums, away, of_group
-            )
+            total = _taken_evenly(sizes, numbers, place, begin, stop, sites, away)
         else:
-            total = _of_site(
-                sizes, numbers, place, begin, stop, sites, rows, scales, sums, streams,
-                heap, stamps,
-            )  # fmt: skip
+            total = _of_site(sizes, numbers, place, begin, stop, sites, counts)
         flow += total - own
     return own + numbers.exchanged * flow
 
 
 @compiled
 def charge_evenly(
-    sizes: Sizes, numbers: Numbers, places: Ints, begin: int, stop: int, sites: Ints32,
-    rows: Ints, scales: Floats, sums: Floats, away: Floats, of_group: Ints,
+    sizes: Sizes, numbers: Numbers, begin: int, stop: int, sites: Sites, away: Away,
+    counts: Counts,
 ) -> float:  # fmt: skip
     """As `charge`, the pixel's own counts spread as light is, too."""
-    own = _taken_evenly(
-        sizes, numbers, places[0], begin, stop, sites, rows, scales, sums, away, of_group
-    )  # fmt: skip
+    own = _taken_evenly(sizes, numbers, counts.places[0], begin, stop, sites, away)
     flow = 0.0
     for beside in range(1, SITES if sizes.exchanges else 1):
-        if places[beside] >= 0:
+        place = counts.places[beside]
+        if place >= 0:
             flow -= own
-            flow += _taken_evenly(
-                sizes, numbers, places[beside], begin, stop, sites, rows, scales, sums, away,
-                of_group,
-            )  # fmt: skip
+            flow += _taken_evenly(sizes, numbers, place, begin, stop, sites, away)
     return own + numbers.exchanged * flow
 
 
 @compiled
 def least_charge(
-    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Ints32,
-    rows: Ints, scales: Floats, sums: Floats,
-) -> float:  # fmt: skip
+    sizes: Sizes, numbers: Numbers, place: int, begin: int, stop: int, sites: Sites
+) -> float:
     """What falls on a pixel in these slots for sure: less with a chance below 1e-17, by Chernoff's
     bound of counts, exp(-SURE**2 / 2)."""
-    slots, site = sizes.slots, sites[place]
-    row, mean = rows[2 * site + LIT], 0.0
+    site, mean = 2 * sites.number[place] + LIT, 0.0
+    row = sites.rows[site]
     for _ in range(sizes.groups):
-        mean += _share(sums, row, begin, stop)
-        row += slots + 1
-    mean *= scales[2 * site + LIT]
+        mean += _share(sites.sums, row, begin, stop)
+        row += sizes.slots + 1
+    mean *= sites.scales[site]
     least = mean - SURE * math.sqrt(mean)
     kept = 1.0 - (SITES - 1) * numbers.exchanged if sizes.exchanges else 1.0
     return kept * least if least > 0.0 else 0.0

@@ -1,44 +1,106 @@
-"""The words of a program as the loop over single pixels takes them."""
+"""The words of a program as the loops over words take them."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.execution.layout import ACTS, SEEN, Entry
-from nscc_runtime.reference.capture import Reference
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.in_loops import device_keys, figures, switches
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.execution.layout import (
+    ACTS,
+    SEEN,
+    Numbers,
+    OnDevice,
+    Program,
+    Readouts,
+    Switches,
+    Word,
+)
+from nscc_runtime.noise import RATE_CAP
+from nscc_runtime.reference.trace import RunningWord
+from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import readout_waits_s
 
-_ENTRY = np.dtype(Entry)
+_WORD = np.dtype(Word)
 
 
-def entries_of(program: Reference) -> tuple[NDArray[Any], NDArray[np.int64]]:
-    """The words as they are where they act, and the registers of all of them."""
-    container = program.container
-    names = (*container.target.analog_registers, "PIX", "reset level", "IN")
+def program_of(
+    container: Container, words: Sequence[RunningWord], starts: Sequence[int]
+) -> Program:
+    """Words, of a frame whose intervals begin with the slots `starts`."""
+    registers = (*container.target.analog_registers, "PIX", "IN")
+    ends, slot_us = [*starts, container.slots], container.slot_us
+    start_s = np.concatenate(([0.0], np.cumsum(slot_us)))[ends] * 1e-6
+    number = {slot: k for k, slot in enumerate(ends)}
     rows: list[tuple[float, ...]] = []
     operands: list[int] = []
-    for word in program.words:
-        sources, destinations = word.op.sources, word.op.destinations
-        if word.resets:
-            sources = destinations = ()
+    for word in words:
         last = word.boundary == container.slots
-        end = word.after_us / container.slot_us[min(word.boundary, container.slots - 1)]
-        entry = {
-            "boundary": word.boundary,
+        row = {
             "resets": word.resets,
+            "compares": word.compares,
+            "reads_pix": "PIX" in word.sources,
             "number": word.number,
-            "reads_pix": "PIX" in sources,
-            "sources": len(sources),
-            "destinations": len(destinations),
+            "sources": len(word.sources),
+            "destinations": len(word.destinations),
             "operands": len(operands),
-            "end": end if last else min(end, 1.0),
+            "begins": number[word.boundary],
+            "end_us": word.after_us if last else min(word.after_us, slot_us[word.boundary]),
+            "time_s": start_s[number[word.boundary]],
             "divisor": word.op.operation.divisor,
+            "in_e": word.in_e,
         }
-        rows.append(tuple(entry[name] for name in _ENTRY.names or ()))
-        operands += [names.index(name) for name in sources + destinations]
-    return np.array(rows, _ENTRY), np.array(operands, np.int64)
+        rows.append(tuple(row[name] for name in _WORD.names or ()))
+        operands += [registers.index(name) for name in word.sources + word.destinations]
+    signs = [error_sign(name, container) for name in container.target.analog_registers]
+    return Program(np.array(rows, _WORD), np.array(operands, np.int64), np.array(signs))
+
+
+def readouts_of(container: Container) -> Readouts:
+    """How a frame's buckets are read out."""
+    of_bucket = {readout.bucket: readout for readout in container.readouts}
+    readouts = [of_bucket[bucket] for bucket in container.buckets]
+    place = container.target.analog_registers.index
+    return Readouts(
+        np.array([place(readout.register) for readout in readouts], np.int64),
+        np.array([float(readout.gain) for readout in readouts]),
+        readout_waits_s(container),
+    )
+
+
+def numbers_of(container: Container, sensor: Sensor, effects: Selection) -> Numbers:
+    """The figures of the effects; 0 of those that are off."""
+    mark = effects.marking("registers")
+    return Numbers(
+        least_lost=mark.least_e(sensor) if mark else 0.0,
+        pix_start=sensor.full_well_e,
+        register_start=sensor.register_max_e,
+        rate_cap=RATE_CAP,
+        frame_s=float(np.cumsum(container.slot_us)[-1]) * 1e-6,
+        **figures(Numbers, sensor, effects),
+    )
+
+
+def switches_of(container: Container, effects: Selection) -> Switches:
+    """What words do."""
+    marks = {at: effects.marking(at) for at in ("well", "subtracted", "level", "registers")}
+    return Switches(
+        registers=len(container.target.analog_registers),
+        buckets=len(container.buckets),
+        **switches(Switches, effects),
+        **{f"{at}_bit": mark.bit if mark else 0 for at, mark in marks.items()},
+    )
+
+
+def device_of(device_seed: int) -> OnDevice:
+    """The keys of a device."""
+    return OnDevice(**device_keys(OnDevice, device_seed))
 
 
 class Turns:

@@ -1,18 +1,15 @@
-"""Small errors of words: those of single words, so that they add up to what sums draw at once.
-
-Part of the loop over single pixels (`nscc_runtime.execution.pixel_loop`).
-"""
+"""Small errors of words: those of single words, so that they add up to what sums draw at once. Part
+of the loop over single pixels (`nscc_runtime.execution.pixel_loop`)."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from nscc_runtime.execution.charge_loop import stream_key
-from nscc_runtime.execution.layout import Entry, Sizes
-from nscc_runtime.loop import Floats, Ints, Ints32, Words, compiled
+from nscc_runtime.execution.layout import OfWords, Sizes, Word
+from nscc_runtime.loop import Bytes, Floats, Ints, Ints32, Words, Written, compiled
 from nscc_runtime.noise.gaussian import normal
 from nscc_runtime.noise.noise_loops import uniform
 
@@ -21,7 +18,29 @@ ERRORS = 3
 """Kinds of small errors."""
 _UNKNOWN = np.uint64(0)
 
-Entries = Annotated[NDArray[Any], Entry]
+
+class Lanes(NamedTuple):
+    """The words of lane l, at start[l] .. start[l + 1] - 1 of `word`, which says where they are
+    among those of the program, of `flags`, and of `weights`, those of their draws in the
+    buckets."""
+
+    of_pixel: Annotated[Ints32, "rows cols"]
+    start: Annotated[Ints, "lanes+1"]
+    word: Annotated[Ints32, "listed"]
+    flags: Annotated[Bytes, "listed"]
+    weights: Annotated[Floats, "listed draws buckets"]
+
+
+class Errors(NamedTuple):
+    """Scratch: keys that were found, 0 at first; what draws lack; the errors of each word of a
+    lane; of the draws that are made together, where they go, their keys, and themselves."""
+
+    found: Written[Words]
+    missing: Written[Floats]
+    drawn: Written[Floats]
+    draws: Written[Ints]
+    keys: Written[Words]
+    normals: Written[Floats]
 
 
 @compiled
@@ -36,66 +55,52 @@ def _stream_of(
 
 
 @compiled
-def missing_of(
-    sizes: Sizes, of_sum: np.uint64, of_part: np.uint64, place: int, first: int, stop: int,
-    entry_of: Ints32, entries: Entries, weights: Floats, kind: int, missing: Floats, drawn: Floats,
-    found: Words, draws: Ints, draw_keys: Words, normals: Floats,
+def draw_errors(
+    sizes: Sizes, buckets: int, of_sum: np.uint64, of_part: np.uint64, place: int, lane: int,
+    lanes: Lanes, words: OfWords, kind: int, errors: Errors,
 ) -> None:  # fmt: skip
-    """What the draws x of the words lack of the draws z of the buckets: z - Q^T x. `drawn`: x.
+    """Draw the unit normal errors of one kind for each word of a lane into `errors.drawn`.
 
-    Scratch for as many draws: their places in `drawn`, their keys, themselves.
+    With z the draws of the buckets and Q their weights, Q (z - Q^T x) is added to the draws x of
+    the words.
     """
     # Of each kind the streams of the buckets come first, then those of the words.
-    row = kind * (sizes.buckets + sizes.words * sizes.numbered)
-    buckets, count = sizes.buckets, 0
+    row = kind * (buckets + sizes.words * sizes.numbered)
+    count, first = 0, lanes.start[lane]
     for bucket in range(buckets):
-        stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), found)
-        missing[kind * buckets + bucket] = normal(uniform(stream, place))
-    for e in range(first, stop):
-        entry = entries[entry_of[e]]
+        stream = _stream_of(sizes, of_sum, row + bucket, np.uint64(bucket), errors.found)
+        errors.missing[bucket] = normal(uniform(stream, place))
+    for e in range(first, lanes.start[lane + 1]):
+        word = words[lanes.word[e]]
         for draw in range(sizes.draws):
-            if _draws(entry, kind, draw):
-                number = _drawn_number(sizes, entry, kind, draw)
-                key_at = row + buckets + number
-                draw_keys[count] = _stream_of(sizes, of_part, key_at, np.uint64(number), found)
-                draws[count] = (e - first) * sizes.draws + draw
+            if _draws(word, kind, draw):
+                number = word.number
+                if kind == WORDS:
+                    number = number * sizes.numbered + draw - 1
+                at = row + buckets + number
+                errors.keys[count] = _stream_of(sizes, of_part, at, np.uint64(number), errors.found)
+                errors.draws[count] = (e - first) * sizes.draws + draw
                 count += 1
     # All draws together: LLVM makes vectors of them.
     for i in range(count):
-        normals[i] = normal(uniform(draw_keys[i], place))
+        errors.normals[i] = normal(uniform(errors.keys[i], place))
     for i in range(count):
-        drawn[draws[i]] = normals[i]
+        at = (first * sizes.draws + errors.draws[i]) * buckets
         for bucket in range(buckets):
-            at = (first * sizes.draws + draws[i]) * buckets + bucket
-            missing[kind * buckets + bucket] -= weights[at] * normals[i]
+            errors.missing[bucket] -= lanes.weights[at + bucket] * errors.normals[i]
+    for i in range(count):
+        at = (first * sizes.draws + errors.draws[i]) * buckets
+        error = errors.normals[i]
+        for bucket in range(buckets):
+            error += lanes.weights[at + bucket] * errors.missing[bucket]
+        errors.drawn[errors.draws[i]] = error
 
 
 @compiled
-def _draws(entry: Entry, kind: int, draw: int) -> bool:
+def _draws(word: Word, kind: int, draw: int) -> bool:
     """Whether a word has this draw of this kind of noise."""
     if kind == RESETS:
-        return draw == 0 and entry.resets == 1
+        return draw == 0 and word.resets == 1
     if kind == READS:
-        return draw == 0 and entry.reads_pix == 1
-    return draw > 0 and draw <= entry.destinations
-
-
-@compiled
-def _drawn_number(sizes: Sizes, entry: Entry, kind: int, draw: int) -> int:
-    """The number under which the reference draws it."""
-    number = entry.number
-    return number * sizes.numbered + draw - 1 if kind == WORDS else number
-
-
-@compiled
-def error_of(
-    sizes: Sizes, e: int, first: int, weights: Floats, kind: int, draw: int, missing: Floats,
-    drawn: Floats,
-) -> float:  # fmt: skip
-    """The unit normal error of one draw of word e of a lane whose words begin with `first`."""
-    buckets = sizes.buckets
-    found: float = drawn[(e - first) * sizes.draws + draw]
-    for bucket in range(buckets):
-        at = (e * sizes.draws + draw) * buckets + bucket
-        found += weights[at] * missing[kind * buckets + bucket]
-    return found
+        return draw == 0 and word.reads_pix == 1
+    return draw > 0 and draw <= word.destinations

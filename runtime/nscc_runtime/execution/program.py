@@ -86,7 +86,7 @@ class Program:
         """The words of single pixels of a chip that have these effects, for the compiled loop."""
         return self.recent.of(
             (Wired, effects.on, device_seed),
-            lambda: Wired(self.words(effects), self.slot_s, effects, device_seed),
+            lambda: Wired(self.words(effects), effects, device_seed),
         )
 
     @cached_property

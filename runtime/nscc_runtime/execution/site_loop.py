@@ -8,14 +8,13 @@ from typing import Annotated
 import numpy as np
 
 from nscc_runtime.effects.spread import log_normal_in_loop
-from nscc_runtime.execution.charge_loop import DARK, LIT
-from nscc_runtime.execution.layout import Keys, Numbers
+from nscc_runtime.execution.charge_loop import DARK, LIT, Sites
+from nscc_runtime.execution.layout import Numbers, OnDevice
 from nscc_runtime.loop import (
     Floats,
     Floats32,
     Ints,
     Ints32,
-    Written,
     compiled,
     loop,
     record,
@@ -75,19 +74,16 @@ def _draw(laying: Laying, key: np.uint64, places: Ints, at: int, scales: Floats)
 def lay_out(
     laying: Laying,
     numbers: Numbers,
-    keys: Keys,
+    device: OnDevice,
     places: Annotated[Ints, "sites"],
-    lanes: Annotated[Ints32, "pixels"],
+    lanes: Annotated[Ints32, "rows cols"],
     frames: Annotated[Floats32, "frames pixels"],
     row_start: Annotated[Ints, "slots+1"],
     frame_index: Annotated[Ints32, "shares"],
     weight: Annotated[Floats, "shares"],
     of_slot: Annotated[Ints32, "lanes slots"],
     of_lane: Annotated[Ints, "lanes 2"],
-    number: Written[Annotated[Ints32, "pixels"]],
-    rows: Written[Annotated[Ints, "sites 2"]],
-    scales: Written[Annotated[Floats, "sites 2"]],
-    sums: Written[Floats],
+    sites: Sites,
 ) -> None:
     """number[places[i]] := i; rows[i] := where in `sums` the light and the dark charge of the site
     begin; scales[i] := the light of a slot there, and its dark current.
@@ -97,6 +93,7 @@ def lay_out(
     each group, added up from slot to slot. `of_slot`: the group of each.
     """
     pixels, slots, count = laying.pixels, laying.slots, laying.groups
+    number, rows, scales, sums = sites.number, sites.rows, sites.scales, sites.sums
     for i in range(laying.begin, laying.end):
         place = places[i]
         lane = lanes[place]
@@ -105,7 +102,7 @@ def lay_out(
         rows[2 * i + DARK] = of_lane[2 * lane + DARK]
         scales[2 * i + LIT], scales[2 * i + DARK] = 1.0, 0.0
     if laying.uneven:
-        _draw(laying, keys.uneven, places, LIT, scales)
+        _draw(laying, device.uneven, places, LIT, scales)
         for i in range(laying.begin, laying.end):
             response = 1.0 + numbers.uneven * scales[2 * i + LIT]
             scales[2 * i + LIT] = response if response > 0.0 else 0.0
@@ -114,7 +111,7 @@ def lay_out(
             total = _light(frames, row_start, frame_index, weight, 0, pixels, places[i])
             scales[2 * i + LIT] = _rate(numbers, total, scales[2 * i + LIT])
     if laying.counts_dark:
-        _draw(laying, keys.dark, places, DARK, scales)
+        _draw(laying, device.dark, places, DARK, scales)
         for i in range(laying.begin, laying.end):
             z = scales[2 * i + DARK]
             scales[2 * i + DARK] = numbers.dark * log_normal_in_loop(numbers.dark_variance, z)

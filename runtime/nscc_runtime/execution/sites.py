@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.execution.layout import Keys, Numbers
+from nscc_runtime.execution.charge_loop import Sites
+from nscc_runtime.execution.layout import Numbers, OnDevice
 from nscc_runtime.execution.site_loop import Laying, lay_out
 from nscc_runtime.light import Light
 from nscc_runtime.pool import in_parts
@@ -21,19 +22,6 @@ _SPARSE = 64
 """Of every so many pixels at most one is chosen: a list is faster than an array of all."""
 _MOST_KEPT = 1 << 21
 """Numbers of the slots of all lanes that are kept from scene to scene."""
-
-
-@dataclass(frozen=True, eq=False)
-class Sites:
-    """Sites as the loop over words takes them: `number` int32 (rows, cols) is that of each place
-    that was asked for; `rows` int64 and `scales` (sites, 2) say where in `sums` the light and the
-    dark charge of each begin, and by what they are multiplied.
-    """
-
-    number: NDArray[np.int32]
-    rows: NDArray[np.int64]
-    scales: NDArray[np.float64]
-    sums: NDArray[np.float64]
 
 
 def needed(chosen: NDArray[np.int64], shape: tuple[int, int], beside: bool) -> NDArray[np.int64]:
@@ -91,7 +79,7 @@ def sites_of(
     lanes: NDArray[np.int32],
     times: Times,
     numbers: Numbers,
-    keys: Keys,
+    device: OnDevice,
     switches: dict[str, int],
     threads: int,
 ) -> Sites:
@@ -115,13 +103,12 @@ def sites_of(
         np.empty(lanes.shape, np.int32), np.empty((count, 2), np.int64), np.empty((count, 2)), sums
     )
     arrays: dict[str, Any] = {
-        "places": places, "lanes": lanes.reshape(-1), "of_slot": times.of_slot,
+        "places": places, "lanes": lanes, "of_slot": times.of_slot,
         "frames": np.require(light.frames, np.float32, ["C", "A"]).reshape(len(light.frames), -1),
         "row_start": np.require(light.row_start, np.int64, ["C", "A"]),
         "frame_index": np.require(light.frame_index, np.int32, ["C", "A"]),
         "weight": np.require(light.weight, np.float64, ["C", "A"]), "of_lane": of_lane,
-        "number": found.number.reshape(-1), "rows": found.rows, "scales": found.scales,
-        "sums": sums,
+        "sites": found,
     }  # fmt: skip
     given: dict[str, Any] = {
         "pixels": lanes.size, "slots": light.slots, "groups": groups, "even": even, **switches
@@ -129,7 +116,7 @@ def sites_of(
 
     def fill(begin: int, end: int) -> None:
         laying = Laying(begin=begin, end=end, **given)
-        lay_out(laying=laying, numbers=numbers, keys=keys, **arrays)
+        lay_out(laying=laying, numbers=numbers, device=device, **arrays)
 
     in_parts(fill, count, threads, _FEWEST)
     return found

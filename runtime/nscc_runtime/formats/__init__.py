@@ -1,4 +1,4 @@
-"""Files that pictures, clips and frames are written as: one table, and a function for each."""
+"""File formats of pictures, clips and frames: a table, and a function per format."""
 
 from __future__ import annotations
 

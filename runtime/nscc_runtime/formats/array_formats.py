@@ -1,4 +1,5 @@
-"""Arrays as files: numpy's own, and MATLAB's as the benchmark of snapshot compressive imaging."""
+"""Formats of arrays: numpy's, and MATLAB's in the layout of the benchmark of snapshot compressive
+imaging."""
 
 from __future__ import annotations
 
@@ -14,7 +15,7 @@ from nscc_runtime.formats.content import Arrays, Content
 
 
 def npz(content: Content) -> bytes:
-    """All arrays by name; the same arrays, the same bytes."""
+    """Return an .npz file of all arrays by name; equal arrays give equal bytes."""
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w", zipfile.ZIP_STORED) as archive:
         for name, values in content.arrays.items():
@@ -25,23 +26,23 @@ def npz(content: Content) -> bytes:
 
 
 def npy(content: Content) -> Product:
-    """The main array."""
+    """Return a writer of an .npy file of the main array."""
     first = content.main or (lambda: next(iter(content.arrays.values())))
 
     def write(file: IO[bytes]) -> None:
-        # By blocks: in what numpy knows as a file it seeks, and a pipe cannot.
+        # Hide the file's type from numpy, which would seek in it: pipes cannot seek.
         np.lib.format.write_array(SimpleNamespace(write=file.write), np.asarray(first()))
 
     return write
 
 
 def mat(content: Content) -> bytes:
-    """A file of MATLAB's version 5, compressed; time is the last axis in it."""
+    """Return a compressed MATLAB file of version 5; time is the last axis."""
     from scipy.io import savemat
 
     arrays: Arrays = content.arrays if content.benchmark is None else content.benchmark()
     stream = io.BytesIO()
     savemat(stream, dict(arrays), do_compression=True)
-    # The header's text, 116 bytes, says when it was written.
+    # The header's text, 116 bytes, contains the time; replace it.
     head = b"MATLAB 5.0 MAT-file, written by nscc".ljust(116)
     return head + stream.getvalue()[116:]

@@ -1,4 +1,4 @@
-"""Clips as files that a viewer plays: .gif by Pillow, .mp4 by OpenCV."""
+"""Formats of clips: .gif by Pillow, .mp4 by OpenCV."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from nscc_runtime.formats.content import Content
 from nscc_runtime.scenes.picture_files import quiet
 
 FRAMES_A_SECOND = 10.0
-"""A clip of sixteen moments in two milliseconds is shown in slow motion."""
+"""Frame rate of clips in frames per second: slow motion, as a clip may last two milliseconds."""
 _CODECS = ("vp09", "mp4v")
-"""VP9 plays in browsers; where OpenCV was built without it, MPEG-4."""
+"""Codecs in order of preference: VP9 plays in browsers; MPEG-4 if OpenCV lacks it."""
 
 
 def gif(content: Content) -> bytes:
-    """Frames of 256 greys or colours, again and again."""
+    """Return a looping .gif of 256 greys or colours."""
     from PIL import Image
 
     frames = map(Image.fromarray, content.shown)
@@ -34,7 +34,8 @@ def gif(content: Content) -> bytes:
 
 
 def mp4(content: Content) -> bytes:
-    """VP9 or MPEG-4, lossy; an odd last row or column is repeated: codecs take even sizes."""
+    """Return an .mp4 file, lossy; an odd last row or column is repeated, because codecs need even
+    sizes."""
     with quiet():
         import cv2
 
@@ -60,7 +61,7 @@ def mp4(content: Content) -> bytes:
 
 
 def _even(frame: NDArray[np.uint8]) -> NDArray[np.uint8]:
-    """Blue, green, red, in even numbers of rows and columns."""
+    """Return a frame as blue, green, red, padded to even numbers of rows and columns."""
     colours = frame[..., ::-1] if frame.ndim == 3 else np.repeat(frame[..., None], 3, axis=-1)
     odd = [(0, side % 2) for side in colours.shape[:2]]
     return np.pad(colours, [*odd, (0, 0)], mode="edge")

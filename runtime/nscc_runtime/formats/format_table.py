@@ -1,4 +1,4 @@
-"""The one table of formats, and what refuses all others before any work is done."""
+"""The table of formats, and the check of file names before any work is done."""
 
 from __future__ import annotations
 
@@ -14,10 +14,8 @@ from nscc_runtime.formats.content import Content
 
 @dataclass(frozen=True)
 class Format:
-    """How names of a format end, what it `holds` (picture, clip, arrays), and what writes it.
-
-    What is `shown` is not light but what a screen makes of it, by a tone curve.
-    """
+    """A file format: its ending, what it `holds` (picture, clip, arrays), and its writer. `shown`:
+    it holds display pictures after a tone curve, instead of light."""
 
     ending: str
     holds: str
@@ -40,11 +38,13 @@ FORMATS = {
         Format(".mp4", "clip", clips.mp4, shown=True),
     )
 }
-"""By ending. A name without an ending, such as /dev/stdout, gets a command's own format."""
+"""Formats by ending. A name without an ending, such as /dev/stdout, gets the command's
+own format."""
 
 
 def endings(*kinds: str) -> tuple[str, ...]:
-    """The endings of the formats that hold one of these kinds; without kinds, all."""
+    """Return the endings of the formats that hold one of these kinds; without kinds, all
+    endings."""
     return tuple(
         ending
         for ending, format_ in FORMATS.items()
@@ -53,10 +53,8 @@ def endings(*kinds: str) -> tuple[str, ...]:
 
 
 def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
-    """The ending of a product's name, in lower case, the first of `allowed` where it has none.
-
-    Raises Rejected (NS0786) for another one: nothing is written in a format that its name denies.
-    """
+    """Return the ending of a product's name in lower case, or the first of `allowed` without one.
+    Raises Rejected (NS0786) for another ending."""
     ending = path.suffix.lower()
     if ending in allowed:
         return ending
@@ -74,7 +72,8 @@ def check_ending(path: Path, allowed: tuple[str, ...], product: str) -> str:
 
 
 def file_of(path: Path, content: Content, product: str) -> Product:
-    """What `path` is to hold; Rejected (NS0786) where its format cannot hold that."""
+    """Return the bytes or the writer of a product; Rejected (NS0786) if the format cannot
+    hold it."""
     ending = check_ending(path, endings(), product)
     format_ = FORMATS[ending]
     lacks = content.lacks(format_.holds)

@@ -1,4 +1,5 @@
-"""Frames and shutters for every format, among them the arrays of snapshot compressive imaging."""
+"""The content of frames and shutters for file formats, including the arrays of snapshot compressive
+imaging."""
 
 from __future__ import annotations
 
@@ -18,18 +19,16 @@ from nscc_runtime.light import Light
 _TOP = 255.0
 """White in the benchmark's clips."""
 _WHOLE = 1e-3
-"""What is nearer to whole numbers than that was whole before it became electrons."""
+"""Tolerance for values that were whole numbers before conversion to electrons."""
 
 
 def frame_content(
     file: FrameFile, container: Container, light: Light | None,
     shutters: Callable[[], NDArray[np.bool_]], tone: str | None = None,
 ) -> Content:  # fmt: skip
-    """A frame file for every format: pictures of linear light hold electrons, others its codes.
-
-    Buckets are side by side; frames of --repeat make a clip, three colours a picture in colour.
-    `shutters` gives the distinct shutters bool (shutters, buckets, N) of the container.
-    """
+    """Return the content of a frame file. Pictures of linear light hold electrons, others the
+    codes. Buckets are side by side; frames of --repeat make a clip, three colours a colour picture.
+    `shutters` returns the distinct shutters bool (shutters, buckets, N) of the container."""
     frame, colour = file.frame, "colours" in file.meta
     return Content(
         {"frame": frame.frame}, frame.exposure_e, moving=frame.frame.ndim == 4 and not colour,
@@ -40,8 +39,8 @@ def frame_content(
 
 
 def _picture(values: NDArray[Any]) -> NDArray[Any]:
-    """(buckets, rows, cols) as (rows, buckets * cols), 0 where there is no number; an axis of
-    colours in front comes last."""
+    """Reshape (buckets, rows, cols) to (rows, buckets * cols), with 0 for values that are not
+    finite. A leading axis of colours becomes the last."""
     side = np.concatenate(np.moveaxis(values, -3, 0), axis=-1)
     np.copyto(side, 0, where=~np.isfinite(side))
     return np.moveaxis(side, 0, -1) if side.ndim == 3 else side
@@ -51,12 +50,12 @@ def benchmark_arrays(
     container: Container, shutters: NDArray[np.bool_], exposure_e: NDArray[np.float64],
     light: Light | None, colour: bool = False,
 ) -> Arrays:  # fmt: skip
-    """`mask` (H, W, T), `meas` (H, W, K) and, of a known scene, `orig` (H, W, T * K).
+    """Return `mask` (H, W, T), `meas` (H, W, K) and, of a known scene, `orig` (H, W, T * K).
 
-    K is the number of frames. As in the benchmark 255 is white, and without effects meas =
-    sum(mask * orig): `white_e` (1, 1) is how many electrons of a slot that is. White is the
-    clip's own, or its brightest value if that is more, or the full well over T of an unknown
-    scene. Raises Rejected (NS0786) for several buckets or colours, which have no place in it.
+    K is the number of frames. As in the benchmark 255 is white, and without effects meas = sum(mask
+    * orig). `white_e` (1, 1) are the electrons per slot of white: that of the clip, or its
+    brightest value if larger, or the full well over T for an unknown scene. Raises Rejected
+    (NS0786) for several buckets or colours, which the benchmark does not support.
     """
     exposures = exposure_e if exposure_e.ndim == 4 else exposure_e[None]
     if colour or exposures.shape[1] != 1:
@@ -77,8 +76,8 @@ def benchmark_arrays(
 
 
 def shutter_content(arrays: Arrays) -> Content:
-    """The arrays of `nscc shutters` for every format: a .mat holds `mask` (rows, cols, T), an .npy
-    (buckets, rows, cols, T), both of 0 and 1."""
+    """Return the content of `nscc shutters`. A .mat holds `mask` (rows, cols, T), an .npy (buckets,
+    rows, cols, T), both of 0 and 1."""
     count = int(arrays["shutter_shape"][3])
 
     def opened() -> NDArray[np.uint8]:

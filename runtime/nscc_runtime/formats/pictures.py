@@ -1,4 +1,4 @@
-"""Pictures as files: linear light (.hdr .exr .pfm .tiff) and what a screen shows (.png)."""
+"""Formats of pictures: linear light (.hdr .exr .pfm .tiff) and display pictures (.png)."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from nscc_runtime.formats.content import Content
 
 
 def png(content: Content) -> bytes:
-    """8 bits a sample; the text chunk Description names the tone curve."""
+    """Return a .png of 8 bits per sample; the text chunk Description names the tone curve."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
@@ -28,17 +28,17 @@ def png(content: Content) -> bytes:
 
 
 def hdr(content: Content) -> bytes:
-    """Radiance: 8 bits of mantissa a sample, colours with a common exponent."""
+    """Return a Radiance file: 8 bits of mantissa per sample, and a common exponent of colours."""
     return _encoded(".hdr", _in_three(_light(content)))
 
 
 def pfm(content: Content) -> bytes:
-    """Portable float map: float32, bit by bit."""
+    """Return a portable float map of float32, lossless."""
     return _encoded(".pfm", _light(content))
 
 
 def tiff(content: Content) -> bytes:
-    """float32, bit by bit; a clip is a file of as many pages."""
+    """Return a .tiff of float32, lossless; a clip has one page per frame."""
     import cv2
 
     if not content.moving:
@@ -51,12 +51,12 @@ def tiff(content: Content) -> bytes:
 
 
 def exr(content: Content) -> bytes:
-    """OpenEXR: float32, bit by bit; grey light is the channel Y."""
+    """Return an OpenEXR file of float32, lossless; grey light is the channel Y."""
     import OpenEXR
 
     light = np.ascontiguousarray(_light(content))
     header = {"compression": OpenEXR.ZIP_COMPRESSION, "type": OpenEXR.scanlineimage}
-    # The library writes to a path only.
+    # The library can only write to a path.
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "picture.exr")
         channels = {"RGB" if content.colour else "Y": light}
@@ -76,7 +76,7 @@ def _in_three(light: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def _to_opencv(light: NDArray[Any]) -> NDArray[Any]:
-    """OpenCV has blue first."""
+    """Return the picture with blue first, as OpenCV requires."""
     return light[..., ::-1] if light.ndim == 3 else light
 
 

@@ -94,8 +94,8 @@ def _words(paths: Paths, by_end: list[list[int]]) -> tuple[AnalogWord, ...]:
         for segment in path:
             acts[paths.acting[paths.start[segment] : paths.start[segment + 1]], end] = True
     return tuple(
-        AnalogWord(number, word.boundary, word.after_us, word.op, lanes)
-        for number, (word, lanes) in enumerate(zip(paths.words, acts, strict=True))
+        AnalogWord.of(word, lanes)
+        for word, lanes in zip(paths.words, acts, strict=True)
         if not word.compares
     )
 

@@ -12,7 +12,7 @@ unknown bit. Of one that does there are no paths, and it is said why.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
@@ -21,12 +21,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op
+from nscc.operations import Effect
 from nscc.words.container import Container
-from nscc.words.cost import word_us
-from nscc.words.legality import decoded
-from nscc_runtime.looking.registers import UNKNOWN, Bits, Registers
 from nscc_runtime.ready import OfContainer
+from nscc_runtime.reference.digital import UNKNOWN, Bits, Digital
+from nscc_runtime.reference.trace import RunningWord, running_words
 
 MOST = 1 << 21
 """Most words x ways that are followed: some hundred megabytes."""
@@ -34,30 +33,6 @@ MOST = 1 << 21
 
 class Pathless(Exception):
     """Why the paths of a program are not followed."""
-
-
-@dataclass(frozen=True, slots=True)
-class AnalogWord:
-    """A bus, reset or compare word; its number is its place among those of a frame.
-
-    It ends `after_us` after `boundary`. `in_e`: what IN holds meanwhile, in electrons.
-    """
-
-    boundary: int
-    after_us: float
-    op: Op
-    in_e: float
-
-    @property
-    def writes(self) -> tuple[str, ...]:
-        """The analog registers that it sets, PIX among them."""
-        resets = self.op.operation.effect is Effect.RESET_PIX
-        return ("PIX",) if resets else self.op.destinations
-
-    @property
-    def compares(self) -> bool:
-        """Whether it is a `where`."""
-        return self.op.operation.effect is Effect.FLAG_ANALOG
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +45,7 @@ class Paths:
     all that are loaded. `endings`: bits (endings,) by register, of those that are told.
     """
 
-    words: tuple[AnalogWord, ...]
+    words: tuple[RunningWord, ...]
     start: NDArray[np.int64]
     acting: NDArray[np.int64]
     following: NDArray[np.int64]
@@ -79,14 +54,12 @@ class Paths:
     endings: Mapping[str, Bits]
 
     @classmethod
-    def of(
-        cls, container: Container, kernels: Sequence[Sequence[Op]], retention_us: float = inf
-    ) -> Paths:
+    def of(cls, container: Container, retention_us: float = inf) -> Paths:
         """Those of a container with a machine; a digital register reads 0 when no word wrote it for
         more than `retention_us`. Raises Pathless."""
         starts = _starts(container)
         walk = _Walk(container, starts, retention_us)
-        words = walk.run(kernels)
+        words = walk.run()
         return _alive(container, words, walk, starts)
 
     @cached_property
@@ -114,7 +87,7 @@ class Paths:
 
 def _paths_of(container: Container, retention_us: float) -> Paths | str:
     try:
-        return Paths.of(container, decoded(container), retention_us)
+        return Paths.of(container, retention_us)
     except Pathless as why:
         return str(why)
 
@@ -165,8 +138,12 @@ class _Walk:
         self, container: Container, starts: Mapping[str, Bits], retention_us: float
     ) -> None:
         self.container, self.target = container, container.target
-        self.registers = Registers(self.target, starts, retention_us)
-        self.starts = self.segments = self.registers.lanes
+        self.starts = self.segments = len(next(iter(starts.values()))) if starts else 1
+        unknown = np.full(self.starts, UNKNOWN)
+        names = (*self.target.digital_registers, "FLAG")
+        self.registers = Digital(
+            self.target, {**dict.fromkeys(names, unknown), **starts}, retention_us
+        )
         self.segment = np.arange(self.starts)
         self.passed: list[tuple[int, NDArray[np.intp], Bits]] = []
         """By word that may act: its number, the segments, and whether it acts there."""
@@ -174,27 +151,17 @@ class _Walk:
         """Segments, an answer, and the segments that it leads to."""
         self.size = 0
 
-    def run(self, kernels: Sequence[Sequence[Op]]) -> tuple[AnalogWord, ...]:
+    def run(self) -> tuple[RunningWord, ...]:
         """Run a frame; the analog words that were met."""
-        container, target = self.container, self.target
-        start_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
-        words: list[AnalogWord] = []
-        boundary, after_us, in_e = -1, 0.0, 0.0
-        for launch in container.launches:
-            if launch.instant != boundary:
-                boundary, after_us = launch.instant, 0.0
-                self.registers.now_us = float(start_us[boundary])
-            if launch.level is not None:
-                in_e = launch.level * target.electrons_per_step
-            after_us += target.launch_us
-            for op in kernels[launch.kernel]:
-                after_us += word_us(op, target)
-                effect = op.operation.effect
-                if effect in (Effect.BUS, Effect.RESET_PIX, Effect.FLAG_ANALOG):
-                    self._met(len(words), op)
-                    words.append(AnalogWord(boundary, after_us, op, in_e))
-                else:
-                    self.registers.run(op)
+        start_us = np.concatenate(([0.0], np.cumsum(self.container.slot_us)))
+        words: list[RunningWord] = []
+        for word in running_words(self.container):
+            self.registers.now_us = float(start_us[word.boundary])
+            if word.resets or word.compares or word.op.operation.effect is Effect.BUS:
+                self._met(word)
+                words.append(word)
+            else:
+                self.registers.run(word.op)
         return tuple(words)
 
     def told(self) -> tuple[dict[str, Bits], NDArray[np.intp]]:
@@ -202,23 +169,24 @@ class _Walk:
         each lane."""
         planes = self.container.state_planes.values()
         names = sorted({register for each in planes for register in each.registers})
-        bits = self.registers.bits[[self.registers.place[name] for name in names]]
+        bits = np.array([self.registers.bits[name] for name in names], np.int8)
+        bits = bits.reshape(len(names), self.registers.pixels)
         if (bits == UNKNOWN).any():
             raise Pathless("a state that is told hangs on a bit that nothing has set")
         endings, ending = np.unique(bits, axis=1, return_inverse=True)
         return dict(zip(names, endings, strict=True)), ending.reshape(-1)
 
-    def _met(self, number: int, op: Op) -> None:
-        effect, flag = op.operation.effect, self.registers.read("FLAG")
-        everywhere = (effect is Effect.RESET_PIX and self.target.reset_honours_flag == "no") or (
-            effect is Effect.FLAG_ANALOG and not self.target.where_obeys_flag
+    def _met(self, word: RunningWord) -> None:
+        flag = self.registers.read("FLAG")
+        everywhere = (word.resets and self.target.reset_honours_flag == "no") or (
+            word.compares and not self.target.where_obeys_flag
         )
         acts = np.ones_like(flag) if everywhere else flag
         self.size += len(acts)
         if self.size > MOST:
             raise Pathless("its codes, states and answers make too many ways through a frame")
-        self.passed.append((number, self.segment.copy(), acts))
-        if effect is Effect.FLAG_ANALOG:
+        self.passed.append((word.number, self.segment.copy(), acts))
+        if word.compares:
             self._answered(acts)
 
     def _answered(self, asked: Bits) -> None:
@@ -229,11 +197,11 @@ class _Walk:
         lanes = np.concatenate([whole, whole[asked == 1]])
         answer = np.repeat([0, 1], [len(whole), len(lanes) - len(whole)])
         self.registers.choose(lanes)
-        self.registers.write("FLAG", answer.astype(np.int8))
+        self.registers.write("FLAG", answer)
         before = self.segment[lanes]
         group = self.registers.merge()
-        self.segment = self.segments + np.arange(self.registers.lanes)
-        self.segments += self.registers.lanes
+        self.segment = self.segments + np.arange(self.registers.pixels)
+        self.segments += self.registers.pixels
         leads = self.segment[group]
         for value in (0, 1):
             at = answer == value
@@ -241,12 +209,14 @@ class _Walk:
 
 
 def _alive(
-    container: Container, words: tuple[AnalogWord, ...], walk: _Walk, starts: Mapping[str, Bits]
+    container: Container, words: tuple[RunningWord, ...], walk: _Walk, starts: Mapping[str, Bits]
 ) -> Paths:
     """The paths, without what makes no difference: from the frame's end backwards."""
     registers = {n: 1 << i for i, n in enumerate((*container.target.analog_registers, "PIX"))}
-    reads = [_together(registers, word.op.sources) for word in words]
-    writes = [_together(registers, word.writes) for word in words]
+    reads = [_together(registers, word.sources) for word in words]
+    writes = [
+        _together(registers, ("PIX",) if word.resets else word.destinations) for word in words
+    ]
     last = _together(registers, (readout.register for readout in container.readouts))
     endings, ending = walk.told()
     passed, following = _by_segment(walk, ending)

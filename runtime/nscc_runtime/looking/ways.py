@@ -14,23 +14,37 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect as Does
 from nscc.words.container import Container
 from nscc_runtime.effects import CannotHave, Selection, everything
-from nscc_runtime.effects.in_loops import device_keys, draws_keys, figures, switches
+from nscc_runtime.effects.in_loops import draws_keys
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Scene
+from nscc_runtime.execution.entries import (
+    device_of,
+    numbers_of,
+    program_of,
+    readouts_of,
+    switches_of,
+)
+from nscc_runtime.execution.layout import Fixed, Held, Program, Result
 from nscc_runtime.interface import Executed, Exposure
-from nscc_runtime.looking.layout import Keys, Numbers, Sizes, Word
-from nscc_runtime.looking.paths import AnalogWord, Paths, paths_of
-from nscc_runtime.looking.way_loop import BLOCK, run_ways
+from nscc_runtime.looking.paths import Paths, paths_of
+from nscc_runtime.looking.way_loop import (
+    BLOCK,
+    Block,
+    Charge,
+    Keys,
+    Segments,
+    Sizes,
+    WordKeys,
+    run_ways,
+)
 from nscc_runtime.pool import in_parts
-from nscc_runtime.reference.capture import most_destinations, readout_waits_s
 from nscc_runtime.reference.charge import Fallen, charge_of_rows
 from nscc_runtime.reference.intervals import Intervals
 from nscc_runtime.reference.looks import WORD_DRAWS
 from nscc_runtime.reference.trace import retention_us
-from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import most_destinations
 from nscc_runtime.remembered import remembered
 
 Bits = NDArray[np.bool_]
@@ -58,8 +72,10 @@ class Ways:
             if isinstance(each.words, CannotHave)
             and not each.reference.keys() <= BEFORE_WORDS | _AFTER_WORDS
         ]
-        laid = self._laid(retention_us(effects, self.sensor))
-        return (*found, laid) if isinstance(laid, str) else tuple(found)
+        paths = self._paths(effects)
+        if isinstance(paths, str):
+            found.append(f"the words run one by one: {paths}")
+        return tuple(found)
 
     @cached_property
     def fades(self) -> bool:
@@ -102,93 +118,22 @@ class Ways:
     ) -> Executed:
         """The same under the charge of rows that `fall` gives; `among` (rows, cols): the pixels
         whose words run, by default all. Of others the result means nothing."""
-        lacking = self.lacks(effects)
-        laid = self._laid(retention_us(effects, self.sensor))
-        if lacking or isinstance(laid, str):
+        lacking, paths = self.lacks(effects), self._paths(effects)
+        if lacking or isinstance(paths, str):
             raise ValueError("; ".join(lacking))
-        begins = laid.paths.begins(loaded, scene.light.shape)
+        begins = paths.begins(loaded, scene.light.shape)
         if among is not None:
             begins = np.where(among, begins, -1)  # they have come to an end
-        return _Run(self, laid, scene, effects, seeds, frame).rows(rows, begins, fall, threads)
+        return _Run(self, paths, scene, effects, seeds, frame).rows(rows, begins, fall, threads)
+
+    def _paths(self, effects: Selection) -> Paths | str:
+        """The paths where bits are kept as long as effects let them be, or why there are none."""
+        return paths_of(self.container, retention_us(effects, self.sensor))
 
     @remembered
-    def _laid(self, retention_us: float) -> Laid | str:
-        """The ways where bits are kept so long, or why there are none."""
-        paths = paths_of(self.container, retention_us)
-        if isinstance(paths, str):
-            return f"the words run one by one: {paths}"
-        return Laid(self.container, paths)
-
-
-@dataclass(frozen=True, eq=False)
-class Laid:
-    """Paths as the loop takes them."""
-
-    container: Container
-    paths: Paths
-
-    @cached_property
-    def registers(self) -> tuple[str, ...]:
-        """In the loop's order: after the analog registers PIX and IN."""
-        return (*self.container.target.analog_registers, "PIX", "IN")
-
-    @cached_property
-    def operands(self) -> NDArray[np.int64]:
-        """The registers of all words: sources, then destinations."""
-        place = self.registers.index
-        found = [place(n) for word in self.paths.words for n in _operands(word)]
-        return np.array(found, np.int64)
-
-    @remembered
-    def words(self, begins: tuple[int, ...]) -> NDArray[Any]:
-        """The words as records, where intervals begin with these slots."""
-        starts = [*begins, self.container.slots]
-        slot_us = self.container.slot_us
-        start_s = np.concatenate(([0.0], np.cumsum(slot_us)))[starts] * 1e-6
-        dtype, rows, operands = np.dtype(Word), [], 0
-        for word in self.paths.words:
-            op, interval = word.op, starts.index(word.boundary)
-            last = word.boundary == self.container.slots
-            resets = op.operation.effect is Does.RESET_PIX
-            row = {
-                "resets": resets,
-                "compares": word.compares,
-                "touches_pix": resets or "PIX" in op.sources,
-                "sources": 0 if resets else len(op.sources),
-                "destinations": 0 if resets or word.compares else len(op.destinations),
-                "operands": operands,
-                "interval": interval,
-                "end_us": word.after_us if last else min(word.after_us, slot_us[word.boundary]),
-                "time_s": start_s[interval],
-                "divisor": op.operation.divisor,
-                "in_e": word.in_e,
-            }
-            operands += len(_operands(word))
-            rows.append(tuple(row[name] for name in dtype.names or ()))
-        return np.array(rows, dtype)
-
-    @cached_property
-    def arrays(self) -> dict[str, NDArray[Any]]:
-        """What is the same whatever the effects."""
-        container, paths = self.container, self.paths
-        target = container.target
-        of_bucket = {readout.bucket: readout for readout in container.readouts}
-        readouts = [of_bucket[bucket] for bucket in container.buckets]
-        return {
-            "operands": self.operands,
-            "start": paths.start,
-            "acting": paths.acting,
-            "following": paths.following,
-            "signs": np.array([error_sign(n, container) for n in target.analog_registers]),
-            "readout_register": np.array([self.registers.index(r.register) for r in readouts]),
-            "readout_gain": np.array([float(r.gain) for r in readouts]),
-            "readout_wait_s": readout_waits_s(container),
-        }
-
-
-def _operands(word: AnalogWord) -> tuple[str, ...]:
-    resets = word.op.operation.effect is Does.RESET_PIX
-    return () if resets else word.op.sources + word.op.destinations
+    def program(self, paths: Paths, starts: tuple[int, ...]) -> Program:
+        """The words, where intervals begin with these slots."""
+        return program_of(self.container, paths.words, starts)
 
 
 @dataclass(frozen=True, eq=False)
@@ -196,7 +141,7 @@ class _Run:
     """One frame."""
 
     ways: Ways
-    laid: Laid
+    paths: Paths
     scene: Scene
     effects: Selection
     seeds: tuple[int, int]
@@ -230,7 +175,7 @@ class _Run:
                 valid[here] = fallen.valid
 
         in_parts(fill, len(rows), threads)
-        told = self.laid.paths.endings.items()
+        told = self.paths.endings.items()
         planes = {name: bits.astype(np.bool_)[ends] for name, bits in told}
         good = np.isfinite(exposure) & valid
         return Executed(Exposure(exposure, good, saturated_by), planes)
@@ -238,20 +183,16 @@ class _Run:
     @cached_property
     def _bound(self) -> Callable[..., None]:
         """The loop with what all rows have in common."""
-        sensor = self.ways.sensor
+        container, paths = self.ways.container, self.paths
         seed, device_seed = self.seeds
-        mark = self.effects.marking("registers")
-        numbers = Numbers(
-            least_lost=mark.least_e(sensor) if mark else 0.0,
-            frame_s=float(self.intervals.us.sum()) * 1e-6,
-            **figures(Numbers, sensor, self.effects),
-        )
-        keys = Keys(**device_keys(Keys, device_seed), **draws_keys(Keys, seed, WORD_DRAWS))
         return run_ways.bound(
-            numbers=numbers,
-            keys=keys,
-            words=self.laid.words(self.intervals.starts),
-            **self.laid.arrays,
+            switches=switches_of(container, self.effects),
+            numbers=numbers_of(container, self.ways.sensor, self.effects),
+            device=device_of(device_seed),
+            keys=Keys(**draws_keys(Keys, seed, WORD_DRAWS)),
+            program=self.ways.program(paths, self.intervals.starts),
+            segments=Segments(paths.start, paths.acting, paths.following),
+            readouts=readouts_of(container),
         )
 
     def _loop(
@@ -263,46 +204,39 @@ class _Run:
         rows: range,
     ) -> tuple[NDArray[Any], ...]:
         """Exposures and what cut them off (buckets, rows, cols), and endings (rows, cols)."""
-        container, laid, pixels = self.ways.container, self.laid, begins.size
+        container, pixels = self.ways.container, begins.size
         sizes = Sizes(
             pixels=pixels,
             first_place=rows.start * begins.shape[1],
             intervals=len(self.intervals),
-            segments=len(laid.paths.following),
-            registers=len(container.target.analog_registers),
-            buckets=len(container.buckets),
-            steps=len(laid.paths.words),
+            segments=len(self.paths.following),
+            steps=len(self.paths.words),
             numbered=most_destinations(container.target),
             paces=pace.shape[1],
             frame=self.frame,
-            **switches(Sizes, self.effects),
-            **{
-                f"{at}_bit": mark.bit if (mark := self.effects.marking(at)) else 0
-                for at in ("well", "subtracted", "level", "registers")
-            },
         )
         out = np.empty((len(container.buckets), pixels))
         marked = np.empty(out.shape, np.uint8)
         ends = np.empty(pixels, np.int32)
         bound(
-            sizes=sizes, begins=begins.reshape(-1),
-            charge=np.require(charge.reshape(len(charge), -1), np.float64, ["C"]),
-            pace=np.require(pace, np.float64, ["C"]),
-            out=out, marked=marked, ends=ends, **_scratch(sizes),
+            sizes=sizes, begins=begins.reshape(-1), out=out, marked=marked, ends=ends,
+            charge=Charge(
+                np.require(charge.reshape(len(charge), -1), np.float64, ["C"]),
+                np.require(pace, np.float64, ["C"]),
+            ),
+            of_word=WordKeys(
+                reads=np.empty(sizes.steps, np.uint64),
+                resets=np.empty(sizes.steps, np.uint64),
+                compares=np.empty(sizes.steps, np.uint64),
+                words=np.empty(sizes.steps * sizes.numbered, np.uint64),
+            ),
+            block=Block(
+                head=np.full(sizes.segments, -1, np.int64), behind=np.empty(BLOCK, np.int64),
+                reached=np.empty(BLOCK, np.int64), part=np.empty(BLOCK),
+                normals=np.empty((1 + sizes.numbered) * BLOCK),
+            ),
+            fixed=Fixed.of(BLOCK), result=Result.of(BLOCK),
+            held=Held.of(len(container.target.analog_registers), BLOCK),
         )  # fmt: skip
         shape = (len(out), *begins.shape)
         return out.reshape(shape), marked.reshape(shape), ends.reshape(begins.shape)
-
-
-def _scratch(sizes: Sizes) -> dict[str, NDArray[Any]]:
-    blocks, whole = (sizes.registers + 2) * BLOCK, np.uint64
-    pixels = ("pattern", "leak", "offset", "pix", "level", "part", "much", "z", "total")
-    return {
-        **{name: np.empty(sizes.steps, whole) for name in ("read_keys", "reset_keys", "ask_keys")},
-        "write_keys": np.empty(sizes.steps * sizes.numbered, whole),
-        "head": np.full(sizes.segments, -1, np.int64),
-        **{name: np.empty(BLOCK, np.int64) for name in ("behind", "some", "reached", "marks")},
-        "full": np.empty(blocks, np.int64),
-        **{name: np.empty(BLOCK) for name in pixels},
-        **{name: np.empty(blocks) for name in ("value", "stamp", "lost")},
-    }

@@ -19,7 +19,6 @@ from nscc_runtime.frame_file import Frame, check_adc, converted
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.neighbours.pixels import RANGE_BIT, ArrayPixels
-from nscc_runtime.reference.looks import LookingReference
 from nscc_runtime.sensor import default_sensor
 
 Told = dict[str, NDArray[Any]]
@@ -39,10 +38,6 @@ class PicturedProgram:
         """What is computed."""
         assert self.container.pictures is not None
         return self.container.pictures
-
-    @cached_property
-    def _program(self) -> LookingReference:
-        return LookingReference(self.container, self.sensor, self.effects, self.threads)
 
     @cached_property
     def _image_sensor(self) -> Sensor:
@@ -81,6 +76,7 @@ class PicturedProgram:
         valid = np.asarray(exposure.valid.all(axis=0))
         told: Told = {}
         wait_s = self.container.target.readout_us * 1e-6
+        pixels.hold(pixels.after_us * 1e-6)
         read: dict[str, tuple[NDArray[np.float64], NDArray[np.uint8]]] = {}
         for name in pictures.reads:
             register = pictures.registers[name]
@@ -88,7 +84,7 @@ class PicturedProgram:
                 continue
             values = pixels.register[register].reshape(pixels.shape) + 0.0  # -0 + 0 is +0
             read[name] = values, pixels.cut_by[register].reshape(pixels.shape)
-            pixels.held(wait_s)
+            pixels.hold(wait_s)
         images = [name for name in read if name not in buckets]
         for name, values, frame in self._converted(images, read, valid, seeds, number):
             told[f"image_{name}"] = values
@@ -99,10 +95,11 @@ class PicturedProgram:
             margin |= pixels.tainted[pictures.registers[name]].reshape(pixels.shape)
         for name in pictures.reads:
             if name not in read:
-                told[f"plane_{name}"] = pixels.bits[pictures.registers[name]].reshape(pixels.shape)
+                bits = pixels.digital.read(pictures.registers[name]) == 1
+                told[f"plane_{name}"] = bits.reshape(pixels.shape)
         for report in pictures.reports:
             register = pictures.registers[report.plane]
-            bits = pixels.bits[register] & ~pixels.tainted[register]
+            bits = (pixels.digital.read(register) == 1) & ~pixels.tainted[register]
             told |= reported(report, bits.reshape(pixels.shape))
         told["margin"] = margin
         kept = [name for name in read if name in buckets]
@@ -163,9 +160,10 @@ class PicturedProgram:
             exposed_by[readout.register] = by | beyond.astype(np.uint8) * np.uint8(RANGE_BIT)
         pixels = ArrayPixels(
             sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=number,
-            places=np.arange(shape[0] * shape[1], dtype=np.int64), program=self._program,
+            places=np.arange(shape[0] * shape[1], dtype=np.int64), container=container,
+            effects=self.effects,
             code={name: plane.reshape(-1) for name, plane in container.planes().items()},
-            pace=np.zeros(0), shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
+            shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
         pixels.run_words(picture_words(container))
         return pixels

@@ -1,6 +1,6 @@
 """The whole array while the words after an exposure run: registers shifted from pixel to pixel.
 
-The words of one pixel are those of `nscc_runtime.reference.looks`. Here NEWS of a neighbour is read
+The words of one pixel are those of `nscc_runtime.reference.words`. Here NEWS of a neighbour is read
 and written, and DNEWS. Nothing public says what a bus beyond the array gives: here it is 0, and
 `tainted` says which registers of which pixels depend on it.
 """
@@ -16,13 +16,16 @@ from numpy.typing import NDArray
 
 from nscc.operations import NEIGHBOURS, STEERING, STEPS, Effect, Op, Phase
 from nscc.words.cost import word_us
-from nscc_runtime.reference.looks import Bits, Running, Values, WordPixels
+from nscc_runtime.noise import key, normals
+from nscc_runtime.reference.digital import Digital
+from nscc_runtime.reference.trace import RunningWord, retention_us
 from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.words import Bits, Values, WordPixels
 
 RANGE_BIT = 32
 """In `saturated_by`: a value left the range of registers, or an exposure was above its `assume`."""
-_FIRST_NUMBER = 1 << 16
-"""Analog words after an exposure are numbered from here: their errors are draws of their own."""
+_DRAWS = 2
+"""The source, in the keys, of what is drawn for words after an exposure."""
 
 
 @dataclass(eq=False, kw_only=True)
@@ -30,26 +33,38 @@ class ArrayPixels(WordPixels):
     """All pixels of an array, `shape` its rows and columns; other arrays are (pixels,).
 
     `exposed` and `exposed_by` are what registers hold of an exposure, and the bits of what cut it
-    off. `cut_by` and `tainted` have by register what cut a value off, and where it depends on what
-    is beyond the array.
+    off; `code` is what digital registers hold. `cut_by` and `tainted` have by register what cut a
+    value off, and where it depends on what is beyond the array.
     """
 
     shape: tuple[int, int]
     exposed: Mapping[str, Values]
     exposed_by: Mapping[str, NDArray[np.uint8]]
+    code: Mapping[str, Bits]
     cut_by: dict[str, NDArray[np.uint8]] = field(init=False)
     tainted: dict[str, Bits] = field(init=False)
 
     def __post_init__(self) -> None:
         self._arbitrary = super().arbitrary(0)
         super().__post_init__()
-        self.number = _FIRST_NUMBER
         self.register |= self.exposed
+        registers = (*self.target.digital_registers, "FLAG")
+        bits = {**dict.fromkeys(registers, self._arbitrary < 0.5), **self.code}
+        self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
+        self.number, self.after_us, self.in_e = 0, 0.0, 0.0
         pixels = len(self.places)
         self._uncut, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
         cut = {name: by for name, by in self.exposed_by.items() if by.any()}
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
-        self.tainted = dict.fromkeys((*self.register, *self.bits, "IN"), untainted)
+        self.tainted = dict.fromkeys((*self.register, *self.digital.bits, "IN"), untainted)
+
+    def arbitrary(self, group: int) -> Values:
+        """The same for all registers: an exposure has left them whatever it has."""
+        return self._arbitrary
+
+    def draw(self, name: str, number: int) -> Values:
+        effect = next(each for each in self.effects.effects if each.name == name)
+        return normals(key(self.seed, effect.stream, _DRAWS, self.frame, number), self.places)
 
     def run_words(self, words: Iterable[tuple[Op, int | None]]) -> None:
         """Words in their order, each with the steps of IN."""
@@ -57,26 +72,34 @@ class ArrayPixels(WordPixels):
             if level is not None:
                 self.in_e = level * self.target.electrons_per_step
             self.after_us += word_us(op, self.target)
-            self._run(op)
-
-    def held(self, seconds: float) -> None:
-        """Registers lose a part of their values in so long."""
-        for kept in self.at("hold"):
-            share = kept(self, seconds)
-            self.register = {name: value * share for name, value in self.register.items()}
+            word = RunningWord(self.number, self.container.slots, self.after_us, op, self.in_e)
+            self.number += op.analog
+            self._run(word)
 
     # --- words
 
-    def _run(self, op: Op) -> None:
-        effect = op.operation.effect
-        if effect is Effect.DIGITAL_NEIGHBOURS:
-            self._near(op)
-            return
-        if effect in (Effect.FLAG_ANALOG, Effect.FLAG_DIGITAL, Effect.FLAG_ALL):
-            self.tainted["FLAG"] = self._taint(op)
-        elif effect is Effect.DIGITAL:
-            self._taint_bits(op)
-        super()._run(op)
+    def _run(self, word: RunningWord) -> None:
+        op, digital = word.op, self.digital
+        match op.operation.effect:
+            case Effect.BUS:
+                self._bus_on_array(word)
+            case Effect.FLAG_ANALOG:
+                total = self.total(word)
+                for seen in self.at("compare"):
+                    total = seen(self, total, word)
+                found = total > 0
+                if self.target.where_obeys_flag:
+                    found &= digital.read("FLAG") == 1
+                self.tainted["FLAG"] = self._taint(op)
+                digital.write("FLAG", found)
+            case Effect.DIGITAL_NEIGHBOURS:
+                self._near(op)
+            case Effect.FLAG_DIGITAL | Effect.FLAG_ALL:
+                self.tainted["FLAG"] = self._taint(op)
+                digital.run(op)
+            case _:
+                self._taint_bits(op)
+                digital.run(op)
 
     def _taint(self, op: Op) -> Bits:
         """Where any source of a word depends on what is beyond the array."""
@@ -99,21 +122,16 @@ class ArrayPixels(WordPixels):
                 found = found | self.tainted[name]
             self.tainted[name] = found
 
-    def _source(self, name: str) -> Values:
+    def source(self, name: str) -> Values:
         if name in NEIGHBOURS:
             return self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
         return self.register[name]
 
-    def arbitrary(self, group: int) -> Values:
-        """The same for all registers: an exposure has left them whatever it has."""
-        return self._arbitrary
-
-    def _bus(self, op: Op) -> None:
-        word = self._running(op)
-        result = self._total(word)
-        result /= -op.operation.divisor
-        cut, taint = self._cut(op), self._taint(op)
-        for index, name in enumerate(op.destinations):
+    def _bus_on_array(self, word: RunningWord) -> None:
+        result = self.total(word)
+        result /= -word.op.operation.divisor
+        cut, taint = self._cut(word.op), self._taint(word.op)
+        for index, name in enumerate(word.op.destinations):
             value = self._written(result, word, index, name)
             by = self._with_range(cut, value)
             for bends in self.at("registers"):
@@ -148,7 +166,7 @@ class ArrayPixels(WordPixels):
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
             tainted = self.moved(tainted, -right, -down, beyond=True)
             name = "NEWS"
-        here, doubt = self._read("FLAG"), self.tainted["FLAG"]
+        here, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
         if not here.all() or doubt.any():
             value = np.where(here, value, self.register[name])
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
@@ -156,7 +174,7 @@ class ArrayPixels(WordPixels):
             tainted = np.where(here, tainted, self.tainted[name]) | doubt
         self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
 
-    def _written(self, result: Values, word: Running, index: int, name: str) -> Values:
+    def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
         """What a word writes of its exact result."""
         register = "NEWS" if name in NEIGHBOURS else name
         for written in self.at("words"):
@@ -166,17 +184,18 @@ class ArrayPixels(WordPixels):
 
     def _near(self, op: Op) -> None:
         """DNEWS: the OR of a source in those neighbours that the pixel chooses."""
-        source, outside = op.sources[0], op.operation.inverted
+        source, outside, digital = op.sources[0], op.operation.inverted, self.digital
         found = np.zeros(len(self.places), np.bool_)
         tainted = np.zeros(len(self.places), np.bool_)
+        bits = digital.read(source) == 1
         for name, (right, down) in STEERING.items():
-            chosen = self._read(name)
+            chosen = digital.read(name) == 1
             if chosen.any():
-                found |= chosen & self.moved(self._read(source), right, down, beyond=outside)
+                found |= chosen & self.moved(bits, right, down, beyond=outside)
                 far = self.moved(self.tainted[source], right, down, beyond=False)
                 tainted |= chosen & far
             tainted |= self.tainted[name]
-        self._write(op.destinations[0], found)
+        digital.write(op.destinations[0], found)
         self.tainted[op.destinations[0]] = tainted
 
     def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: object) -> NDArray[Any]:

@@ -1,8 +1,6 @@
-"""Random numbers for the sensor's effects: each a pure function of a key and of a pixel's place.
-
-A pixel's place is its flat index row * cols + col in the whole array, so that tiles, threads and
-order change no bit.
-"""
+"""Random numbers for the sensor's effects, each a pure function of a key and of a pixel's index.
+The index of a pixel is row * cols + col in the whole array, so that tiles, threads and order change
+no bit."""
 
 from __future__ import annotations
 

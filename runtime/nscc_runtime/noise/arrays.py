@@ -1,9 +1,6 @@
-"""Random numbers of whole arrays of pixels, by the compiled loops.
-
-`pixels` are flat places row * cols + col in the whole array, in any order and of any shape; the
-result has their shape. A call computes in one thread and drops the GIL: split `pixels` to use more,
-which changes no bit.
-"""
+"""Random numbers of arrays of pixels, by the compiled loops. `pixels` are flat indices row * cols +
+col in the whole array, in any order and of any shape; the result has their shape. A call uses one
+thread and releases the GIL; splitting `pixels` over threads changes no bit."""
 
 from __future__ import annotations
 
@@ -14,13 +11,13 @@ Floats = NDArray[np.float64]
 Pixels = NDArray[np.int64]
 
 RATE_CAP = 1e12
-"""Greater rates, infinity included, are drawn as this one: no well holds so many electrons."""
+"""Upper limit of rates, infinity included; no well holds this number of electrons."""
 
 _COUNT_CAP = 2.0**53
 
 
 def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
-    """Numbers strictly inside (0, 1): odd multiples of 2**-53."""
+    """Return uniform numbers strictly inside (0, 1): odd multiples of 2**-53."""
     from nscc_runtime.noise.noise_loops import Draws, fill_uniforms
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -29,10 +26,8 @@ def uniforms(key: np.uint64, pixels: Pixels) -> Floats:
 
 
 def normals(key: np.uint64, pixels: Pixels) -> Floats:
-    """Standard normal numbers, never decreasing in `uniforms` of the same key and pixel.
-
-    The quantile of that uniform number, to a relative error of 1e-12; so they end at +-8.21.
-    """
+    """Return standard normal numbers, monotonic in `uniforms` of the same key and pixel. They are
+    its quantiles, to a relative error of 1e-12, within +-8.21."""
     from nscc_runtime.noise.noise_loops import Draws, fill_normals
 
     places, out = _places(pixels), np.empty(np.shape(pixels))
@@ -43,14 +38,14 @@ def normals(key: np.uint64, pixels: Pixels) -> Floats:
 def poisson(
     key: np.uint64, pixels: Pixels, rate: Floats, *, exact: bool
 ) -> tuple[Floats, NDArray[np.bool_]]:
-    """Counts of the mean `rate` (of the shape of `pixels`), whole, and where they are valid.
+    """Return Poisson counts of the mean `rate` (shape of `pixels`), and where they are valid.
 
-    Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. Where the rate is NaN the count
-    is 0 and not valid. The count never decreases in the rate.
+    Rates below 0 count as 0, rates above `RATE_CAP` as `RATE_CAP`. For a NaN rate the count is 0
+    and not valid. The count never decreases in the rate.
 
     Both samplers of `nscc_runtime.noise.poisson_law` invert the distribution function at `uniforms`
     of the same key and pixel. `exact` is the reference, `poisson_exact`; otherwise rates from 10 on
-    take the formula of `poisson_fast`, within 2e-4 of the Poisson distribution in total variation.
+    use the formula of `poisson_fast`, within 2e-4 of the Poisson distribution in total variation.
     Raises ValueError for a rate of another shape.
     """
     if np.shape(rate) != np.shape(pixels):
@@ -71,15 +66,15 @@ def poisson(
 
 
 def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floats:
-    """Spread each count over slots in proportion to `shares`: (pixels, slots), rows sum to counts.
+    """Distribute each count over slots in proportion to `shares`: (pixels, slots), rows sum to
+    counts.
 
-    `pixels` and `counts` are flat; `shares` (pixels, slots) or, for all pixels alike, (slots,). The
-    slots are halved again and again (at multiples of powers of two), and one binomial draw says
-    how much of a count falls into the first half: never less where that half's part of the shares
-    is greater. So the charge of a run of slots takes a draw for each halving that it cuts, and no
-    slot has to be looked at alone. Raises ValueError for other shapes,
-    for counts that are not whole numbers in 0 .. 2**53, for shares that are negative or not finite
-    or whose sum is not finite, and for a count without any share.
+    `pixels` and `counts` are flat; `shares` is (pixels, slots) or, common to all pixels, (slots,).
+    Slots are halved recursively (at multiples of powers of two), and one binomial draw gives the
+    count in the first half, monotonic in that half's share. So the charge of a run of slots takes
+    one draw per halving that it cuts. Raises ValueError for other shapes, for counts that are not
+    whole numbers in 0 .. 2**53, for shares that are negative or not finite or whose sum is not
+    finite, and for a count without any share.
     """
     counts, shares = _floats(counts), _floats(shares)
     pixel_count, slots = len(counts), shares.shape[-1] if shares.ndim else 0
@@ -110,7 +105,7 @@ def thin(key: np.uint64, pixels: Pixels, counts: Floats, shares: Floats) -> Floa
 
 
 def _places(pixels: Pixels) -> Pixels:
-    """Places as the loops take them; raises ValueError for what is no place."""
+    """Return pixel indices as contiguous int64; ValueError for invalid ones."""
     pixels = np.asarray(pixels)
     if not (np.issubdtype(pixels.dtype, np.integer) and (pixels.size == 0 or pixels.min() >= 0)):
         raise ValueError("a pixel's place is a whole number from 0 on")

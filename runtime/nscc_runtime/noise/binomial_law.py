@@ -1,8 +1,6 @@
-"""Binomial counts from one uniform number, for spreading a count over slots.
-
-The count never decreases in u, in the chance p of each trial or in the number n of trials while
-the other two stay, up to rounding (see `nscc_runtime.noise.poisson_law`).
-"""
+"""Binomial counts from one uniform number, for distributing a count over slots. The count never
+decreases in u, in the chance p of each trial or in the number n of trials while the other two stay,
+up to rounding (see `nscc_runtime.noise.poisson_law`)."""
 
 from __future__ import annotations
 
@@ -18,8 +16,8 @@ SEARCH_BELOW = 10.0
 """Below this mean (of the rarer outcome) the search starts from 0."""
 
 EXACT_BELOW = 1e8
-"""From this variance on the formula gives another count than the search with a probability that is
-about 1e-15 n p, by rounding."""
+"""Variance from which on the formula is used alone; it differs from the search with a probability
+of about 1e-15 n p, by rounding."""
 
 _SEARCHED = 80
 _INVERSE = np.array([0.0, *(1.0 / k for k in range(1, _SEARCHED))])
@@ -34,7 +32,8 @@ def _log1p(x: float) -> float:
 
 @compiled
 def _mass(k: float, n: float, p: float, q: float) -> float:
-    """The probability of k: Loader, "Fast and accurate computation of binomial probabilities"."""
+    """Return the probability of k (Loader, "Fast and accurate computation of binomial
+    probabilities")."""
     if k == 0.0:
         return math.exp(n * _log1p(-p))
     if k == n:
@@ -88,7 +87,7 @@ def _search(u: float, n: float, p: float) -> float:
 
 @compiled
 def _walk(u: float, n: float, p: float, start: float) -> float:
-    """The smallest count whose distribution function reaches u, sought from `near` on."""
+    """Return the smallest count whose distribution function reaches u, searching from `start`."""
     q = 1.0 - p
     odds = p / q
     k = min(max(start, 0.0), n)
@@ -119,11 +118,9 @@ def _walk(u: float, n: float, p: float, start: float) -> float:
 
 @compiled
 def quantile(z: float, n: float, p: float) -> float:
-    """What rounded down is the count at the normal quantile z, for n p from SEARCH_BELOW on.
-
-    Cornish and Fisher's expansion of the smooth distribution that agrees at all k + 1/2 (Sheppard's
-    correction of the cumulants), to order 1 / sigma.
-    """
+    """Return a real number that, rounded down, is the count at the normal quantile z, for n p from
+    SEARCH_BELOW on. It is the Cornish-Fisher expansion of the smooth distribution that agrees at
+    all k + 1/2 (Sheppard's correction of the cumulants), to order 1 / sigma."""
     q = 1.0 - p
     spread = n * p * q
     variance = spread - 1 / 12
@@ -138,7 +135,7 @@ def quantile(z: float, n: float, p: float) -> float:
 
 @compiled
 def _rarer(u: float, n: float, p: float) -> float:
-    """The count for p up to 1/2."""
+    """Return the count for p up to 1/2."""
     if n * p < SEARCH_BELOW:
         return _search(u, n, p)
     z = normal(u)
@@ -155,10 +152,8 @@ def _rarer(u: float, n: float, p: float) -> float:
 
 @compiled
 def binomial(u: float, n: float, p: float) -> float:
-    """How many of n trials succeed: the smallest count whose distribution function reaches u.
-
-    n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53].
-    """
+    """Return the number of successes in n trials: the smallest count whose distribution function
+    reaches u. n is a whole number from 0 to 2**53, p lies in [0, 1], u in [2**-53, 1 - 2**-53]."""
     if n <= 0.0 or p <= 0.0:
         return 0.0
     if p >= 1.0:

@@ -25,7 +25,8 @@ _ONE_TO_TWO = np.uint64(0x3FF0_0000_0000_0000)
 
 @inlined
 def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
-    """64 random bits. `lane` tells several numbers of one key and pixel apart; 0 is the first."""
+    """Return 64 random bits. `lane` distinguishes several numbers of one key and pixel; 0 is the
+    first."""
     place = np.uint64(pixel)
     a, b = place & _MASK, place >> _HALF
     c, d = lane & _MASK, lane >> _HALF
@@ -39,10 +40,8 @@ def bits(key: np.uint64, pixel: int, lane: np.uint64) -> np.uint64:
 
 @inlined
 def unit(random: np.uint64) -> float:
-    """The odd multiple of 2**-53 inside (0, 1) that the upper 52 of 64 bits pick.
-
-    Symmetric about 1/2, and 1 - u is exact.
-    """
+    """Return the odd multiple of 2**-53 inside (0, 1) given by the upper 52 of 64 bits. Symmetric
+    about 1/2, and 1 - u is exact."""
     # The bits become the fraction of a number in [1, 2): no conversion of integers, which not
     # every processor has for vectors.
     fraction = np.uint64((random >> _SHIFT_52) | _ONE_TO_TWO).view(np.float64) - 1.0

@@ -1,8 +1,6 @@
-"""Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans.
-
-Parabolas about the middle of each of 32 cells an octave, so small a table that it stays in the
-fastest cache. Within 2e-6 of the exact number where |z| < 6.
-"""
+"""Standard normal numbers in single precision: `nscc_runtime.noise.gaussian` for plans. Parabolas
+about the middle of each of 32 cells an octave, so small a table that it stays in the fastest cache.
+Within 2e-6 of the exact number where |z| < 6."""
 
 from __future__ import annotations
 
@@ -38,7 +36,7 @@ def _cells() -> NDArray[np.float32]:
 
 _CONSTANTS = table(lambda: np.ascontiguousarray(_cells()[:, 0]))
 _SLOPES_AND_BENDS = table(lambda: np.ascontiguousarray(_cells()[:, 1:]).view(np.uint64).reshape(-1))
-"""Both in one number: what takes time is to fetch a cell's numbers, each by itself."""
+"""Slope and bend packed into one number, because separate table look-ups dominate the time."""
 
 
 @inlined

@@ -1,8 +1,5 @@
-"""The key of a stream of random numbers: which seed, effect, source, frame and group it serves.
-
-A key and a pixel's place decide a random number and nothing else does, so that dropping one effect
-changes no other effect's draw.
-"""
+"""Keys of random streams: seed, effect, source, frame and group. Key and pixel index determine a
+random number completely, so that dropping one effect changes no draw of another."""
 
 from __future__ import annotations
 
@@ -22,12 +19,9 @@ _START = 0x243F_6A88, 0x85A3_08D3
 
 @lru_cache(maxsize=1024)
 def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0) -> np.uint64:
-    """64 bits that name a stream.
-
-    `seed`, `frame` and `group` lie in 0 .. 2**64 - 1, `effect` and `source` in 0 .. 2**32 - 1;
-    anything else raises ValueError. Two of m different streams share a key with a probability of
-    about m**2 / 2**65.
-    """
+    """Return the 64-bit key of a stream. `seed`, `frame` and `group` lie in 0 .. 2**64 - 1,
+    `effect` and `source` in 0 .. 2**32 - 1; other values raise ValueError. Two of m different
+    streams share a key with a probability of about m**2 / 2**65."""
     values = {"seed": seed, "effect": effect, "source": source, "frame": frame, "group": group}
     for name, value in values.items():
         if not 0 <= value < 1 << _LIMITS[name]:
@@ -39,9 +33,8 @@ def key(seed: int, effect: int, source: int = 0, frame: int = 0, group: int = 0)
 
 @lru_cache(maxsize=1024)
 def base(seed: int, effect: int, source: int = 0) -> np.uint64:
-    """The half of the way to `key` that frame and group have no part in: `key` is
-    `nscc_runtime.noise.counter.bits(base, frame, group)`.
-    """
+    """Return the part of `key` that does not depend on frame and group. `key` is
+    `nscc_runtime.noise.counter.bits(base, frame, group)`."""
     first = philox((*_halves(seed), effect, source), _START)
     return np.uint64(first[0] | first[1] << 32)
 

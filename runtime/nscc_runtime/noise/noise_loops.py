@@ -1,8 +1,6 @@
-"""The loops over pixels that draw random numbers; `nscc_runtime.noise.arrays` calls them.
-
-Every number depends on its key and pixel alone, and nothing is rounded
-otherwise in a vector than alone, so that how pixels are split over calls changes no bit.
-"""
+"""The loops over pixels that draw random numbers, called by `nscc_runtime.noise.arrays`. Every
+number depends on its key and pixel alone, and vectors round like scalars, so that splitting pixels
+over calls changes no bit."""
 
 from __future__ import annotations
 
@@ -30,7 +28,7 @@ _Places = Annotated[Ints, "count"]
 _Drawn = Written[Annotated[Floats, "count"]]
 
 BLOCK = 512
-"""Pixels drawn together: light differs little along a row, so most blocks are of one kind."""
+"""Pixels per block: light varies little along a row, so most blocks need one method."""
 
 _FIRST_LANE = np.uint64(0)
 _SLOT_LANES = np.uint64(1 << 32)
@@ -38,13 +36,13 @@ _SLOT_LANES = np.uint64(1 << 32)
 
 @inlined
 def uniform(key: np.uint64, pixel: int) -> float:
-    """The first uniform number of a key at a pixel."""
+    """Return the first uniform number of a key at a pixel."""
     return unit(bits(key, pixel, _FIRST_LANE))
 
 
 @compiled
 def _drawable(rate: float, cap: float) -> float:
-    """The rate within [0, cap], 0 for NaN."""
+    """Return the rate clipped to [0, cap], 0 for NaN."""
     if rate > 0.0:
         return rate if rate < cap else cap
     return 0.0
@@ -52,10 +50,8 @@ def _drawable(rate: float, cap: float) -> float:
 
 @compiled
 def _formula(rate: Floats, top: float, first: int, stop: int, out: Floats) -> None:
-    """out[i] := the formula's count at the uniform number out[i]: no branch, so LLVM makes vectors.
-
-    Rates that have no formula are taken as SEARCH_BELOW.
-    """
+    """out[i] := the formula's count at the uniform number out[i], without branches, so that LLVM
+    vectorises. Rates below SEARCH_BELOW count as SEARCH_BELOW."""
     for i in range(first, stop):
         out[i] = normal(out[i])
     for i in range(first, stop):
@@ -69,15 +65,14 @@ def _searched(
     rate: Floats, first: int, stop: int, out: Floats, rates: Floats, total: Floats, mass: Floats,
     drawn: Floats,
 ) -> None:  # fmt: skip
-    """out[i] := `search` at the uniform number out[i], step by step for all: rates are below
-    SEARCH_BELOW, and LLVM makes vectors of a step.
-    """
+    """out[i] := `search` at the uniform number out[i], step by step for the whole block. Rates are
+    below SEARCH_BELOW, and LLVM vectorises each step."""
     count = stop - first
     for i in range(count):
         rates[i] = rate[first + i] if rate[first + i] > 0.0 else 0.0
         mass[i] = math.exp(-rates[i])
     for i in range(count):
-        # exp(-rate) is not below 1 - rate, but for its rounding.
+        # exp(-rate) >= 1 - rate, up to rounding.
         total[i] = mass[i] if out[first + i] > 1.0 - rates[i] else 1.0
         drawn[i] = 0.0
     for k in range(1, SEARCHED):
@@ -97,7 +92,7 @@ def _searched(
 
 @record
 class Draws:
-    """How many numbers are drawn, and with which key."""
+    """The number of draws and their key."""
 
     count: int
     key: np.uint64
@@ -119,7 +114,7 @@ def fill_normals(draws: Draws, pixels: _Places, out: _Drawn) -> None:
 
 @record
 class Counts:
-    """What `fill_poisson` draws: rates above `cap` count as `cap`; `exact` is 0 or 1."""
+    """Options of `fill_poisson`: rates above `cap` count as `cap`; `exact` is 0 or 1."""
 
     count: int
     key: np.uint64
@@ -133,9 +128,8 @@ def fill_poisson(
     valid: Written[Annotated[Bytes, "count"]], rates: Written[Floats], total: Written[Floats],
     mass: Written[Floats], drawn: Written[Floats],
 ) -> None:  # fmt: skip
-    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether that is a number. From
-    `rates` on: scratch for `BLOCK` pixels each.
-    """
+    """out[i] := a count of rate[i], drawn at pixels[i]; valid[i] := whether rate[i] is a number.
+    Arguments from `rates` on are scratch for `BLOCK` pixels each."""
     count, top, stream = counts.count, counts.cap, counts.key
     for first in range(0, count, BLOCK):
         stop = min(first + BLOCK, count)
@@ -154,11 +148,11 @@ def fill_poisson(
         elif low == stop - first:
             for i in range(first, stop):
                 known, u = _drawable(rate[i], top), out[i]
-                # The search is made part of this loop; the whole sampler would stay a call.
+                # The search is inlined into this loop; the whole sampler would remain a call.
                 out[i] = search(u, known) if known < SEARCH_BELOW else poisson_fast(u, known)
         else:
             _formula(rate, top, first, stop, out)
-            # The uniform numbers are gone; only those that are needed once more are made again.
+            # The uniform numbers are overwritten; those needed again are recomputed.
             for i in range(first, stop if low else first):
                 if not rate[i] >= SETTLED_ABOVE:
                     u = uniform(stream, pixels[i])
@@ -169,7 +163,8 @@ def fill_poisson(
 def halved(
     stream: np.uint64, pixel: int, node: int, count: float, left_share: float, right_share: float
 ) -> float:
-    """How many of `count` fall into the left half of a node whose halves have these shares."""
+    """Return how many of `count` fall into the left half of a node whose halves have
+    these shares."""
     if count <= 0.0 or left_share <= 0.0:
         return 0.0
     if right_share <= 0.0:
@@ -180,7 +175,7 @@ def halved(
 
 @record
 class Spread:
-    """What `fill_thin` spreads: `stride` is `slots`, or 0 for shares that all have in common."""
+    """Options of `fill_thin`: `stride` is `slots`, or 0 for common shares."""
 
     count: int
     key: np.uint64
@@ -193,10 +188,8 @@ def fill_thin(
     spread: Spread, pixels: _Places, counts: Annotated[Floats, "count"],
     shares: Annotated[Floats, "sharers slots"], out: Written[Annotated[Floats, "count slots"]],
 ) -> None:  # fmt: skip
-    """Spread counts[i] over the slots of out[i] in proportion to shares[i * stride ..].
-
-    Halves are numbered as in a heap: 1 is the whole.
-    """
+    """Distribute counts[i] over the slots of out[i] in proportion to shares[i * stride ..]. Halves
+    are numbered as in a heap: 1 is the root."""
     slots, stride, stream = spread.slots, spread.stride, spread.key
     leaf_count = 1
     while leaf_count < slots:

@@ -1,8 +1,6 @@
-"""The keyed random numbers of `nscc_runtime.noise.arrays` as tensors, on any device of torch.
-
-The uniform numbers are the same to the last bit, normal ones to 1e-12, and counts are those of
-`nscc_runtime.noise.poisson_law.poisson_fast` but where rounding decides between two.
-"""
+"""The keyed random numbers of `nscc_runtime.noise.arrays` as tensors on any torch device. Uniform
+numbers agree to the last bit, normal numbers to 1e-12, and counts with
+`nscc_runtime.noise.poisson_law.poisson_fast` except where rounding decides."""
 
 from __future__ import annotations
 
@@ -20,16 +18,14 @@ _NOTHING = 1e-17
 
 
 def key_tensor(keys: Sequence[np.uint64], device: torch.device | str) -> torch.Tensor:
-    """Keys as int64 of the same bits, as torch computes with."""
+    """Return keys as int64 with the same bits, for torch."""
     return torch.from_numpy(np.array(keys, np.uint64).view(np.int64)).to(device)
 
 
 def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
-    """float64 (.., places): the uniform number of each key (..) at each place.
-
+    """Return the uniform number of each key (..) at each place: float64 (.., places).
     Philox4x32-10, as `nscc_runtime.noise.counter`; products of 32 bits wrap round in int64 as they
-    do in uint64.
-    """
+    do in uint64."""
     keys = keys[..., None]
     k, m = keys & _MASK, (keys >> 32) & _MASK
     a, b = places & _MASK, (places >> 32) & _MASK
@@ -43,7 +39,7 @@ def uniforms(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 
 
 def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
-    """Standard normal numbers (.., places)."""
+    """Return standard normal numbers (.., places)."""
     quantiles: torch.Tensor = torch.special.ndtri(uniforms(keys, places))
     return quantiles
 
@@ -51,8 +47,8 @@ def normals(keys: torch.Tensor, places: torch.Tensor) -> torch.Tensor:
 def poisson(
     keys: torch.Tensor, places: torch.Tensor, rate: torch.Tensor, cap: float
 ) -> torch.Tensor:
-    """Counts (.., places) of rates that broadcast to them; rates above `cap` count as that, what is
-    no number as 0."""
+    """Return counts (.., places) of rates that broadcast to this shape. Rates above `cap` count as
+    `cap`, NaN as 0."""
     u = uniforms(keys, places)
     rate = torch.where(rate > 0.0, rate, 0.0).clamp(max=cap).expand(u.shape)
     counts = _quantile(torch.special.ndtri(u), rate.clamp(min=SEARCH_BELOW)).floor().clamp(min=0.0)
@@ -73,7 +69,8 @@ def _quantile(z: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
 
 
 def _searched(u: torch.Tensor, rate: torch.Tensor) -> torch.Tensor:
-    """The smallest counts whose distribution functions reach u, for rates up to SEARCH_BELOW."""
+    """Return the smallest counts whose distribution functions reach u, for rates up to
+    SEARCH_BELOW."""
     mass = torch.exp(-rate)
     remainder, counts = u - mass, torch.zeros_like(u)
     for k in range(1, SEARCHED):

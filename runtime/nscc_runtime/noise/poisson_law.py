@@ -21,14 +21,14 @@ SEARCH_BELOW = 10.0
 """Below this rate both samplers search from 0 upwards."""
 
 SETTLED_ABOVE = 16.0
-"""At or above this rate the fast sampler's formula is nowhere below the search at SEARCH_BELOW."""
+"""Rate from which on the fast formula never falls below the search at SEARCH_BELOW."""
 
 EXACT_BELOW = 1e6
-"""From this rate on the formula gives another count than the search with a probability that is
+"""Rate from which on the formula is used alone; it differs from the search with a probability of
 about 1e-15 rate, by rounding."""
 
 SEARCHED = 80
-"""Counts that the search may come to: enough for rates up to SEARCH_BELOW."""
+"""Upper limit of the counts of the search, sufficient for rates up to SEARCH_BELOW."""
 INVERSE = np.array([0.0, *(1.0 / k for k in range(1, SEARCHED))])
 
 # Stirling's error log(k!) - log(sqrt(2 pi k) (k/e)**k), exact for small k, a series above.
@@ -66,7 +66,8 @@ def deviance(x: float, mean: float) -> float:
 
 @compiled
 def _mass(k: float, rate: float) -> float:
-    """The probability of k: Loader, "Fast and accurate computation of binomial probabilities"."""
+    """Return the probability of k (Loader, "Fast and accurate computation of binomial
+    probabilities")."""
     if k == 0.0:
         return math.exp(-rate)
     scale = math.sqrt(2.0 * np.pi * k)
@@ -100,7 +101,7 @@ def _above(k: float, rate: float, mass: float) -> float:
 @compiled
 def search(u: float, rate: float) -> float:
     """The smallest count whose distribution function reaches u, for rates up to SEARCH_BELOW."""
-    # exp(-rate) is not below 1 - rate, which costs nothing.
+    # exp(-rate) >= 1 - rate, which is cheaper to compute.
     if u <= 1.0 - rate:
         return 0.0
     mass = math.exp(-rate)
@@ -116,10 +117,8 @@ def search(u: float, rate: float) -> float:
 
 @compiled
 def _walk(u: float, rate: float, start: float) -> float:
-    """The smallest count whose distribution function reaches u, sought from `near` on.
-
-    Sums the smaller tail, so that the far ends are as accurate as the middle.
-    """
+    """Return the smallest count whose distribution function reaches u, searching from `start`. It
+    sums the smaller tail, so that the far ends are as accurate as the middle."""
     k = max(start, 0.0)
     mass = _mass(k, rate)
     if u < 0.5:
@@ -148,7 +147,8 @@ def _walk(u: float, rate: float, start: float) -> float:
 
 @inlined
 def quantile(z: float, rate: float) -> float:
-    """What rounded down is the count at the normal quantile z, for rates from SEARCH_BELOW on.
+    """Return a real number that, rounded down, is the count at the normal quantile z, for rates
+    from SEARCH_BELOW on.
 
     Cornish and Fisher's expansion to order 1/rate (Giles, "Algorithm 955: approximation of the
     inverse Poisson cumulative distribution function", ACM TOMS 42 (2016)); its error is below
@@ -164,11 +164,11 @@ def quantile(z: float, rate: float) -> float:
 
 @compiled
 def poisson_exact(u: float, rate: float) -> float:
-    """The count of the reference: the smallest whose distribution function reaches u.
+    """Return the count of the reference: the smallest whose distribution function reaches u.
 
-    Searched from 0 below SEARCH_BELOW. Above, `quantile` rounded down, unless it lies so near to a
-    whole number that its error may matter: then the distribution function decides. From
-    EXACT_BELOW on the formula alone.
+    Below SEARCH_BELOW it is searched from 0. Above, it is `quantile` rounded down, unless that is
+    so close to a whole number that its error may matter: then the distribution function decides.
+    From EXACT_BELOW on the formula is used alone.
     """
     if rate < SEARCH_BELOW:
         return search(u, rate)
@@ -185,10 +185,8 @@ def poisson_exact(u: float, rate: float) -> float:
 
 @compiled
 def poisson_fast(u: float, rate: float) -> float:
-    """The count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above.
-
-    Total variation from the Poisson distribution: below 2e-4 from rate 10 on, 0 below.
-    """
+    """Return the count of a plan: exact below SEARCH_BELOW, `quantile` rounded down above. Total
+    variation from the Poisson distribution: below 2e-4 from rate 10 on, 0 below."""
     if rate < SEARCH_BELOW:
         return search(u, rate)
     k = max(math.floor(quantile(normal(u), rate)), 0.0)

@@ -1,1 +1,1 @@
-"""Pictures: a function for each kind makes a figure, and `sheet.png_of` makes any of them a PNG."""
+"""Pictures: each kind has a function that makes a figure, and `sheet.png_of` renders it."""

@@ -1,4 +1,4 @@
-"""The picture of a frame: what was read out, and beside it the light that it tells of."""
+"""Draw a frame: the codes, and the light estimated from them."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
-    """Light as 8-bit grey on a logarithmic curve that puts its median at a middle grey."""
+    """Return light as 8-bit grey on a logarithmic curve whose middle grey is the median."""
     white = float(np.percentile(light[usable], 99.8)) if usable.any() else 0.0
     if white <= 0:
         return np.zeros(light.shape, np.uint8)
@@ -33,7 +33,7 @@ def tone_mapped(light: Field, usable: NDArray[np.bool_]) -> NDArray[np.uint8]:
 
 
 def frame_sheet(readouts: Sequence[Readout], title: str) -> Figure:
-    """For every bucket the frame as read out, and the light that it tells of, tone mapped."""
+    """Draw, for every bucket, the frame as read out and the tone-mapped light."""
     rows = []
     for readout in readouts:
         light, usable = light_estimate(readout)

@@ -1,8 +1,8 @@
-"""The picture of a program's gates: registers as staves, time from left to right, line by line.
+"""Draw a program's gates: registers as staves, time from left to right, line by line.
 
-A value is a bar on its register's stave from where it is written to where it is read for the last
-time. A gate is a box on the stave that it writes, with a dot on every stave that it reads; so is a
-comparison of light. Where FLAG answers a demand, a triangle hangs below its stave.
+A value is a bar on its register's stave from its write to its last read. A gate is a box on the
+stave that it writes, with a dot on every stave that it reads; so is a comparison of light. A
+triangle below the stave of FLAG marks an answered demand.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.sheet import blank, head, place
 
 if TYPE_CHECKING:
@@ -20,25 +20,25 @@ if TYPE_CHECKING:
     from networkx import DiGraph
 
 _COLUMNS = 23
-"""Gates and demands in a line."""
+"""Gates and demands per line."""
 _MOST = 16 * _COLUMNS
-"""More than so many are not drawn: whole boundaries, from the first one on."""
+"""Most gates and demands that are drawn, in complete boundaries from the first on."""
 _LEAST = 14
-"""Columns of a narrow picture, which has room for its heading."""
+"""Minimum columns of a picture, with room for the heading."""
 _COLUMN, _STAVE = 0.32, 0.21
 """Inches."""
 _ABOVE, _BELOW = 0.42, 0.42
 _HOLDER = 40
-"""Letters of what a register holds."""
+"""Most letters of the content of a register."""
 _WRITING = ("gate", "look")
 _SERIES = {"NOR": 0, "NOT": 0, "OR": 1, "MOV": 1, "WHERE": 2, "where": 3}
-"""The look's colour for each kind of gate."""
+"""Index of the series colour for each kind of gate."""
 
 
 @dataclass(frozen=True)
 class _Score:
-    """What is drawn: `column` of every gate and demand, _COLUMNS of them in each line, `row` of
-    every register, FLAG's the last; `until` is the column to which each value lives."""
+    """The layout of gates. `column` of every gate and demand, _COLUMNS of them per line; `row` of
+    every register, FLAG last; `until`, the column to which each value lives."""
 
     network: DiGraph
     column: dict[str, int]
@@ -47,7 +47,7 @@ class _Score:
 
 
 def gate_sheet(network: DiGraph, title: str) -> Figure:
-    """A network as `nscc.emit.network` makes it, or its beginning if it is large."""
+    """Draw a network of `nscc.emit.network`, or its beginning if it is large."""
     score = _score(network)
     used = 1 + max(score.column.values(), default=-1)
     lines, columns = -(-used // _COLUMNS), max(_LEAST, min(used, _COLUMNS))
@@ -72,7 +72,7 @@ def _score(network: DiGraph) -> _Score:
         boundary_nodes = list(group)
         free_columns = -at % _COLUMNS
         if free_columns < len(boundary_nodes) <= _COLUMNS:
-            at += free_columns  # a boundary that would be torn begins a line
+            at += free_columns  # a boundary that would be split starts a line
         if column and at + len(boundary_nodes) > _MOST:
             break
         column |= {node: at + i for i, node in enumerate(boundary_nodes[:_MOST])}
@@ -83,7 +83,7 @@ def _score(network: DiGraph) -> _Score:
     ]  # fmt: skip
     names = {nodes[node]["register"] for node in values}
     order = sorted(names, key=lambda name: (name == "FLAG", len(name), name))
-    # What is read beyond the picture, as planes are at the frame's end, lives to its right edge.
+    # Values that are read beyond the picture, as planes at the frame's end, live to its edge.
     until = {
         node: max((column.get(r, at) for r in network.successors(node)), default=-1)
         for node in values
@@ -108,7 +108,7 @@ def _note(network: DiGraph, score: _Score) -> str:
 
 
 def _draw_line(axes: Axes, score: _Score, first: int) -> None:
-    """The columns from `first` on."""
+    """Draw one line, the columns from `first` on."""
     nodes = score.network.nodes
     shown = [n for n, column in score.column.items() if first <= column < first + _COLUMNS]
     end = score.column[shown[-1]] + 1
@@ -132,7 +132,7 @@ def _draw_line(axes: Axes, score: _Score, first: int) -> None:
 
 
 def _draw_bands(axes: Axes, score: _Score, shown: list[str], first: int) -> None:
-    """Boundaries as bands, every other one shaded, with their numbers and their kernels'."""
+    """Draw boundaries as bands, alternately shaded, with their numbers and their kernels'."""
     nodes, top, bottom = score.network.nodes, -0.5, len(score.row) - 0.5
     boundaries = list(dict.fromkeys(nodes[node]["boundary"] for node in score.column))
     for boundary, group in groupby(shown, key=lambda node: nodes[node]["boundary"]):
@@ -164,7 +164,7 @@ def _draw_gates(axes: Axes, score: _Score, gates: list[str], first: int) -> None
         read = [score.row[nodes[value]["register"]] for value in score.network.predecessors(node)]
         kind = _SERIES.get(nodes[node]["function"])
         colour = look().faint if kind is None else look().series[kind]
-        # The box hides the dot on the stave that is written.
+        # The box covers the dot on the written stave.
         axes.plot([x] * (1 + len(read)), sorted([row, *read]), color=colour, linewidth=1, zorder=3,
                   marker="o", markersize=3)  # fmt: skip
         axes.text(
@@ -185,5 +185,5 @@ def _draw_demands(axes: Axes, score: _Score, demands: list[str], first: int) -> 
 
 
 def _short(holder: str) -> str:
-    """The end of a long text: holders differ there."""
+    """Return the end of a long text, where names of holders differ."""
     return holder if len(holder) <= _HOLDER else "…" + holder[1 - _HOLDER :]

@@ -1,4 +1,4 @@
-"""Images side by side, with a title above each and a note below."""
+"""Draw images side by side, with a title above each and a note below."""
 
 from __future__ import annotations
 
@@ -10,20 +10,20 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _SIDE, _GAP, _LINE = 3.5, 0.2, 0.17
-"""Inches that an image has a side, between images, and of a line of text."""
+"""Inches: side of an image, gap between images, height of a line of text."""
 _LETTERS = 11
-"""A line of text has so many an inch."""
+"""Letters per inch of a line of text."""
 
 
 @dataclass(frozen=True, eq=False)
 class Image:
-    """A grey image (rows, cols) of 0..255, its title, and what is to be known of it."""
+    """A grey image (rows, cols) of 0..255 with its title and a note."""
 
     values: NDArray[Any]
     title: str = ""
@@ -31,10 +31,8 @@ class Image:
 
 
 def image_sheet(rows: Sequence[Sequence[Image]], title: str, side: float | None = None) -> Figure:
-    """Rows of images, magnified alike in a row of images of one size.
-
-    An image has `side` inches a side, by default as many as the width of a page leaves it.
-    """
+    """Draw rows of images, with equal magnification for images of equal size in a row. An image has
+    `side` inches per side, by default a share of the width of a page."""
     columns = max(map(len, rows))
     side = side or min(_SIDE, sheet.WIDTH / columns - _GAP)
 

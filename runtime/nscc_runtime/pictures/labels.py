@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -29,7 +29,7 @@ _NAME, _SMALL = 7.8, 7.0
 _NEAR, _FAR = (3.0, 5.5, 8.5), (4.0, 7.0, 11.0, 16.0, 22.0, 30.0, 40.0, 52.0, 66.0)
 """Points between a mark and its text, and a text that may stand further off."""
 _LEADER = 9.0
-"""A text further off than so many points is joined to its anchor."""
+"""Distance in points beyond which a text is joined to its anchor by a line."""
 _HALO = 2.0
 """Points of the line around the letters, of which half is outside them."""
 _CLEAR = np.array([-1.0, -1.0, 1.0, 1.0]) * (_HALO / 2 + 0.8)
@@ -43,11 +43,9 @@ the text is nearer to another mark than to its own."""
 
 @dataclass(frozen=True)
 class ChartLabel:
-    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first.
-
-    The `name` of a line is larger. It may stand further off, joined to its anchor by a thin line,
-    and so may what a reader looks for (`sought`).
-    """
+    """A text that may stand beside any of its `anchors` (x, y) in data coordinates, best first. The
+    `name` of a line is larger. It may stand further off, joined to its anchor by a thin line, and
+    so may a text that readers look for (`sought`)."""
 
     text: str
     anchors: Sequence[tuple[float, float]]
@@ -57,7 +55,7 @@ class ChartLabel:
 
     @property
     def far(self) -> bool:
-        """Whether it may stand far off."""
+        """Whether the text may stand far off."""
         return self.name or self.sought
 
 
@@ -71,7 +69,7 @@ def place_labels(axes: Axes, labels: Sequence[ChartLabel]) -> list[ChartLabel]:
 
 
 def halo() -> list[Any]:
-    """The effect of a text (`path_effects`) that stays legible on lines."""
+    """Return the `path_effects` of a text that stays legible on lines."""
     from matplotlib.patheffects import withStroke
 
     return [withStroke(linewidth=_HALO, foreground=look().paper)]

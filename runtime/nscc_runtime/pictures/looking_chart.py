@@ -1,4 +1,4 @@
-"""The picture of a program whose pixels look: when they are open, for each light."""
+"""Draw a program whose pixels look: their open times against light."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from nscc.words.container import Container
 from nscc_runtime.courses import Courses, courses, thresholds
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.shutter_sheet import (
     CHART_INCHES,
     chart_columns,
@@ -26,22 +26,23 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _LIGHTS = 360
-"""Rows of a chart."""
+"""Rows of a chart: lights."""
 _MOST_CODES = 3
 _LATER = 8
-"""Where states are kept, the frame of this number is drawn beside the first."""
+"""With kept states, this later frame is drawn beside the first."""
 _ROUND = 4.0
-"""The lights shown reach so many times beyond those at which answers turn."""
+"""Factor by which the lights shown extend beyond the outermost thresholds."""
 _MOST_RANGE = 1e7
 _HEIGHT, _BETWEEN, _TIMES, _GAP, _ABOVE = 3.0, 0.95, 1.5, 0.35, 0.3
-"""Inches: of a chart, between charts, the width of the open times, and to their left; above."""
+"""Inches: height of a chart, gap between charts, width of the open times, gap to their left, margin
+above."""
 _MOST_NAMED = 14
 _MOST_FLIPS = 400
 
 
 def course_sheet(container: Container, title: str) -> Figure:
-    """For some codes a chart of when pixels are open (across) at which light (up), with the looks
-    and where their answers turn; beside it how long they are open, and the states that are read."""
+    """Draw, for some codes, the open times of pixels (across) against light (up), with looks and
+    thresholds. A second panel shows the total open time and the states that are read."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
@@ -83,7 +84,7 @@ class _Shown:
 
 
 def _shown(container: Container) -> list[_Shown]:
-    """The charts: of some codes, evenly chosen, or of the first frame and a later one."""
+    """Return the charts: of some codes, evenly chosen, or of the first frame and a later one."""
     machine, table = container.machine, container.table
     assert machine is not None
     wells = _wells(container)
@@ -107,7 +108,7 @@ def _shown(container: Container) -> list[_Shown]:
 
 
 def _wells(container: Container) -> NDArray[np.float64]:
-    """Lights from below all levels to above them, in full wells over the frame."""
+    """Return lights from below all thresholds to above them, in full wells over the frame."""
     threshold_wells = thresholds(container)
     low = min(float(threshold_wells.min(initial=1.0)), 1.0) / _ROUND
     high = max(float(threshold_wells.max(initial=1.0)), 1.0) * _ROUND
@@ -115,7 +116,7 @@ def _wells(container: Container) -> NDArray[np.float64]:
 
 
 def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
-    """Open time, in the colour of how long it is in all, or of several buckets in the bucket's."""
+    """Draw the open time, coloured by its total, or of several buckets by the bucket."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgb
 
@@ -158,7 +159,7 @@ def _draw_chart(axes: Axes, container: Container, shown: _Shown) -> None:
 
 
 def _draw_times(axes: Axes, container: Container, shown: _Shown) -> None:
-    """How long pixels are open in all, against light, and what they then send of their states."""
+    """Draw the total open time against light, and the states that pixels then send."""
     courses, machine = shown.courses, container.machine
     assert machine is not None
     slot_us = np.array(container.slot_us)
@@ -190,6 +191,6 @@ def _draw_times(axes: Axes, container: Container, shown: _Shown) -> None:
 
 
 def _edges(wells: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Edges of rows whose middles the lights are."""
+    """Return the edges of rows centred on the lights."""
     inner = np.sqrt(wells[1:] * wells[:-1])
     return np.concatenate(([wells[0] ** 2 / inner[0]], inner, [wells[-1] ** 2 / inner[-1]]))

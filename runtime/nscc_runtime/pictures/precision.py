@@ -1,8 +1,8 @@
-"""Work-precision diagrams: error against time, a panel for each problem, a line for each method.
+"""Work-precision diagrams: error against time, a panel per problem, a line per method.
 
-Settings of a method are marks joined in their order, each on a band from its shortest to its
-longest time; a hollow one is dominated. Dashed lines in a method's colour are proved bounds. Names
-stand beside their lines; only those that have no room there are in the legend.
+Settings of a method are marks joined in order, each on a band from its shortest to its longest
+time; hollow marks are dominated. Dashed lines in a method's colour are proved bounds. Names stand
+beside their lines; names without room are in the legend.
 """
 
 from __future__ import annotations
@@ -16,23 +16,24 @@ from typing import TYPE_CHECKING, Any
 from nscc.tradeoff.points import Point, dominated
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _MOST_ANCHORS = 40
-"""Points of a line, besides its ends, that its name may stand at: the time to place names grows
-with their number times that of all marks."""
+"""Most anchors of a line's name besides its ends; the time of placement grows with their number
+times that of all marks."""
 _EXACT = 1e-7
-"""On a logarithmic axis errors below this part of the largest are at its end, pointing down."""
+"""On a logarithmic axis errors below this fraction of the largest are drawn at its end, pointing
+down."""
 _COLUMNS = 2
 
 
 @dataclass(frozen=True)
 class Guide:
-    """A line across a panel, at a time or at an error, to hold the methods against."""
+    """A reference line across a panel, at a time or at an error."""
 
     name: str
     dashes: str
@@ -42,7 +43,7 @@ class Guide:
 
 @dataclass(frozen=True)
 class Panel:
-    """A problem: what its error is, its points and guides."""
+    """A problem: the label of its error, its points and guides."""
 
     title: str
     error: str
@@ -52,11 +53,9 @@ class Panel:
 
 @dataclass(frozen=True)
 class PointReading:
-    """How points are read: the label of the time axis and how many of its units a millisecond has,
-    the line of a point (none: it only counts for who is dominated) and the text beside it.
-
-    `linear` is the error axis of decibels; the other one is logarithmic.
-    """
+    """The mapping of points to a diagram. `time` is the label of the time axis, and `per_ms` its
+    units per millisecond; `line` returns the line of a point (empty: it only counts for dominance),
+    `text` its label. `linear`: the error axis, in decibels, is linear instead of logarithmic."""
 
     time: str
     per_ms: float = 1.0
@@ -65,7 +64,7 @@ class PointReading:
     linear: bool = False
 
     def lines(self, points: Sequence[Point]) -> dict[str, list[Point]]:
-        """What is drawn of these points."""
+        """Return the drawn points by line."""
         points_by_line: dict[str, list[Point]] = {}
         for point in points:
             if self.line(point) and math.isfinite(point.error):
@@ -73,7 +72,7 @@ class PointReading:
         return points_by_line
 
     def times(self, point: Point) -> list[float]:
-        """Median, least and most on the time axis."""
+        """Return median, minimum and maximum on the time axis."""
         times_ms = (point.time_ms, min(point.times_ms), max(point.times_ms))
         return [time_ms * self.per_ms for time_ms in times_ms]
 
@@ -81,8 +80,8 @@ class PointReading:
 def precision_diagram(
     problems: Sequence[Panel], title: str, note: str, reading: PointReading
 ) -> Figure:
-    """All panels, with one scale of time, and one of errors for those whose error is the same.
-    Raises ValueError where there is nothing to draw."""
+    """Draw all panels, with one scale of time, and one scale of errors per label. Raises ValueError
+    without points."""
     from matplotlib.lines import Line2D
 
     points = [point for panel in problems for point in panel.points]
@@ -136,7 +135,7 @@ def precision_diagram(
 
 
 def _heights(panel: Panel, reading: PointReading) -> list[float]:
-    """All that a panel's error axis has to hold."""
+    """Return all values on a panel's error axis."""
     lines = reading.lines(panel.points)
     heights = [point.error for line_points in lines.values() for point in line_points]
     heights += [line_points[0].bound for line_points in lines.values() if line_points[0].bound]
@@ -147,8 +146,8 @@ def _draw(
     axes: Axes, panel: Panel, looks: dict[str, dict[str, Any]], reading: PointReading,
     beaten: dict[int, bool],
 ) -> list[ChartLabel]:  # fmt: skip
-    """Draws lines and guides; their names, then the texts that go with points, those that nothing
-    beats first."""
+    """Draw lines and guides; return their names, then the texts of points, undominated
+    ones first."""
     lines = reading.lines(panel.points)
     bounds = {
         name: line_points[0].bound for name, line_points in lines.items() if line_points[0].bound
@@ -168,7 +167,7 @@ def _draw(
                 time, error, marker if point.error >= bottom else "v", color=colour,
                 markerfacecolor=look().paper if hollow else colour, clip_on=False, zorder=3,
             )  # fmt: skip
-            # The one setting of a method is all that is told of it.
+            # A method with a single setting is described by its text.
             text, sought = reading.text(point), len(line_points) == 1
             labels.append((hollow, ChartLabel(text, [(time, error)], colour, sought=sought)))
         ends = [*zip(medians, errors, strict=True)]
@@ -189,7 +188,7 @@ def _draw(
 
 
 def _set_errors(axes: Axes, heights: Sequence[float], linear: bool) -> None:
-    """Scale, limits and ticks of the error axis."""
+    """Set scale, limits and ticks of the error axis."""
     if linear:
         least, most = min(heights), max(heights)
         margin = max(0.14 * (most - least), 0.02 * abs(most), 1e-6)

@@ -1,21 +1,22 @@
-"""What all pictures share: type, the heading, places in inches, and how they are saved.
-
-A kind of picture is a function that returns a matplotlib figure of the size of its panels; what
-stands around them (heading, legend, names of rows) grows outwards, and saving takes it all in.
-"""
+"""Common parts of all pictures: type, heading, placement in inches, and saving. A kind of picture
+is a function that returns a matplotlib figure of the size of its panels; headings, legends and row
+names grow outwards, and saving includes them."""
 
 from __future__ import annotations
 
 import io
+import logging
 import textwrap
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from functools import cache
 from typing import TYPE_CHECKING, Any, ParamSpec
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc_runtime.pictures.look import Look, look
+from nscc.diagnostics.rejection import rejected
+from nscc_runtime.pictures.picture_colours import Look, look
 
 if TYPE_CHECKING:
     from matplotlib.artist import Artist
@@ -26,12 +27,12 @@ if TYPE_CHECKING:
 P = ParamSpec("P")
 
 SCALE = "viridis"
-"""Of what has an order; its lightness grows steadily."""
+"""Colour map of ordered values; its lightness is monotonic."""
 WIDTH = 8.4
-"""Inches of the panels' room: at the width of a README the type is still read."""
+"""Width of panels in inches; the type is legible at the width of a README."""
 DPI = 150
 SIZE = 8.5
-"""Points of the type."""
+"""Type size in points."""
 _MARGIN = 0.15
 
 
@@ -49,12 +50,29 @@ def _settings(chosen: Look) -> dict[Any, Any]:  # matplotlib lists every key as 
     }  # fmt: skip
 
 
+@cache
+def _matplotlib() -> Any:
+    """Import matplotlib without its warnings about cache folders: what it keeps there is small."""
+    logger = logging.getLogger("matplotlib")
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        import matplotlib.font_manager
+    except OSError as error:
+        raise rejected(
+            "NS0784", "pictures need a folder for matplotlib's list of fonts: none can be written",
+            helps=("name one: MPLCONFIGDIR=FOLDER, or TMPDIR=FOLDER",),
+        ) from error  # fmt: skip
+    finally:
+        logger.setLevel(level)
+    return matplotlib
+
+
 @contextmanager
 def style() -> Iterator[None]:
-    """The one style in the present look, whatever the user's plotting settings; figures are made
-    and saved in it."""
-    import matplotlib
-
+    """Use the style and the current colours, independent of the user's settings, to make and save
+    figures."""
+    matplotlib = _matplotlib()
     with matplotlib.rc_context():
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(_settings(look()))
@@ -62,7 +80,7 @@ def style() -> Iterator[None]:
 
 
 def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> bytes:
-    """The figure that `draw` makes, as PNG: the same arguments give the same bytes."""
+    """Return the figure of `draw` as PNG; equal arguments give equal bytes."""
     with style():
         return _saved(draw(*args, **options))
 
@@ -70,14 +88,14 @@ def png_of(draw: Callable[P, Figure], *args: P.args, **options: P.kwargs) -> byt
 def _saved(figure: Figure) -> bytes:
     data = io.BytesIO()
     box = figure.get_tightbbox().padded(_MARGIN)
-    # Whole dots, or else images between them would blur.
+    # Use whole dots, to keep images sharp.
     box.set_points(np.round(box.get_points() * DPI) / DPI)
     figure.savefig(data, format="png", bbox_inches=box, metadata={"Software": None})
     return data.getvalue()
 
 
 def blank(width: float, height: float) -> Figure:
-    """A figure of so many inches, of whole dots; no window or global state knows of it."""
+    """Return a figure of a size in inches, rounded to dots, without window and global state."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -87,7 +105,7 @@ def blank(width: float, height: float) -> Figure:
 
 
 def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure, list[Axes]]:
-    """A figure with `count` panels of about this size in inches, row by row."""
+    """Return a figure with `count` panels of about this size in inches, row by row."""
     columns = min(columns, count)
     rows = -(-count // columns)
     figure = blank(columns * size[0], rows * size[1])
@@ -96,7 +114,7 @@ def panels(count: int, size: tuple[float, float], columns: int) -> tuple[Figure,
 
 
 def place(figure: Figure, x_inches: float, y_inches: float, width: float, height: float) -> Axes:
-    """Axes at so many inches from the figure's top left corner."""
+    """Return axes at a position in inches from the figure's top left corner."""
     across, down = figure.get_size_inches()
     box = [_round_to_dots(value) for value in (x_inches, y_inches, width, height)]
     return figure.add_axes(
@@ -109,32 +127,29 @@ def _round_to_dots(inches: float) -> float:
 
 
 def zoomed(shape: Sequence[int], room: float) -> tuple[float, float]:
-    """Width and height in inches of an image (rows, cols) that has `room` inches a side.
-
-    It is magnified by a whole number, as far as there is room: patterns of pixels make no moire.
-    """
+    """Return width and height in inches of an image (rows, cols) that has `room` inches per side.
+    It is magnified by a whole number if possible, to avoid moire."""
     dots = room * DPI / max(shape[:2])
     zoom = max(1, int(dots)) / DPI
     return shape[1] * zoom, shape[0] * zoom
 
 
 def show_pixels(axes: Axes, image: NDArray[Any]) -> None:
-    """An image, grey (rows, cols) of 0..255 or RGB, over all of the axes, a square for a pixel."""
+    """Draw an image, grey (rows, cols) of 0..255 or RGB, over all of the axes, a square
+    per pixel."""
     axes.imshow(image, cmap="gray", vmin=0, vmax=255, interpolation="nearest", aspect="auto")
     axes.grid(False)
 
 
 def lay_out(figure: Figure) -> None:
-    """Fix where all panels are, once all that they hold is drawn: labels are placed after that."""
+    """Fix the positions of all panels after drawing; labels are placed afterwards."""
     figure.draw_without_rendering()
     figure.set_layout_engine("none")
 
 
 def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) -> None:
-    """Title, a line on what is shown, and legend, one on the other above the figure.
-
-    It comes after all that the panels hold, and lays them out for good.
-    """
+    """Add title, subtitle and legend, stacked above the figure. Call it last: it fixes the layout
+    of the panels."""
     lay_out(figure)
     width, height = figure.get_size_inches()
     left_edge, bottom = figure.get_tightbbox().x0 / width, 1 + 0.12 / height
@@ -147,7 +162,7 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
             bottom += (box.height / DPI + 0.1) / height
             break
         legend.remove()
-    # A letter's width, of its size.
+    # The width of a letter relative to its size.
     texts = ((note, SIZE, "normal", 0.56, look().faint), (title, 14, "bold", 0.64, look().ink))
     for text, size, weight, letter, colour in texts:
         if text:
@@ -158,7 +173,7 @@ def head(figure: Figure, title: str, note: str, handles: Sequence[Artist] = ()) 
 
 
 def round_ticks(axis: Axis, most: int = 7) -> None:
-    """Few round numbers, written out, on an axis whose limits are set."""
+    """Set a few round ticks, written in full, on an axis with fixed limits."""
     from matplotlib.ticker import LogLocator, MaxNLocator, NullLocator
 
     low, high = axis.get_view_interval()

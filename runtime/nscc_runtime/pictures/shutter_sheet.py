@@ -1,4 +1,4 @@
-"""The picture of a program: its shutters over time, and which pixel has which."""
+"""Draw a program: its shutters over time, and their arrangement on the array."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from nscc.words.container import Container
 from nscc.words.shutters import Shutters, shutters_of
 from nscc_runtime.merge import tile_of
 from nscc_runtime.pictures import sheet
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.scenes.shapes import Field
 
 if TYPE_CHECKING:
@@ -21,22 +21,22 @@ if TYPE_CHECKING:
 
 _MOST_ROWS, _CHOSEN_ROWS = 64, 48
 _COLUMNS = 1200
-"""With more slots than this the chart shows the share of open time in each of its columns."""
+"""Most columns of a chart; with more slots a column shows its open fraction."""
 _MOST_BOUNDARIES = 130
 _MOST_NUMBERS = 16
 _MOST_LABELLED = 8
-"""Cells a side of a tile map that still have room for their codes."""
+"""Most cells per side of a tile map with printed codes."""
 _CORNER = 16
 _MAP, _BETWEEN = 3.5, 0.6
 CHART_INCHES = 2 * _MAP + _BETWEEN
-"""Inches of the maps' sides, between them, and of the chart."""
+"""Inches: side of a map, gap between maps, width of the chart."""
 _ABOVE, _BELOW = 0.36, 1.0
-"""Inches for the numbers of the slots, and from the chart to the maps."""
+"""Inches: numbers of the slots above the chart, gap from the chart to the maps."""
 _BAR = 0.84
 
 
 def shutter_sheet(container: Container, title: str) -> Figure:
-    """The time chart, and below it the map of codes with a magnified tile."""
+    """Draw the time chart, and below it the map of codes with a magnified tile."""
     from matplotlib import colormaps
     from matplotlib.patches import Patch
 
@@ -64,7 +64,7 @@ def shutter_sheet(container: Container, title: str) -> Figure:
 
 
 def subtitle(container: Container, subject: str) -> str:
-    """A program's class, frame and chip in a line, with `what` is drawn of it."""
+    """Return a line with a program's class, frame and chip, and the `subject` drawn."""
     lengths, lowering = container.slot_us, container.notes.get("lowering")
     length = _time(min(lengths))
     if min(lengths) < max(lengths):
@@ -86,7 +86,7 @@ def _time(us: float) -> str:
 
 
 def unit(us: float) -> tuple[float, str]:
-    """A factor and a unit that keep a time readable."""
+    """Return a factor and a unit that make a time readable."""
     if us >= 1e6:
         return 1e-6, "s"
     if us >= 1e3:
@@ -95,7 +95,7 @@ def unit(us: float) -> tuple[float, str]:
 
 
 def _chosen(count: int) -> NDArray[np.int64]:
-    """The rows that a chart has room for: all, or some at equal distances, first and last too."""
+    """Return the rows of a chart: all, or some at equal distances, including first and last."""
     if count <= _MOST_ROWS:
         return np.arange(count)
     return np.rint(np.linspace(0, count - 1, _CHOSEN_ROWS)).astype(np.int64)
@@ -104,7 +104,8 @@ def _chosen(count: int) -> NDArray[np.int64]:
 def _draw_chart(
     axes: Axes, container: Container, rows: NDArray[np.bool_], row_colours: Field
 ) -> None:
-    """Bars of open time: in the colour that the map has, or of several buckets in the bucket's."""
+    """Draw bars of open time, in the colours of the map, or of several buckets in those of the
+    buckets."""
     from matplotlib.colors import to_rgb
 
     count, lanes, slots = rows.shape
@@ -138,18 +139,18 @@ def _draw_chart(
 
 
 def chart_columns(edges: Field) -> Field:
-    """The edges of a chart's columns: those of the slots (N + 1,), or fewer."""
+    """Return the edges of a chart's columns: those of the slots (N + 1,), or fewer."""
     return edges if len(edges) - 1 <= _COLUMNS else np.linspace(0.0, edges[-1], _COLUMNS + 1)
 
 
 def open_share(opened: NDArray[np.bool_], edges: Field, columns: Field) -> Field:
-    """The part of each column that a shutter (N,) is open for."""
+    """Return the fraction of each column for which a shutter (N,) is open."""
     open_until = np.concatenate(([0.0], np.cumsum(np.diff(edges) * opened)))
     return np.asarray(np.diff(np.interp(columns, edges, open_until)) / np.diff(columns))
 
 
 def _number_slots(axes: Axes, edges: Field) -> None:
-    """Numbers above the chart at the slots' middles, as many as have room."""
+    """Draw slot numbers above the chart, as many as fit."""
     slots = len(edges) - 1
     step = 1 << max(0, (slots - 1) // _MOST_NUMBERS).bit_length()
     middles = (edges[:-1] + edges[1:]) / 2
@@ -166,7 +167,7 @@ def _number_slots(axes: Axes, edges: Field) -> None:
 
 @dataclass(frozen=True, eq=False)
 class _Map:
-    """A part of the array to draw: colours (rows, cols, 3), the codes' values where they fit."""
+    """A part of the array: colours (rows, cols, 3), and the values of codes if they fit."""
 
     title: str
     colours: Field
@@ -174,7 +175,8 @@ class _Map:
 
 
 def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Map, ...]:
-    """The array, and the smallest tile of codes that repeats; its corner if none does."""
+    """Return maps of the array, and of the smallest repeating tile of codes, or of a corner without
+    one."""
     codes = container.pixel_codes
     if codes is None:
         return ()
@@ -196,7 +198,7 @@ def _maps(container: Container, shutters: Shutters, colours: Field) -> tuple[_Ma
 
 
 def _draw_map(axes: Axes, drawing: _Map) -> None:
-    """The part, and in each cell its field values, a line each, in what shows best on it."""
+    """Draw a map, with the field values in each cell, one per line."""
     from matplotlib.colors import to_hex
     from matplotlib.ticker import MaxNLocator
 

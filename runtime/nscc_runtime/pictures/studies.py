@@ -1,5 +1,5 @@
-"""Pictures of the emulator's studies: what its time buys, whether its planner's promises are kept,
-and what each effect of a scene does to the exposure, simulated or left out."""
+"""Diagrams of the emulator's studies: error and time, predicted and measured errors,
+error budgets."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, halo, place_labels
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 from nscc_runtime.pictures.precision import Guide, Panel, PointReading, precision_diagram
 from nscc_runtime.tradeoff import study as studied
 from nscc_runtime.tradeoff.study import ELECTRONS, PLANNED, Study
@@ -25,10 +25,10 @@ if TYPE_CHECKING:
     from nscc_runtime.planning.plan_parts import Decision
 
 _LOWEST = 30.0
-"""Errors so many times below the least tolerance are drawn at the edge, with their number."""
+"""Factor below the smallest tolerance at which errors are drawn at the edge, with their number."""
 _SIDE = 6.2
 _BAR = 0.2
-"""Inches from bar to bar."""
+"""Inches between bars."""
 _COLUMNS = 3
 
 _NAMES = {
@@ -41,7 +41,7 @@ _ERRORS = {ELECTRONS: "RMS error, e", studied.LSB: "RMS error after the ADC, LSB
 
 
 def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure:
-    """The work-precision diagram: for each scene the error in electrons, and in LSB."""
+    """Draw the work-precision diagram: for each scene the error in electrons, and in LSB."""
     panels = []
     for study in studies:
         for unit, error in _ERRORS.items():
@@ -75,7 +75,7 @@ def study_diagram(studies: Sequence[Study], repeats: int, device: str) -> Figure
 
 
 def promise_diagram(studies: Sequence[Study]) -> Figure:
-    """All plans: tolerance asked across, errors predicted and measured upwards. ValueError for no
+    """Draw predicted and measured errors of all plans against the tolerance. ValueError without
     plans."""
     from matplotlib.lines import Line2D
 
@@ -109,7 +109,7 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
         plans, tolerances_e, errors.clip(low, high), strict=True
     ):
         number = scenes.index(scene)
-        # Scenes side by side, so that none hides another.
+        # Shift scenes sideways, so that marks do not overlap.
         x *= 1.05 ** (number - (len(scenes) - 1) / 2)
         style = look().of(number)
         axes.plot([x, x], ends, color=style["color"], linewidth=1)
@@ -135,8 +135,8 @@ def promise_diagram(studies: Sequence[Study]) -> Figure:
 
 
 def budget_diagram(studies: Sequence[Study]) -> Figure:
-    """A panel for each scene: what its effects do, and what leaving each out saves. The readout's
-    effects belong to no budget. ValueError for no scenes."""
+    """Draw, for each scene, the size of its effects, and the time that leaving each out saves.
+    Effects of the readout are excluded. ValueError without scenes."""
     from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 

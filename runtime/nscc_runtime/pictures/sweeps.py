@@ -1,8 +1,5 @@
-"""Pictures of sweeps: figures against an axis, a line for each value of others.
-
-Panels that show the same have the same scales: numbers, which are logarithmic where they span a
-decade, or names side by side.
-"""
+"""Diagrams of sweeps: figures against an axis, a line for each value of other axes. Panels of equal
+quantities have equal scales: numbers, logarithmic if they span a decade, or names side by side."""
 
 from __future__ import annotations
 
@@ -12,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from nscc_runtime.pictures import sheet
 from nscc_runtime.pictures.labels import ChartLabel, place_labels
-from nscc_runtime.pictures.look import look
+from nscc_runtime.pictures.picture_colours import look
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -22,17 +19,17 @@ _COLUMNS = 2
 _HEIGHT = 2.9
 _DECADE = 10.0
 _MARGIN = 0.06
-"""Of an axis beyond its outermost points."""
+"""Margin of an axis beyond its outermost points, relative to its length."""
 _MOST_NAMED = 6
-"""Lines that may have their names beside them; of more a legend tells them apart."""
+"""Most lines with names beside them; more have a legend."""
 
 Place = float | str
-"""Where a point is across: a number, or one of several names."""
+"""The position of a point on an axis: a number, or one of several names."""
 
 
 @dataclass(frozen=True)
 class Lines:
-    """A panel: what is drawn across and upwards, and the points (across, upwards) of each line."""
+    """A panel: labels of its axes, and the points (across, upwards) of each line."""
 
     title: str
     across: str
@@ -42,7 +39,7 @@ class Lines:
 
 @dataclass(frozen=True)
 class _Scale:
-    """How an axis is laid out: `names` side by side, or numbers between limits."""
+    """The scale of an axis: `names` side by side, or numbers between limits."""
 
     low: float
     high: float
@@ -51,7 +48,7 @@ class _Scale:
 
     @classmethod
     def of(cls, values: Sequence[Place]) -> _Scale:
-        """The scale that all of these values are on."""
+        """Return the scale for all of these values."""
         numbers = [value for value in values if not isinstance(value, str)]
         if len(numbers) < len(values):
             names = tuple(dict.fromkeys(map(str, values)))
@@ -64,11 +61,11 @@ class _Scale:
         return cls(low - room, high + room)
 
     def at(self, value: Place) -> float:
-        """Where a value is."""
+        """Return the position of a value."""
         return float(self.names.index(str(value)) if self.names else value)
 
     def lay(self, axes: Axes, axis_name: str) -> None:
-        """Gives one of a panel's axes, "x" or "y", this scale."""
+        """Apply the scale to an axis of a panel, "x" or "y"."""
         if self.logarithmic:
             axes.set(**{f"{axis_name}scale": "log"})
         axes.set(**{f"{axis_name}lim": (self.low, self.high)})
@@ -80,8 +77,10 @@ class _Scale:
 
 
 def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
-    """All panels, lines of one name in one colour. Raises ValueError where there is nothing to
-    draw."""
+    """Draw all panels, with one colour per name of lines.
+
+    Raises ValueError without points.
+    """
     from matplotlib.lines import Line2D
 
     filled_panels = [panel for panel in panels if any(panel.lines.values())]
@@ -115,7 +114,7 @@ def sweep_diagram(panels: Sequence[Lines], title: str, note: str) -> Figure:
 
 
 def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
-    """The scales by ("x" or "y", what is drawn along it)."""
+    """Return the scales by ("x" or "y", label)."""
     values: dict[tuple[str, str], list[Place]] = {}
     for panel in panels:
         for points in panel.lines.values():
@@ -128,7 +127,7 @@ def _scales(panels: Sequence[Lines]) -> dict[tuple[str, str], _Scale]:
 def _draw(
     axes: Axes, panel: Lines, names: Sequence[str], scales: Mapping[tuple[str, str], _Scale]
 ) -> list[ChartLabel]:
-    """Draws a panel's lines; their names, for their ends."""
+    """Draw a panel's lines; return labels with their names at their ends."""
     across, upwards = scales["x", panel.across], scales["y", panel.upwards]
     axes.set_title(panel.title)
     axes.set_xlabel(panel.across)

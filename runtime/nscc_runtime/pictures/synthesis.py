@@ -1,4 +1,4 @@
-"""The picture of what compile time buys."""
+"""The diagram of words against compile time."""
 
 from __future__ import annotations
 
@@ -14,10 +14,8 @@ if TYPE_CHECKING:
 
 
 def synthesis_diagram(points: Sequence[Point], words: str, repeats: int, device: str) -> Figure:
-    """For each program of `nscc.tradeoff.synthesis` the words against time, a line a lowering.
-
-    `words` says which words are counted; `repeats` compilations were timed on `device`.
-    """
+    """Draw, for each program of `nscc.tradeoff.synthesis`, words against time, a line per lowering.
+    `words` names the words that are counted; `repeats` compilations were timed on `device`."""
     panels = [
         Panel(case, words, list(group)) for case, group in groupby(points, key=lambda p: p.case)
     ]

@@ -1,5 +1,5 @@
-"""From light to the greys and colours of a screen: curves that are fitted to one picture and serve
-others beside it, so that equal light looks equal."""
+"""Tone curves from light to display values, fitted to one picture and shared by pictures
+beside it."""
 
 from __future__ import annotations
 
@@ -15,24 +15,24 @@ from nscc.diagnostics.rejection import unknown_name
 Field = NDArray[np.float64]
 
 WHITE_PERCENTILE = 99.8
-"""What is brighter is left to burn out: single lights would darken all the rest."""
+"""Percentile of light that is shown as white; a few bright lights would darken the picture."""
 _MIDDLE = 0.45
-"""The grey of the median under a logarithmic curve."""
+"""The grey level of the median under a logarithmic curve."""
 _KEY = 0.18
 """Reinhard's middle grey."""
 
 
 @dataclass(frozen=True)
 class Tone:
-    """A fitted curve: `curve` takes light over `white` (0 and above) to 0..1; `name` tells a reader
-    of the picture which it is."""
+    """A fitted tone curve: `curve` maps light over `white` (0 and above) to 0..1; `name` describes
+    it."""
 
     name: str
     white: float
     curve: Callable[[Field], Field]
 
     def __call__(self, light: NDArray[Any]) -> NDArray[np.uint8]:
-        """Light of any shape as 0..255; what is negative is dark."""
+        """Map light of any shape to 0..255; negative values are black."""
         if not self.white > 0:
             return np.zeros(light.shape, np.uint8)
         shown = np.clip(np.nan_to_num(np.asarray(light, np.float64)), 0.0, self.white)
@@ -41,7 +41,7 @@ class Tone:
 
 
 def check_tone(tone: str) -> None:
-    """Rejected (NS0739) for a name that is none of `TONES`."""
+    """Raise Rejected (NS0739) for a name that is not in `TONES`."""
     if tone not in TONES:
         raise unknown_name(
             "NS0739", "there is no tone curve '{}'", tone, [*TONES], "the curves are {}"
@@ -49,11 +49,9 @@ def check_tone(tone: str) -> None:
 
 
 def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
-    """The curve of that name for light (.., rows, cols), or (.., rows, cols, 3) in colours.
-
-    `white` is the light that is shown as white, by default the percentile `WHITE_PERCENTILE`.
-    Raises Rejected as `check_tone`.
-    """
+    """Fit a tone curve to light (.., rows, cols), or (.., rows, cols, 3) in colours. `white` is the
+    light shown as white, by default the percentile `WHITE_PERCENTILE`. Raises Rejected as
+    `check_tone`."""
     check_tone(tone)
     values = np.asarray(light, np.float64).ravel()
     values = np.maximum(values[np.isfinite(values)], 0.0)
@@ -66,13 +64,13 @@ def fitted(tone: str, light: NDArray[Any], white: float | None = None) -> Tone:
 
 
 def srgb_of_linear(values: Field) -> Field:
-    """The curve of IEC 61966-2-1 from linear light on 0..1 and above."""
+    """Apply the sRGB curve of IEC 61966-2-1 to linear light on 0..1 and above."""
     power = 1.055 * np.maximum(values, 0.0031308) ** (1 / 2.4) - 0.055
     return np.where(values > 0.0031308, power, 12.92 * values)
 
 
 def _logarithmic(relative: Field) -> Callable[[Field], Field]:
-    """log(1 + b x) / log(1 + b), b such that the median is a middle grey."""
+    """Return log(1 + b x) / log(1 + b), with b such that the median is a middle grey."""
     middle = min(float(np.median(relative)), 1.0)
     low, high = 0.0, 30.0
     for _ in range(40):
@@ -84,7 +82,7 @@ def _logarithmic(relative: Field) -> Callable[[Field], Field]:
 
 
 def _reinhard(relative: Field) -> Callable[[Field], Field]:
-    """Reinhard's global operator (SIGGRAPH 2002), whose white burns out, for an sRGB screen."""
+    """Return Reinhard's global operator (SIGGRAPH 2002) with a white point, for an sRGB screen."""
     lit = relative[relative > 0]
     scale = _KEY / float(np.exp(np.mean(np.log(lit)))) if lit.size else 1.0
 
@@ -96,7 +94,7 @@ def _reinhard(relative: Field) -> Callable[[Field], Field]:
 
 
 def _mu_law(_relative: Field) -> Callable[[Field], Field]:
-    """log(1 + 5000 x) / log 5001, in which PSNR-mu counts errors."""
+    """Return log(1 + 5000 x) / log 5001, the curve of PSNR-mu."""
     return lambda light: np.log1p(5000.0 * np.minimum(light, 1.0)) / np.log1p(5000.0)
 
 
@@ -107,4 +105,4 @@ TONES: dict[str, Callable[[Field], Callable[[Field], Field]]] = {
     "srgb": lambda _relative: srgb_of_linear,
     "linear": lambda _relative: lambda light: light,
 }
-"""Each is fitted to light over white."""
+"""Tone curves by name; each is fitted to light over white."""

@@ -123,6 +123,22 @@ class Plan:
         return html.card("plan", said, html.plain(str(self)))
 
     @property
+    def line(self) -> str:
+        """The plan in one line: the effects that are simulated, and the predicted error."""
+        names = {choice: [each.name for each in self.decisions if each.decision == choice]
+                 for choice in ("kept", "dropped")}  # fmt: skip
+        if not names["dropped"]:
+            return f"every effect simulated: {len(names['kept'])} that this run can have"
+        error = "no error measured"
+        if self.predicted_e is not None:
+            error = f"predicted error {self.predicted_e:.3g} e, tolerance {self.allowed}"
+        kept, dropped = names["kept"], names["dropped"]
+        listed = f"without {', '.join(dropped)}"
+        if len(kept) < len(dropped):
+            listed = ", ".join(kept)
+        return f"{error}; {len(kept)} of {len(kept) + len(dropped)} effects simulated: {listed}"
+
+    @property
     def measured(self) -> bool:
         """Whether the error was measured on a sample of the scene."""
         return self.predicted_e is not None

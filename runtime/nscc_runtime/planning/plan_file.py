@@ -7,6 +7,8 @@ from pathlib import Path
 
 from nscc.diagnostics.rejection import rejected
 from nscc.files import read_whole
+from nscc.npy import InvalidArrays
+from nscc_runtime.frame_arrays import read_frame_arrays
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.sensor import Sensor, sensor_sha256
@@ -25,19 +27,7 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
     """A plan from its file; NS0747 where it is none, NS0748 where it was made for something else
     (status 2).
     """
-    try:
-        values = json.loads(read_whole(path))
-        if values["schema"] != PLAN_SCHEMA:
-            raise ValueError(f"its schema is {str(values['schema'])[:40]!r}")
-        plan = Plan.from_json(values["plan"])
-        made_for = str(values["program_sha256"]), str(values["sensor_sha256"])
-    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise rejected(
-            "NS0747",
-            f"'{path}' is no plan of this version",
-            notes=(_reason(error),),
-            helps=("give --plan a name that does not exist: the plan made is written there",),
-        ) from error
+    plan, made_for = _read(path)
     is_for = program_sha256, sensor_sha256(sensor)
     for found, here, what in zip(made_for, is_for, ("program", "sensor"), strict=True):
         if found != here:
@@ -48,6 +38,33 @@ def read_plan(path: Path, program_sha256: str, sensor: Sensor) -> Plan:
                 helps=("make a new plan: give --plan a name that does not exist",),
             )
     return plan
+
+
+def plan_of(path: Path) -> Plan:
+    """Return the plan in a plan's file, or of a frame file; NS0747 for another file."""
+    return _read(path)[0]
+
+
+def _read(path: Path) -> tuple[Plan, tuple[str, str]]:
+    """The plan, and the digests of the program and the sensor that it was made for."""
+    try:
+        if path.suffix.lower() == ".npz":
+            values = read_frame_arrays(path, lambda _name: False)[1]
+        else:
+            values = json.loads(read_whole(path))
+            if values["schema"] != PLAN_SCHEMA:
+                raise ValueError(f"its schema is {str(values['schema'])[:40]!r}")
+        made_for = str(values["program_sha256"]), str(values["sensor_sha256"])
+        return Plan.from_json(values["plan"]), made_for
+    except (
+        OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, InvalidArrays
+    ) as error:  # fmt: skip
+        raise rejected(
+            "NS0747",
+            f"'{path}' is no plan of this version",
+            notes=(_reason(error),),
+            helps=("give --plan a name that does not exist: the plan made is written there",),
+        ) from error
 
 
 def _reason(error: Exception) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +15,7 @@ from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.execution.frames import Path
 from nscc_runtime.frame_file import Frame
 from nscc_runtime.light import Light
+from nscc_runtime.loop import Loop
 from nscc_runtime.planning.audit import Audit
 from nscc_runtime.planning.plan import Plan
 from nscc_runtime.planning.tolerance import Tolerance, with_readout_e
@@ -37,8 +39,8 @@ class PlannedScene(ABC):
 
     @property
     @abstractmethod
-    def compiled(self) -> bool:
-        """Whether its loops are machine code already."""
+    def loop(self) -> Loop[Any]:
+        """The loop that is compiled first."""
 
     @abstractmethod
     def ready(self) -> None:

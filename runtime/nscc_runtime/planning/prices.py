@@ -84,10 +84,10 @@ class Work:
     @classmethod
     def _of(cls, program: Program) -> Work:
         pixels, slots = program.pixels, program.container.slots
-        acting = pixels.flags & ACTS > 0
-        lanes = len(pixels.entry_start) - 1
-        lane = np.repeat(np.arange(lanes), np.diff(pixels.entry_start))[acting]
-        places = lane * (slots + 1) + pixels.entries["boundary"][pixels.entry_of[:-1][acting]]
+        listed, begins = pixels.lanes, pixels.program.words["begins"]
+        acting, lanes = listed.flags & ACTS > 0, len(listed.start) - 1
+        lane = np.repeat(np.arange(lanes), np.diff(listed.start))[acting]
+        places = lane * (slots + 1) + begins[listed.word[acting]]
         groups = len(np.unique(pixels.groups + np.arange(lanes)[:, None] * len(pixels.group_ids)))
         return cls(len(lane) / lanes, len(np.unique(places)) / lanes, groups / lanes, slots)
 

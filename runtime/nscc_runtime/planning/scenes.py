@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +26,7 @@ from nscc_runtime.light import Light
 from nscc_runtime.looked_frames import Planes, exposer, frames, next_planes, ways_of
 from nscc_runtime.looking.way_loop import run_ways
 from nscc_runtime.looking.ways import Ways
+from nscc_runtime.loop import Loop
 from nscc_runtime.planning.audit import Audit, Compared, audit
 from nscc_runtime.planning.look_trial import LOOKS, LookTrial, same_states
 from nscc_runtime.planning.make import still_fits
@@ -55,9 +57,9 @@ class FixedShutters(PlannedScene):
     """A program whose shutters are fixed."""
 
     @property
-    def compiled(self) -> bool:
+    def loop(self) -> Loop[Any]:
         """See `PlannedScene`."""
-        return run_pixels.is_compiled()
+        return run_pixels
 
     def ready(self) -> None:
         """See `PlannedScene`."""
@@ -157,9 +159,9 @@ class LookingPixels(PlannedScene):
     """A program whose pixels look at the light: its words approximate nothing."""
 
     @property
-    def compiled(self) -> bool:
+    def loop(self) -> Loop[Any]:
         """See `PlannedScene`."""
-        return run_ways.is_compiled()
+        return run_ways
 
     def ready(self) -> None:
         """See `PlannedScene`."""

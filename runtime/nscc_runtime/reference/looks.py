@@ -13,33 +13,28 @@ Without effects every slot is added by itself, as the exposure is defined.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Effect
 from nscc.words.container import Container
-from nscc.words.cost import word_us
-from nscc.words.legality import decoded
 from nscc.words.readout import converter_of
 from nscc_runtime.effects import Selection, selected
-from nscc_runtime.effects.parts import Errors
 from nscc_runtime.effects.sensor import Sensor
-from nscc_runtime.effects.views import Pixels, Scene, Word
+from nscc_runtime.effects.views import Scene
 from nscc_runtime.emulator.capture import check_size
-from nscc_runtime.interface import Executed, Exposure
+from nscc_runtime.interface import Executed
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals, uniforms
-from nscc_runtime.pool import in_strips, threads_of
-from nscc_runtime.reference.capture import START, most_destinations, scene_of
-from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.capture import scene_of
+from nscc_runtime.reference.charge import Fallen, charge_of_rows
+from nscc_runtime.reference.digital import Digital
 from nscc_runtime.reference.intervals import Intervals
-from nscc_runtime.reference.marks import Marks
-from nscc_runtime.reference.resets import Resets
-from nscc_runtime.reference.trace import retention_us
-from nscc_runtime.reference.weights import error_sign
+from nscc_runtime.reference.trace import RunningWord, retention_us, running_words
+from nscc_runtime.reference.words import START, Marked, WordPixels, in_rows
 from nscc_runtime.sensor import default_sensor
 
 Values = NDArray[np.float64]
@@ -47,19 +42,8 @@ Bits = NDArray[np.bool_]
 
 WORD_DRAWS = 1
 """The source, in the keys, of what is drawn word by word."""
-_CELLS = 1 << 21
-"""Most slots x pixels of a chunk of rows."""
 _FIRST_BIT = 256
 """The group of the first digital register among the streams of START; analog ones stand before."""
-
-
-@dataclass(frozen=True)
-class Running:
-    """An analog word as it runs: `number` counts those of a frame."""
-
-    number: int
-    after_us: float
-    op: Op
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,12 +59,16 @@ class LookingReference:
     sensor: Sensor
     effects: Selection
     threads: int | None = None
-    kernels: tuple[tuple[Op, ...], ...] = field(init=False)
 
     def __post_init__(self) -> None:
         if self.container.pixel_codes is None:
             raise ValueError("a container without pixels")
-        object.__setattr__(self, "kernels", decoded(self.container))
+        self.words  # noqa: B018  # made when it is asked for: what can be refused is refused
+
+    @cached_property
+    def words(self) -> tuple[RunningWord, ...]:
+        """Every word of a frame."""
+        return tuple(running_words(self.container))
 
     @cached_property
     def intervals(self) -> Intervals:
@@ -106,31 +94,28 @@ class LookingReference:
         scene = self.intervals.joined(scene)
         told = {r for planes in container.state_planes.values() for r in planes.registers}
         told |= set(container.code_registers)
-        exposure = np.empty((len(container.buckets), len(rows), cols))
-        saturated_by = np.empty(exposure.shape, np.uint8)
-        valid = np.empty((len(rows), cols), np.bool_)
         planes = {name: np.empty((len(rows), cols), np.bool_) for name in sorted(told)}
 
-        def fill(part: range) -> None:
-            fallen = charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
+        def fall(part: range) -> Fallen:
+            return charge_of_rows(scene, None, self.sensor, self.effects, seeds, frame, part)
+
+        def run(part: range, fallen: Fallen) -> Marked:
             here = slice(part.start, part.stop)
-            places = np.arange(part.start * cols, part.stop * cols, dtype=np.int64)
-            pixels = WordPixels(
+            pixels = _LookingPixels(
                 sensor=self.sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
-                places=places, program=self, pace=pace(here, fallen.light),
+                places=np.arange(part.start * cols, part.stop * cols, dtype=np.int64),
+                container=container, effects=self.effects, program=self,
+                pace=pace(here, fallen.light),
                 code={name: plane[here].reshape(-1) for name, plane in loaded.items()},
             )  # fmt: skip
-            found, marked = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
+            found = pixels.run(fallen.charge.reshape(len(self.intervals), -1))
             chunk = slice(part.start - rows.start, part.stop - rows.start)
-            exposure[:, chunk] = found.reshape(-1, len(part), cols)
-            saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
-            valid[chunk] = fallen.valid
             for name, plane in planes.items():
-                plane[chunk] = pixels.bits[name].reshape(len(part), cols)
+                plane[chunk] = pixels.digital.bits[name].reshape(len(part), cols)
+            return found
 
-        in_strips(fill, rows, _CELLS // (len(self.intervals) * cols), threads_of(self.threads))
-        valid_here = np.isfinite(exposure) & valid
-        return Executed(Exposure(exposure, valid_here, saturated_by), planes)
+        shape = len(container.buckets), cols, len(self.intervals)
+        return Executed(in_rows(fall, run, rows, shape, self.threads), planes)
 
 
 def executed(
@@ -141,207 +126,77 @@ def executed(
     reference = LookingReference(
         container, sensor or default_sensor(converter_of(container)), selected("none")
     )
-    return reference.expose(
-        scene_of(container, light, None), container.planes(), (0, device_seed), 0
-    )
+    return reference.expose(scene_of(container, light), container.planes(), (0, device_seed), 0)
 
 
 @dataclass(eq=False, kw_only=True)
-class WordPixels(Pixels):
-    """Some pixels while the words of one frame run. All arrays are (pixels,) but `pace`, which
-    `nscc_runtime.reference.intervals` has made."""
+class _LookingPixels(WordPixels):
+    """Some pixels that look; `pace` is what `nscc_runtime.reference.intervals` has made."""
 
     program: LookingReference
     code: Mapping[str, Bits]
     pace: Values
 
     def __post_init__(self) -> None:
-        self.at = self.program.effects.at
-        self.container, target = self.program.container, self.program.container.target
-        self.target = target
-        self.most = most_destinations(target)
-        self.errors_at = {e.name: p.at for e, p in self.program.effects.having(Errors)}
-        names = ("PIX", *target.analog_registers)
-        start = {name: self.arbitrary(i) for i, name in enumerate(names)}
-        self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
-        self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
-        self.resets = Resets(self.program.effects, len(self.places))
-        self.marks = Marks(self.program.effects, self.sensor, (*names, "IN"), len(self.places))
-        bits = (*target.digital_registers, "FLAG")
-        self.bits = {name: self.arbitrary(_FIRST_BIT + i) < 0.5 for i, name in enumerate(bits)}
-        nothing = np.zeros(len(self.places), np.bool_)
-        self.bits |= {"SELECT": nothing, "bus": nothing, **self.code}
-        self.written_us = dict.fromkeys(self.bits, 0.0)
-        self.retention_us = retention_us(self.program.effects, self.sensor)
-        self.now_us, self.after_us, self.in_e, self.number = 0.0, 0.0, 0.0, 0
-
-    def arbitrary(self, group: int) -> Values:
-        """Uniform numbers, fixed by the device, of which a register's first value is made."""
-        return uniforms(key(self.device_seed, START, group=group), self.places)
-
-    def error(self, name: str, word: Word, destination: int = 0) -> Values:
-        number = word.number
-        if self.errors_at.get(name) == "words":
-            number = number * self.most + destination
-        return self.draw(name, number)
+        super().__post_init__()
+        bits = {
+            name: uniforms(key(self.device_seed, START, group=_FIRST_BIT + i), self.places) < 0.5
+            for i, name in enumerate((*self.target.digital_registers, "FLAG"))
+        }
+        self.digital = Digital(
+            self.target, {**bits, **self.code}, retention_us(self.effects, self.sensor)
+        )
 
     def draw(self, name: str, number: int) -> Values:
-        effect = next(each for each in self.program.effects.effects if each.name == name)
+        effect = next(each for each in self.effects.effects if each.name == name)
         return normals(key(self.seed, effect.stream, WORD_DRAWS, self.frame, number), self.places)
 
-    def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
-        """The exposures (buckets, pixels) of a frame of `charge` (intervals, pixels), and what cut
-        them off (`nscc_runtime.effects.marks`)."""
-        slots, target = self.container.slots, self.target
-        launches = iter(self.container.launches)
-        launch = next(launches, None)
-        intervals = self.program.intervals
+    def run(self, charge: Values) -> Marked:
+        """A frame of `charge` (intervals, pixels)."""
+        slots, intervals = self.container.slots, self.program.intervals
+        words = iter(self.program.words)
+        word = next(words, None)
         interval_us = intervals.us.tolist()
         for number, n in enumerate((*intervals.starts, slots)):
-            self.fallen, self.after_us = np.zeros(1), 0.0
-            while launch is not None and launch.instant == n:
-                if launch.level is not None:
-                    self.in_e = launch.level * target.electrons_per_step
-                self.after_us += target.launch_us
-                for op in self.program.kernels[launch.kernel]:
-                    self.after_us += word_us(op, target)
-                    if op.analog:
-                        self._until(op, charge[min(number, len(charge) - 1)], number, n)
-                    self._run(op)
-                launch = next(launches, None)
+            self.fallen = np.zeros(1)
+            while word is not None and word.boundary == n:
+                if word.op.analog:
+                    self._until(word, charge[min(number, len(charge) - 1)], number)
+                self._run(word)
+                word = next(words, None)
             if n < slots:
-                self._fall(charge[number] * (1.0 - self.fallen))
-                for held in self.at("hold"):
-                    kept = held(self, interval_us[number] * 1e-6)
-                    self.register = {name: v * kept for name, v in self.register.items()}
-                self.now_us += interval_us[number]
-        return self._read_out()
+                self.fall(charge[number] * (1.0 - self.fallen))
+                self.hold(interval_us[number] * 1e-6)
+                self.digital.now_us += interval_us[number]
+        return self.read_out()
 
-    def _until(self, op: Op, charge: Values, number: int, boundary: int) -> None:
+    def _until(self, word: RunningWord, charge: Values, number: int) -> None:
         """The light that falls while words run, up to the end of this one."""
         for ends_us in self.at("time"):
-            now_us = ends_us(Running(self.number, self.after_us, op))
-            if boundary < self.container.slots:
-                now_us = min(now_us, self.container.slot_us[boundary])
+            now_us = ends_us(word)
+            if word.boundary < self.container.slots:
+                now_us = min(now_us, self.container.slot_us[word.boundary])
             now = now_us * self.pace[number]
-            self._fall(charge * (now - self.fallen))
+            self.fall(charge * (now - self.fallen))
             self.fallen = now
 
-    def _fall(self, charge: Values) -> None:
-        self.charge = self.marks.fallen(self, self.charge + charge)
-
-    def _run(self, op: Op) -> None:
-        match op.operation.effect:
-            case Effect.NONE:
-                pass
+    def _run(self, word: RunningWord) -> None:
+        flag = self.digital.read("FLAG") == 1
+        match word.op.operation.effect:
             case Effect.RESET_PIX:
-                self._reset(op)
+                everywhere = self.target.reset_honours_flag == "no"
+                self.reset(word, np.ones_like(flag) if everywhere else flag)
             case Effect.BUS:
-                self._bus(op)
-            case Effect.FLAG_ALL:
-                self._write("FLAG", np.ones(len(self.places), np.bool_))
+                self.bus(word, flag)
             case Effect.FLAG_ANALOG:
-                self._compare(op)
-            case Effect.FLAG_DIGITAL:
-                self._write("FLAG", self._some(op))
-            case Effect.DIGITAL:
-                self._digital(op)
+                found = self._seen(word) > 0
+                self.digital.write("FLAG", found & flag if self.target.where_obeys_flag else found)
+            case _:
+                self.digital.run(word.op)
 
-    def _running(self, op: Op) -> Running:
-        self.number += 1
-        return Running(self.number - 1, self.after_us, op)
-
-    def _reset(self, op: Op) -> None:
-        word = self._running(op)
-        here = np.ones(len(self.places), np.bool_)
-        if self.target.reset_honours_flag != "no":
-            here = self._read("FLAG")
-        self.charge = np.where(here, 0.0, self.charge)
-        self.marks.empty(here)
-        self.resets.reset(self, here, word, self.now_us)
-
-    def _total(self, word: Running) -> Values:
-        total = np.zeros(len(self.places))
-        for name in word.op.sources:
-            if name == "IN":
-                total += self.in_e
-            elif name == "PIX":
-                level = self.resets.found(self, self.charge, word, self.now_us)
-                for found in self.at("reads"):
-                    level = found(self, level, word)
-                total += level
-            else:
-                total += self._source(name)
-        return total
-
-    def _source(self, name: str) -> Values:
-        """What a word reads of an analog register."""
-        return self.register[name]
-
-    def _bus(self, op: Op) -> None:
-        word = self._running(op)
-        here = self._read("FLAG")
-        result = self._total(word) / -op.operation.divisor
-        at = self.now_us
-        full, lost = self.marks.gathered(op, self.resets.unseen(at), self.resets.lit(at))
-        for index, name in enumerate(op.destinations):
-            value = result
-            for written in self.at("words"):
-                value = written(self, value, word, index, error_sign(name, self.container))
-            value, lost_here = self.marks.held(self, value, lost)
-            self.register[name] = np.where(here, value, self.register[name])
-            self.marks.write(name, here, full, lost_here)
-
-    def _compare(self, op: Op) -> None:
-        word = self._running(op)
-        total = self._total(word)
+    def _seen(self, word: RunningWord) -> Values:
+        """What a comparison with 0 sees."""
+        total = self.total(word)
         for seen in self.at("compare"):
             total = seen(self, total, word)
-        found = total > 0
-        if self.target.where_obeys_flag:
-            found &= self._read("FLAG")
-        self._write("FLAG", found)
-
-    def _read(self, name: str) -> Bits:
-        if self.now_us - self.written_us[name] > self.retention_us:
-            return np.zeros(len(self.places), np.bool_)
-        return self.bits[name]
-
-    def _some(self, op: Op) -> Bits:
-        some = np.zeros(len(self.places), np.bool_)
-        for name in op.sources:
-            some = some | self._read(name)
-        return some
-
-    def _digital(self, op: Op) -> None:
-        row = op.operation
-        if row.phase is not Phase.WRITE:
-            self.bits["bus"] = self._some(op) ^ row.inverted
-        if row.phase is Phase.READ:
-            return
-        # What guards the masked register is the mask as it was before this word.
-        masked, mask = self.target.masked_register, self.target.mask_register
-        guard = None if mask is None else self._read(mask)
-        for name in op.destinations:
-            value = self.bits["bus"]
-            if name == masked and guard is not None:
-                value = np.where(guard, value, self._read(name))
-            self._write(name, value)
-
-    def _write(self, name: str, value: Bits) -> None:
-        self.bits[name] = value
-        self.written_us[name] = self.now_us
-
-    def _read_out(self) -> tuple[Values, NDArray[np.uint8]]:
-        exposures = np.empty((len(self.container.buckets), len(self.places)))
-        marked = np.empty(exposures.shape, np.uint8)
-        for order, readout in enumerate(self.container.readouts):
-            value = self.register[readout.register] * readout.gain
-            for held in self.at("hold"):
-                value = value * held(self, order * self.target.readout_us * 1e-6)
-            bucket = self.container.buckets.index(readout.bucket)
-            for leaves in self.at("readout"):
-                value = leaves(self, value, bucket)
-            exposures[bucket] = value + 0.0  # -0 + 0 is +0
-            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
-        return exposures, marked
+        return total

@@ -20,18 +20,16 @@ from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
 from nscc_runtime.effects.views import Pixels, Scene, Word
 from nscc_runtime.emulator.capture import check
-from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.frame_file import Frame
 from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 from nscc_runtime.noise import key, normals
-from nscc_runtime.pool import in_strips, threads_of
 from nscc_runtime.reference.capture import scene_of
-from nscc_runtime.reference.charge import charge_of_rows
+from nscc_runtime.reference.charge import Fallen, charge_of_rows
+from nscc_runtime.reference.words import Marked, converted_frames, in_rows
 
 Values = NDArray[np.float64]
 
-_CELLS = 1 << 21
-"""Most slots x pixels in work at once."""
 _ACTING = {
     "scene", "light", "response", "count", "charge", "neighbours", "well", "resets", "reads",
     "hold", "readout", "converter", "codes",
@@ -58,20 +56,17 @@ def stream_frames(
     seed: int = 0,
     device_seed: int = 0,
     count: int = 1,
-    previous: Light | None = None,
     threads: int | None = None,
 ) -> Iterator[Frame]:
     """Frames 0 .. `count` - 1 of `light`. What can be refused is refused before the first one."""
     check(container, light)
-    scene = scene_of(container, light, previous)
+    scene = scene_of(container, light)
     seeds = seed, device_seed
-    return (
-        converted(
-            expose_stream(container, scene, sensor, effects, seeds, number, threads),
-            container.target, sensor, effects, seeds, number,
-        )
-        for number in range(count)
-    )  # fmt: skip
+
+    def expose(number: int) -> Exposure:
+        return expose_stream(container, scene, sensor, effects, seeds, number, threads)
+
+    return converted_frames(expose, container, sensor, effects, seeds, count)
 
 
 def expose_stream(
@@ -88,25 +83,20 @@ def expose_stream(
     sent, (rows, cols) = container.stream, scene.light.shape
     if sent is None:
         raise ValueError("a container without planes")
-    exposure = np.empty((len(container.buckets), rows, cols))
-    saturated_by = np.empty(exposure.shape, np.uint8)
-    valid = np.empty((rows, cols), np.bool_)
 
-    def fill(part: range) -> None:
-        fallen = charge_of_rows(scene, None, sensor, effects, seeds, frame, part)
-        chunk = slice(part.start, part.stop)
+    def fall(part: range) -> Fallen:
+        return charge_of_rows(scene, None, sensor, effects, seeds, frame, part)
+
+    def run(part: range, fallen: Fallen) -> Marked:
         pixels = _Taps(
             sensor=sensor, seed=seeds[0], device_seed=seeds[1], frame=frame,
             places=np.arange(part.start * cols, part.stop * cols, dtype=np.int64),
-            container=container, sent=sent, effects=effects, rows=chunk,
+            container=container, sent=sent, effects=effects, rows=slice(part.start, part.stop),
         )  # fmt: skip
-        found, marked = pixels.run(fallen.charge.reshape(container.slots, -1))
-        exposure[:, chunk] = found.reshape(-1, len(part), cols)
-        saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
-        valid[chunk] = fallen.valid
+        return pixels.run(fallen.charge.reshape(container.slots, -1))
 
-    in_strips(fill, range(rows), _CELLS // (container.slots * cols), threads_of(threads))
-    return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
+    shape = len(container.buckets), cols, container.slots
+    return in_rows(fall, run, range(rows), shape, threads)
 
 
 @dataclass(frozen=True)
@@ -130,9 +120,8 @@ class _Taps(Pixels):
         effect = next(each for each in self.effects.effects if each.name == name)
         return normals(key(self.seed, effect.stream, 1, self.frame, word.number), self.places)
 
-    def run(self, charge: Values) -> tuple[Values, NDArray[np.uint8]]:
-        """The exposures (buckets, pixels) of a frame of `charge` (N, pixels), and what cut them off
-        (`nscc_runtime.effects.marks`)."""
+    def run(self, charge: Values) -> Marked:
+        """A frame of `charge` (N, pixels)."""
         container, target = self.container, self.container.target
         shape = len(container.buckets), len(self.places)
         held, marked = np.zeros(shape), np.zeros(shape, np.uint8)

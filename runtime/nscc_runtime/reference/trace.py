@@ -7,6 +7,7 @@ that hangs on it is found.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from math import inf
 
@@ -15,14 +16,17 @@ from numpy.typing import NDArray
 
 from nscc.diagnostics.diagnostic import Rejected
 from nscc.diagnostics.rejection import rejected
-from nscc.operations import Effect, Op, Phase
+from nscc.operations import Effect, Op
 from nscc.words.container import Container
 from nscc.words.cost import word_us
 from nscc.words.legality import decoded
 from nscc_runtime.effects import Selection
 from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.reference.digital import Digital
 
 Bits = NDArray[np.bool_]
+
+_ANALOG = Effect.BUS, Effect.RESET_PIX, Effect.FLAG_ANALOG
 
 
 def opens_no_shutters(what: str) -> Rejected:
@@ -36,22 +40,67 @@ def opens_no_shutters(what: str) -> Rejected:
 
 
 @dataclass(frozen=True, eq=False)
-class AnalogWord:
-    """A bus or reset word executed at `boundary`, ending `after_us` after it.
+class RunningWord:
+    """A word executed at `boundary`, ending `after_us` after it.
 
-    `number` counts the analog words of a frame; `lanes` bool (lanes,): where it acts.
+    `number` counts the analog words of a frame: bus, reset and compare words. `in_e`: what IN holds
+    meanwhile, in electrons.
     """
 
     number: int
     boundary: int
     after_us: float
     op: Op
-    lanes: Bits
+    in_e: float
 
     @property
     def resets(self) -> bool:
-        """Whether it resets PIX; else it is a bus word."""
+        """Whether it resets PIX."""
         return self.op.operation.effect is Effect.RESET_PIX
+
+    @property
+    def compares(self) -> bool:
+        """Whether it is a `where`."""
+        return self.op.operation.effect is Effect.FLAG_ANALOG
+
+    @property
+    def sources(self) -> tuple[str, ...]:
+        """The analog registers, PIX and IN that it reads."""
+        return () if self.resets else self.op.sources
+
+    @property
+    def destinations(self) -> tuple[str, ...]:
+        """The analog registers that it writes."""
+        return () if self.resets or self.compares else self.op.destinations
+
+
+@dataclass(frozen=True, eq=False)
+class AnalogWord(RunningWord):
+    """A bus or reset word, and where it acts: `lanes` bool (lanes,)."""
+
+    lanes: Bits
+
+    @classmethod
+    def of(cls, word: RunningWord, lanes: Bits) -> AnalogWord:
+        """A word that acts there."""
+        return cls(word.number, word.boundary, word.after_us, word.op, word.in_e, lanes)
+
+
+def running_words(container: Container) -> Iterator[RunningWord]:
+    """Every word of a frame in the order of execution. Raises Rejected as
+    `nscc.words.legality.decoded` does."""
+    kernels, target, number = decoded(container), container.target, 0
+    boundary, after_us, in_e = -1, 0.0, 0.0
+    for launch in sorted(container.launches, key=lambda launch: launch.instant):
+        if launch.instant != boundary:
+            boundary, after_us = launch.instant, 0.0
+        if launch.level is not None:
+            in_e = launch.level * target.electrons_per_step
+        after_us += target.launch_us
+        for op in kernels[launch.kernel]:
+            after_us += word_us(op, target)
+            yield RunningWord(number, boundary, after_us, op, in_e)
+            number += op.operation.effect in _ANALOG
 
 
 def retention_us(effects: Selection, sensor: Sensor) -> float:
@@ -66,85 +115,22 @@ def analog_words(container: Container, retention_us: float = inf) -> tuple[Analo
     A digital register reads 0 when no word wrote it for more than `retention_us`. Raises Rejected
     as `nscc.words.legality.decoded` does, and NS0442 where FLAG hangs on the light.
     """
-    kernels = decoded(container)
-    target = container.target
-    pixel = _Digital(container, retention_us)
+    target, encoding = container.target, container.encoding
+    nothing = np.zeros(len(encoding), np.bool_)
+    column = {name: i for i, name in enumerate(target.digital_registers)}
+    codes = {name: encoding[:, column[name]] for name in container.code_registers}
+    pixel = Digital(target, {**dict.fromkeys((*column, "FLAG"), nothing), **codes}, retention_us)
     start_us = np.concatenate(([0.0], np.cumsum(container.slot_us)))
     found: list[AnalogWord] = []
-    boundary, after_us = -1, 0.0
-    for launch in sorted(container.launches, key=lambda launch: launch.instant):
-        if launch.instant != boundary:
-            boundary, after_us = launch.instant, 0.0
-            pixel.now_us = float(start_us[boundary])
-        after_us += target.launch_us
-        for op in kernels[launch.kernel]:
-            after_us += word_us(op, target)
-            effect = op.operation.effect
-            if effect in (Effect.BUS, Effect.RESET_PIX):
-                everywhere = effect is Effect.RESET_PIX and target.reset_honours_flag == "no"
-                lanes = np.ones(pixel.lanes, np.bool_) if everywhere else pixel.read("FLAG")
-                found.append(AnalogWord(len(found), boundary, after_us, op, lanes))
-            else:
-                pixel.run(op)
+    for word in running_words(container):
+        pixel.now_us = float(start_us[word.boundary])
+        if word.compares:
+            raise opens_no_shutters(
+                f"`{word.op}` makes FLAG hang on the light: this program opens no shutters"
+            )
+        if word.resets or word.op.operation.effect is Effect.BUS:
+            everywhere = word.resets and target.reset_honours_flag == "no"
+            found.append(AnalogWord.of(word, ~nothing if everywhere else pixel.read("FLAG") == 1))
+        else:
+            pixel.run(word.op)
     return tuple(found)
-
-
-class _Digital:
-    """The digital registers of all lanes."""
-
-    def __init__(self, container: Container, retention_us: float) -> None:
-        target = container.target
-        self.lanes = len(container.encoding)
-        self.mask, self.masked = target.mask_register, target.masked_register
-        self.retention_us = retention_us
-        self.now_us = 0.0
-        names = (*target.digital_registers, "FLAG", "SELECT")
-        self.bits = {name: np.zeros(self.lanes, np.bool_) for name in names}
-        column = {name: i for i, name in enumerate(target.digital_registers)}
-        for name in container.code_registers:
-            self.bits[name] = container.encoding[:, column[name]].copy()
-        self.written_us = {name: np.zeros(self.lanes) for name in names}
-        self.bus = np.zeros(self.lanes, np.bool_)
-
-    def read(self, name: str) -> Bits:
-        """The bit of each lane, 0 where it has decayed."""
-        fresh = self.now_us - self.written_us[name] <= self.retention_us
-        return np.asarray(self.bits[name] & fresh)
-
-    def run(self, op: Op) -> None:
-        """One word that is neither a bus word nor a reset."""
-        row = op.operation
-        everywhere = np.ones(self.lanes, np.bool_)
-        match row.effect:
-            case Effect.NONE | Effect.BUS | Effect.RESET_PIX:
-                return
-            case Effect.FLAG_ALL:
-                self._write("FLAG", everywhere, everywhere)
-            case Effect.FLAG_ANALOG:
-                raise opens_no_shutters(
-                    f"`{op}` makes FLAG hang on the light: this program opens no shutters"
-                )
-            case Effect.FLAG_DIGITAL:
-                self._write("FLAG", self._some(op), everywhere)
-            case Effect.DIGITAL:
-                self._digital(op, everywhere)
-
-    def _digital(self, op: Op, everywhere: Bits) -> None:
-        row = op.operation
-        if row.phase is not Phase.WRITE:
-            self.bus = self._some(op) ^ row.inverted
-        if row.phase is not Phase.READ:
-            # What guards the masked register is the mask as it was before this word.
-            guard = everywhere if self.mask is None else self.read(self.mask)
-            for name in op.destinations:
-                self._write(name, self.bus, guard if name == self.masked else everywhere)
-
-    def _some(self, op: Op) -> Bits:
-        some = np.zeros(self.lanes, np.bool_)
-        for name in op.sources:
-            some |= self.read(name)
-        return some
-
-    def _write(self, name: str, value: Bits, where: Bits) -> None:
-        self.bits[name] = np.where(where, value, self.bits[name])
-        self.written_us[name] = np.where(where, self.now_us, self.written_us[name])

@@ -1,4 +1,4 @@
-"""Scenes: from files, folders and builtin names to light in electrons on the array."""
+"""Scenes: light in electrons on the array, from files, folders and builtin names."""
 
 from __future__ import annotations
 

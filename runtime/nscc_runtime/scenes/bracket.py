@@ -21,7 +21,7 @@ _EXIF_IFD, _EXPOSURE_TIME, _F_NUMBER, _ISO = 0x8769, 0x829A, 0x829D, 0x8827
 
 
 def parse_times(text: str) -> tuple[float, ...]:
-    """Exposure times in seconds, `1/250,1/60,0.066`; NS0777 for anything else."""
+    """Parse exposure times in seconds, `1/250,1/60,0.066`; NS0777 for other texts."""
     try:
         times = tuple(float(Fraction(item.strip())) for item in text.split(","))
     except (ValueError, ZeroDivisionError):
@@ -34,7 +34,7 @@ def parse_times(text: str) -> tuple[float, ...]:
 
 
 def bracket_files(spec: str) -> list[Path]:
-    """The photos of a folder, or those that a pattern such as `b/*.jpg` names, in order."""
+    """Return the photos of a folder, or of a pattern such as `b/*.jpg`, in order."""
     path = Path(spec)
     files = files_of(path, skip=True) if path.is_dir() else [Path(p) for p in sorted(glob(spec))]
     if len(files) < 2:
@@ -95,14 +95,15 @@ def merged_bracket(files: Sequence[Path], times: Sequence[float] | None) -> NDAr
 
 
 def _weights(photo: NDArray[Any]) -> NDArray[np.float32]:
-    """The weight (R, C, 1) of each pixel: 0 at black and white, largest half-way between."""
+    """Return the weight (R, C, 1) of each pixel: 0 at black and white, largest half-way between."""
     samples = np.arange(np.iinfo(photo.dtype).max + 1)
     triangle = (np.minimum(samples, samples[::-1]) / len(samples)).astype(np.float32)
     return np.asarray(triangle[photo].mean(axis=-1, keepdims=True))
 
 
 def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
-    """The logarithm of linear light, 0 for white; black counts as half the smallest sample."""
+    """Return the logarithm of linear light, 0 for white; black counts as half the
+    smallest sample."""
     samples = np.arange(np.iinfo(photo.dtype).max + 1)
     light = linear(samples.astype(photo.dtype), transfer)
     light[0] = light[1] / 2
@@ -110,7 +111,8 @@ def _log_light(photo: NDArray[Any], transfer: Transfer) -> NDArray[np.float32]:
 
 
 def _exif_exposure(path: Path) -> float:
-    """Exposure time, times ISO speed over the square of the f-number where these are noted."""
+    """Return the exposure time, times ISO speed over the square of the f-number if these
+    are noted."""
     from PIL import Image
 
     try:

@@ -1,4 +1,4 @@
-"""Scenes that need no file: `builtin:hdr`, `builtin:motion[:PART]`, `builtin:flat:E`,
+"""Scenes without files: `builtin:hdr`, `builtin:motion[:PART]`, `builtin:flat:E`,
 `builtin:dark`."""
 
 from __future__ import annotations
@@ -25,11 +25,9 @@ def load_builtin(
     cols: int,
     exposure: ExposureLevel | None = None,
 ) -> Light:
-    """The light of `builtin:NAME`; NS0731 for a name or an argument that is not one.
-
-    Without `exposure`, hdr and motion have 30000 electrons at percentile 99, flat has its own
-    number of electrons over the whole frame, shared out by slot length.
-    """
+    """Return the light of `builtin:NAME`; NS0731 for an unknown name or an invalid argument.
+    Without `exposure`, hdr and motion have 30000 electrons at percentile 99; flat has its own
+    number of electrons over the frame, divided by slot length."""
     _, name, *arguments = spec.split(":")
     least, most = {"flat": (1, 1), "motion": (0, 1)}.get(name, (0, 0))
     if name not in NAMES or not least <= len(arguments) <= most:

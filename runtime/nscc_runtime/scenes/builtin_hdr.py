@@ -8,17 +8,17 @@ from numpy.typing import NDArray
 from nscc_runtime.scenes.shapes import Field, fractal, noise, smooth
 
 _SUN = (0.66, 0.37)
-"""Where the sun stands, as parts of width and height."""
+"""Position of the sun, in fractions of width and height."""
 _SUN_LEVEL = 6000.0
 _DARKEST = 0.03
-"""Luminance of the deepest shadow; a picture of any size reaches from there to `_SUN_LEVEL`."""
+"""Luminance of the deepest shadow; pictures of any size range from it to `_SUN_LEVEL`."""
 _SHORE = 0.63
 _TREES = ((0.045, 0.36), (0.125, 0.47), (0.2, 0.57), (0.93, 0.5), (0.985, 0.42))
-"""Stem and tip of each pine, as parts of width and height."""
+"""Stem and tip of each pine, in fractions of width and height."""
 
 
 def landscape(rows: int, cols: int) -> NDArray[np.float32]:
-    """Relative luminance (rows, cols) from 0.03 to 6000, the same on every machine."""
+    """Return relative luminance (rows, cols) from 0.03 to 6000, equal on every machine."""
     x = (np.arange(cols) + 0.5) / cols
     y = (np.arange(rows) + 0.5) / rows
     pixel = 1.0 / rows
@@ -29,7 +29,7 @@ def landscape(rows: int, cols: int) -> NDArray[np.float32]:
         _ridge(picture, x, y, (height, roughness, level), 20 + 7 * number, pixel)
     _lake(picture, x, y)
     _bank(picture, x, y, pixel)
-    # The pixel nearest to the sun is sun, and one of the bank is deepest shadow, at any size.
+    # At any size, one pixel is the sun, and one of the bank is the deepest shadow.
     picture[np.argmin(np.abs(y - _SUN[1])), np.argmin(np.abs(x - _SUN[0]))] = _SUN_LEVEL
     if picture.size > 1:
         picture[-1, 0] = _DARKEST
@@ -58,7 +58,7 @@ def _ridge(
 
 
 def _lake(picture: Field, x: Field, y: Field) -> None:
-    """Everything below the shore mirrors what is above it, broken by waves."""
+    """Draw the lake, which mirrors the scene above the shore, broken by waves."""
     below = np.flatnonzero(y >= _SHORE)
     if len(below) == 0 or below[0] == 0:
         return
@@ -76,7 +76,7 @@ def _lake(picture: Field, x: Field, y: Field) -> None:
 
 
 def _bank(picture: Field, x: Field, y: Field, pixel: float) -> None:
-    """The near bank with its pines, and a hut whose window is lit."""
+    """Draw the near bank with its pines, and a hut with a lit window."""
     edge = 0.91 + 0.06 * fractal(x * 5.0, np.array([0.5]), 81, 5) - 0.1 * smooth(0.7, 1.0, x)
     bank = smooth(-0.5 * pixel, 0.5 * pixel, y[:, None] - edge)
     for stem, tip in _TREES:

@@ -18,7 +18,7 @@ Picture = NDArray[np.float32]
 Point = tuple[float, float]
 
 _FEWEST, _MOST = 64, 256
-"""Pictures of the clip: fewer would jump, more would cost a gigabyte for thousands of slots."""
+"""Minimum and maximum pictures of the clip: fewer would jump, more would need a gigabyte."""
 
 
 def motion(
@@ -29,12 +29,11 @@ def motion(
     name: str,
     share: float = 1.0,
 ) -> Light:
-    """The clip under the slots of a frame; it lasts exactly as long as the frame.
+    """Return the clip in the slots of a frame; it lasts as long as the frame.
 
-    Of its way everything goes only the middle `part`, so much more slowly.
-
-    It has 64 to 256 pictures: a multiple of the number of slots where that is below 256, so that
-    a slot of equal slots holds whole pictures. Slots integrate them piecewise constant.
+    `share` is the fraction of the motion that is shown, around its middle, correspondingly slower.
+    The clip has 64 to 256 pictures: a multiple of the number of slots if that is below 256, so that
+    equal slots hold whole pictures. Slots integrate them as piecewise constant.
     """
     slots = len(slot_us)
     count = slots * ceil(_FEWEST / slots) if slots <= _MOST else _MOST
@@ -46,8 +45,8 @@ def motion(
 
 
 def frames(count: int, rows: int, cols: int, share: float = 1.0) -> NDArray[np.float32]:
-    """`count` pictures (count, rows, cols) of the middle `part` of the clip, relative luminance up
-    to 8."""
+    """Return `count` pictures (count, rows, cols) of the middle `share` of the clip, relative
+    luminance up to 8."""
     unit = float(min(rows, cols))
     x = (np.arange(cols, dtype=np.float64) + 0.5 - cols / 2) / unit
     y = (np.arange(rows, dtype=np.float64) + 0.5 - rows / 2) / unit
@@ -81,12 +80,12 @@ def _wall(x: Field, y: Field) -> Picture:
 
 
 def _span(axis: Field, low: float, high: float) -> slice:
-    """The pixels whose centres lie between `low` and `high`."""
+    """Return the pixels whose centres lie between `low` and `high`."""
     return slice(int(np.searchsorted(axis, low)), int(np.searchsorted(axis, high, side="right")))
 
 
 def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
-    """Coaches with lit windows run along the lower edge from left to right."""
+    """Draw coaches with lit windows, which run along the lower edge from left to right."""
     rows = _span(y, half[1] - 0.22, half[1] - 0.05)
     u = (x - (phase * 1.5 - 0.75) * (2 * half[0] + 0.6)) * 9.0
     v = ((y[rows] - (half[1] - 0.22)) / 0.17)[:, None]
@@ -101,7 +100,7 @@ def _train(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixe
 
 
 class _Wheel:
-    """A wheel of five spokes that turns one and a half times; what does not turn is kept."""
+    """A wheel of five spokes that makes one and a half turns; its static parts are cached."""
 
     def __init__(self, x: Field, y: Field, pixel: float) -> None:
         centre, radius = (-0.2, -0.05), 0.21
@@ -130,7 +129,7 @@ class _Wheel:
 
 
 def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel: float) -> None:
-    """A ball bounces three times on its way from right to left."""
+    """Draw a ball that bounces three times from right to left."""
     radius = 0.075
     bounce = (phase * 3.0) % 1.0
     cx = half[0] + 0.05 - phase * (2 * half[0] + 0.1)
@@ -146,7 +145,7 @@ def _ball(picture: Picture, x: Field, y: Field, phase: float, half: Point, pixel
 
 
 def _spark(picture: Picture, x: Field, y: Field, phase: float, half: Point) -> None:
-    """A point of light runs a loop twice as fast one way as the other."""
+    """Draw a point of light on a loop, twice as fast in one direction as in the other."""
     cx, cy = 0.75 * half[0] * turn(phase)[0], -0.25 + 0.17 * turn(2.0 * phase)[1]
     rows, cols = _span(y, cy - 0.09, cy + 0.09), _span(x, cx - 0.09, cx + 0.09)
     r2 = (x[cols] - cx)[None, :] ** 2 + (y[rows] - cy)[:, None] ** 2

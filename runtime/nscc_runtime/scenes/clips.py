@@ -1,4 +1,4 @@
-"""Scenes given as moving pictures: .gif through Pillow, the others through PyAV."""
+"""Scenes as clips: .gif by Pillow, other formats by PyAV."""
 
 from __future__ import annotations
 
@@ -22,11 +22,9 @@ CLIPS = (".avi", ".gif", ".m4v", ".mkv", ".mov", ".mp4", ".webm")
 
 
 def open_clip(path: Path) -> Pages:
-    """The frames of a clip, (R, C, 3) red, green, blue; NS0732 where none can be decoded.
-
-    A container that breaks off yields the frames before the break, and a note says so. The count
-    of a .gif is not known.
-    """
+    """Open the frames of a clip, (R, C, 3) red, green, blue; NS0732 if no frame can be decoded. A
+    truncated file yields the frames before its end, with a note. The number of frames of a .gif is
+    unknown."""
     if path.suffix.lower() == ".gif":
         return Pages(0, lambda: _read_gif(path))
     try:
@@ -40,7 +38,7 @@ def open_clip(path: Path) -> Pages:
 
 
 def read_clip(path: Path) -> Iterator[NDArray[Any]]:
-    """The frames of a clip; as `open_clip`."""
+    """Yield the frames of a clip; as `open_clip`."""
     return open_clip(path).read()
 
 
@@ -58,7 +56,7 @@ def _named(path: Path, pages: Pages) -> Iterator[tuple[str, NDArray[Any]]]:
 
 
 def _read_gif(path: Path) -> Iterator[NDArray[Any]]:
-    """Each frame as it is shown: laid over those before it."""
+    """Yield each frame composed with the frames before it."""
     from PIL import Image
 
     try:

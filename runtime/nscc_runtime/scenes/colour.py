@@ -1,4 +1,4 @@
-"""From stored pictures to luminance: full scale, transfer curve, weights of the colours."""
+"""Convert stored pictures to luminance: white level, transfer curve, weights of colours."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Transfer = Literal["linear", "srgb", "pq", "hlg"]
 TRANSFERS: tuple[Transfer, ...] = get_args(Transfer)
 CURVES = {"linear": "no curve", "srgb": "the sRGB curve", "pq": "the PQ curve (SMPTE ST 2084)",
           "hlg": "the HLG curve (ITU-R BT.2100)"}  # fmt: skip
-"""The transfer curves as messages call them."""
+"""Names of the transfer curves in messages."""
 
 LUMINANCE = (0.2126, 0.7152, 0.0722)
 """Weights of linear red, green and blue (Rec. 709 primaries)."""
@@ -20,7 +20,7 @@ _STRIP_SAMPLES = 1 << 22
 
 
 def white_of(dtype: np.dtype[Any]) -> float:
-    """The sample that is white unless another is named: the largest integer, or 1 of floats."""
+    """Return the default white level: the largest integer, or 1 for floats."""
     return float(np.iinfo(dtype).max) if dtype.kind in "ui" else 1.0
 
 
@@ -45,7 +45,7 @@ def linear(
 
 
 def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The PQ curve undone: 0 to 0, 1 to 1, which is 10 000 cd/m2."""
+    """Invert the PQ curve: 0 to 0, 1 to 1, which is 10 000 cd/m2."""
     m1, m2 = 2610 / 16384, 2523 / 4096 * 128
     c1, c2, c3 = 3424 / 4096, 2413 / 4096 * 32, 2392 / 4096 * 32
     power = np.clip(values, 0, 1) ** (1 / m2)
@@ -53,7 +53,7 @@ def pq_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The HLG curve undone: from signal to the light of the scene, 0 to 0, 1 to 1."""
+    """Invert the HLG curve: from signal to the light of the scene, 0 to 0, 1 to 1."""
     a, b, c = 0.17883277, 0.28466892, 0.55991073
     signal = np.maximum(values, 0)
     bright = (np.exp((np.maximum(signal, 0.5) - c) / a) + b) / 12
@@ -61,7 +61,7 @@ def hlg_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def srgb_to_linear(values: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The sRGB curve undone: 0 to 0, 1 to 1; below 0.04045 (and below 0) a straight line."""
+    """Invert the sRGB curve: 0 to 0, 1 to 1; below 0.04045 (and below 0) a straight line."""
     curve = ((np.maximum(values, 0.04045) + 0.055) / 1.055) ** 2.4
     return np.where(values <= 0.04045, values / 12.92, curve)
 
@@ -70,7 +70,8 @@ _INVERSES = {"srgb": srgb_to_linear, "pq": pq_to_linear, "hlg": hlg_to_linear}
 
 
 def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Luminance (rows, cols) of linear colours (rows, cols, 3) in the order red, green, blue."""
+    """Return the luminance (rows, cols) of linear colours (rows, cols, 3) in the order red, green,
+    blue."""
     red, green, blue = LUMINANCE
     return red * rgb[..., 0] + green * rgb[..., 1] + blue * rgb[..., 2]
 
@@ -78,7 +79,7 @@ def luminance(rgb: NDArray[np.float64]) -> NDArray[np.float64]:
 def grey(
     stored: NDArray[Any], transfer: Transfer, channel: int | None, white: float | None = None
 ) -> NDArray[np.float64]:
-    """The luminance (rows, cols) of a stored picture, or the light of one of its colours."""
+    """Return the luminance (rows, cols) of a stored picture, or the light of one of its colours."""
     if stored.ndim == 3 and channel is not None:
         stored = stored[..., channel]
     light = np.empty(stored.shape[:2])

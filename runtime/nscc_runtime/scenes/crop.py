@@ -1,4 +1,4 @@
-"""Which part of a picture falls on the array."""
+"""The part of a picture that falls on the array."""
 
 from __future__ import annotations
 
@@ -10,18 +10,17 @@ from nscc_runtime.scenes.errors import Path_or_name, size
 
 @dataclass(frozen=True)
 class Window:
-    """The array's size and where its top left corner lies in pictures; None centres it."""
+    """The size of the array, and the position of its top left corner in pictures; None
+    centres it."""
 
     rows: int
     cols: int
     corner: tuple[int, int] | None = None
 
     def place(self, have: tuple[int, int], name: Path_or_name) -> tuple[int, int]:
-        """Row and column of the top left corner in a picture of that size; NS0734 where the window
-        does not fit.
-
-        A centred window whose margins cannot be equal has the smaller one above and to the left.
-        """
+        """Return row and column of the top left corner in a picture of a size; NS0734 if the window
+        does not fit. If margins of a centred window cannot be equal, the smaller one is above and
+        to the left."""
         need = (self.rows, self.cols)
         if have[0] < need[0] or have[1] < need[1]:
             raise rejected(
@@ -49,7 +48,7 @@ class Window:
 
 
 def parse_crop(text: str) -> tuple[int, int]:
-    """`R,C` as two whole numbers; NS0739 for anything else."""
+    """Parse `R,C` as two whole numbers; NS0739 for other texts."""
     numbers = text.split(",")
     if len(numbers) == 2 and all(p.strip().isdecimal() and len(p.strip()) < 10 for p in numbers):
         return int(numbers[0]), int(numbers[1])

@@ -1,4 +1,4 @@
-"""`--exposure E[@P]`: how many electrons a scene without units amounts to."""
+"""`--exposure E[@P]`: the electrons of a scene without units."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ DEFAULT_PERCENTILE = 99.0
 
 @dataclass(frozen=True)
 class ExposureLevel:
-    """`electrons` over the whole frame at percentile `percentile` of the all-open sum."""
+    """An exposure: `electrons` over the frame at percentile `percentile` of the all-open sum."""
 
     electrons: float
     percentile: float = DEFAULT_PERCENTILE
 
 
 BUILTIN = ExposureLevel(30000.0)
-"""What the builtin scenes get unless asked otherwise: the full well of PIX, at percentile 99."""
+"""The default of builtin scenes: the full well of PIX at percentile 99."""
 
 
 def parse_exposure(exposure: str | float) -> ExposureLevel:
-    """`E` or `E@P`, electrons above 0 and a percentile in 0..100; NS0738 for anything else."""
+    """Parse `E` or `E@P`, electrons above 0 and a percentile in 0..100; NS0738 for other texts."""
     text = str(exposure)
     electrons, at, percentile = text.partition("@")
     try:
@@ -48,7 +48,7 @@ def parse_exposure(exposure: str | float) -> ExposureLevel:
 
 
 def checked_white(white: float | None) -> float | None:
-    """A white level as it is; NS0739 for one that is not a number above 0."""
+    """Return a white level; NS0739 unless it is a number above 0."""
     if white is None or 0 < white < math.inf:
         return white
     raise rejected(
@@ -60,7 +60,7 @@ def checked_white(white: float | None) -> float | None:
 
 
 def needed(name: Path_or_name) -> ExposureLevel:
-    """Never returns: the scene has no unit of its own and no exposure was given (NS0737)."""
+    """Raise NS0737 for a scene without a unit and without an exposure."""
     raise rejected(
         "NS0737",
         f"the scene '{name}' says nothing about electrons: --exposure is needed",
@@ -73,11 +73,9 @@ def needed(name: Path_or_name) -> ExposureLevel:
 
 
 def scale(open_sum: NDArray[np.float64], exposure: ExposureLevel, name: Path_or_name) -> float:
-    """The factor that takes `open_sum` (rows, cols), in the scene's own unit, to electrons.
-
-    Percentiles between two pixels are interpolated linearly. NS0738 where the scene is dark there,
-    or where its electrons would leave float32's range.
-    """
+    """Return the factor from `open_sum` (rows, cols), in the scene's unit, to electrons.
+    Percentiles between two pixels are interpolated linearly. NS0738 if the scene is dark there, or
+    if its electrons exceed float32."""
     level = float(np.percentile(open_sum, exposure.percentile))
     if level <= 0.0:
         lit = int(np.count_nonzero(open_sum > 0))

@@ -14,12 +14,12 @@ from nscc_runtime.scenes.pages import Note, Pages, UnsupportedPicture
 
 _COLOURS = ("R", "G", "B")
 _REC_709 = (0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290)
-"""x and y of red, green, blue and white: the primaries of a file that names none."""
+"""x and y of red, green, blue and white: the default primaries."""
 _LAYERS_SHOWN = 6
 
 
 def exr_pages(path: Path) -> Pages:
-    """The pictures of an OpenEXR file, one for each part that holds a picture.
+    """Open the pictures of an OpenEXR file, one for each part with a picture.
 
     Raises
     ------
@@ -58,7 +58,8 @@ def exr_pages(path: Path) -> Pages:
 
 
 def _picture_layer(channels: Mapping[str, Any]) -> str | None:
-    """The prefix of the channels that are the picture of a part, '' or 'NAME.'; None: none is."""
+    """Return the prefix of the channels with the picture of a part, '' or 'NAME.'; None without
+    one."""
     prefixes = {name.rpartition(".")[0] for name in channels}
     layers = [f"{prefix}." if prefix else "" for prefix in sorted(prefixes)]
     usable = [
@@ -80,7 +81,7 @@ def _picture_layer(channels: Mapping[str, Any]) -> str | None:
 def _layer_pixels(
     channels: Mapping[str, Any], layer: str, window: tuple[NDArray[Any], NDArray[Any]]
 ) -> NDArray[Any]:
-    """The picture of a layer on its data window."""
+    """Return the picture of a layer on its data window."""
 
     def pixels(name: str) -> NDArray[Any]:
         return _at_every_pixel(channels[layer + name], window)
@@ -99,7 +100,7 @@ def _layer_pixels(
 
 
 def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> NDArray[Any]:
-    """The samples of a channel at all pixels, interpolated linearly where it is subsampled."""
+    """Return the samples of a channel at all pixels, interpolated linearly if it is subsampled."""
     values = np.asarray(channel.pixels)
     (first_col, first_row), (last_col, last_row) = window
     for axis, step, first, last in (
@@ -108,7 +109,7 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
     ):
         if step == 1:
             continue
-        # Samples lie at the coordinates that the step divides.
+        # Samples lie at multiples of the step.
         at = (np.arange(first, last + 1) - -(-first // step) * step) / step
         low = np.clip(np.floor(at).astype(int), 0, values.shape[axis] - 1)
         high = np.minimum(low + 1, values.shape[axis] - 1)
@@ -120,7 +121,7 @@ def _at_every_pixel(channel: Any, window: tuple[NDArray[Any], NDArray[Any]]) -> 
 
 
 def _in_display_window(picture: NDArray[Any], header: Mapping[str, Any]) -> NDArray[Any]:
-    """The picture in its display window: black beyond the data window, cut where that is larger."""
+    """Return the picture in its display window: padded with black, or cut."""
     (data_left, data_top), _ = header["dataWindow"]
     (shown_left, shown_top), (shown_right, shown_bottom) = header["displayWindow"]
     rows, cols = int(shown_bottom) - int(shown_top) + 1, int(shown_right) - int(shown_left) + 1

@@ -1,8 +1,6 @@
-"""Scenes given as numbers: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat.
-
-An .npz or .npy array is checked by its header before any of its data is read, and read block by
-block into float32, so that a long clip costs its own float32 size and little more.
-"""
+"""Scenes as arrays: `light` in electrons in .npz, .npy and .mat, `orig` clips in .mat. An .npz or
+.npy array is checked by its header before its data is read, and read block by block into float32,
+so that a clip needs little more memory than its float32 size."""
 
 from __future__ import annotations
 
@@ -31,14 +29,14 @@ NPY_HEADERS: dict[
     (1, 0): np.lib.format.read_array_header_1_0,
     (2, 0): npy_header_2,
 }
-"""What reads shape, order and type at the beginning of an .npy file, by its version."""
+"""Readers of shape, order and type of an .npy file, by version."""
 
 Check = Callable[[tuple[int, ...]], None]
-"""Raises Rejected where a light array of that shape does not fit the program and the array."""
+"""Raises Rejected for a shape of light that does not fit the program and the array."""
 
 
 def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
-    """Light is made of real numbers: anything else is NS0733."""
+    """Raise NS0733 unless the type is of real numbers."""
     if dtype.kind in "uif":
         return
     kinds = {"b": "true/false", "c": "complex", "O": "pickled objects", "U": "text", "S": "text"}
@@ -51,8 +49,8 @@ def check_type(name: Path | str, key: str, dtype: np.dtype[Any]) -> None:
 
 
 def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]) -> None:
-    """NS0733 to NS0735 for a `light` array that is not of a program of so many slots and (rows,
-    cols)."""
+    """Raise NS0733 to NS0735 for a `light` array that does not fit a program of `slots` slots and
+    an array (rows, cols)."""
     _refuse_other_axes(name, shape, slots, need)
     if len(shape) not in (2, 3):
         raise rejected(
@@ -84,7 +82,7 @@ def check_shape(name: str, shape: tuple[int, ...], slots: int, need: tuple[int, 
 def _refuse_other_axes(
     name: str, shape: tuple[int, ...], slots: int, need: tuple[int, int]
 ) -> None:
-    """NS0733 for light whose axes are those of other tools: time or colour last."""
+    """Raise NS0733 for light with the axes of other tools: time or colour last."""
     count = shape[-1] if len(shape) in (3, 4) else 0
     if shape[-3:-1] != need or tuple(shape[-2:]) == need:
         return
@@ -107,11 +105,9 @@ def _refuse_other_axes(
 
 
 def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray[np.float32]:
-    """The array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows, cols).
-
-    NS0732 where the file is damaged, NS0733 for a missing key or another kind of numbers, whatever
-    `check` raises for the shape, NS0736 for values that cannot be light.
-    """
+    """Read the array `light` of an .npz, .npy or .mat file, float32, (T, rows, cols) or (rows,
+    cols). NS0732 for a damaged file, NS0733 for a missing key or another kind of numbers, the
+    errors of `check` for the shape, NS0736 for values that are not light."""
     try:
         if path.suffix.lower() == ".npy":
             with open(path, "rb") as file:
@@ -129,7 +125,7 @@ def read_light(path: Path, check: Check, progress: Progress = unseen) -> NDArray
 
 
 def missing_key(path: Path, have: list[str], keys: tuple[str, ...]) -> Rejected:
-    """The file lacks the array that would be the scene (NS0733)."""
+    """Return the error (NS0733) for a file without the array of a scene."""
     shown = ", ".join(repr(name[:40]) for name in sorted(have)[:12]) or "nothing"
     further = f" and {len(have) - 12} more" if len(have) > 12 else ""
     names = " or ".join(f"'{key}'" for key in keys)
@@ -151,7 +147,7 @@ def _read_npy(file: IO[bytes], path: Path, check: Check, progress: Progress) -> 
     shape, fortran, dtype = NPY_HEADERS[version](file)
     check_type(path, KEY, dtype)
     check(shape)
-    if fortran:  # one block: the first axis is scattered over the whole file
+    if fortran:  # one block: the first axis is strided over the whole file
         flat = np.frombuffer(_exactly(file, dtype.itemsize * math.prod(shape)), dtype)
         return _gather(path, shape, [flat.reshape(shape[::-1]).T])
     slab_bytes = dtype.itemsize * math.prod(shape[1:])
@@ -177,7 +173,7 @@ def _exactly(file: IO[bytes], count: int) -> bytes:
 def _gather(
     path: Path, shape: tuple[int, ...], blocks: Iterable[NDArray[Any]]
 ) -> NDArray[np.float32]:
-    """The blocks as one float32 array, every value of it light."""
+    """Join blocks to one float32 array, and check that every value is light."""
     out = np.empty(shape, np.float32)
     census = Census()
     start = 0
@@ -191,16 +187,14 @@ def _gather(
 
 
 def clip_white(clip: NDArray[Any]) -> float | None:
-    """White of a clip in a .mat file: 255 of floats that go beyond 1, as the benchmark has it; None
-    where that of the type is meant."""
+    """Return the white of a clip in a .mat file: 255 for floats that exceed 1, as in the benchmark;
+    None for the default of the type."""
     return 255.0 if clip.dtype.kind == "f" and float(clip.max()) > 1 else None
 
 
 def read_mat(path: Path, check: Check) -> tuple[str, NDArray[Any]]:
-    """The scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as stored).
-
-    `light` wins where both are there.
-    """
+    """Read the scene in a .mat file: ("light", float32 array) or ("orig", (rows, cols, T) as
+    stored). `light` has precedence."""
     keys = (KEY, MAT_CLIP_KEY)
     try:
         names = mat_names(path)

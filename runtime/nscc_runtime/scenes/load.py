@@ -1,4 +1,4 @@
-"""`--scene`: from a name to the light on the array."""
+"""`--scene`: load the light on the array from a name."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ _BUILTINS = ("hdr", "motion", "dark")
 
 @dataclass(frozen=True)
 class _Request:
-    """A scene to load: its name, the program's slots, the array, what was said of the scene (None:
-    nothing), and where notes go."""
+    """A scene to load: its name, the program's slots, the array, options (None: not given), and the
+    callback for notes."""
 
     name: str
     slot_us: tuple[float, ...]
@@ -70,16 +70,17 @@ class _Request:
     progress: Progress = unseen
 
     def check_light(self, shape: tuple[int, ...]) -> None:
-        """NS0733 to NS0735 for `light` arrays of a shape that is not this program's."""
+        """Raise NS0733 to NS0735 for `light` arrays of a shape that does not fit the program."""
         light_arrays.check_shape(self.name, shape, self.slots, (self.window.rows, self.window.cols))
 
     def check_exposure(self) -> None:
-        """NS0737 where nothing says how many electrons the scene amounts to."""
+        """Raise NS0737 for a scene without a unit and without an exposure."""
         if self.factor is None and self.exposure is None:
             exposure.needed(self.name)
 
     def scale(self, open_sum: NDArray[np.float64], placement: Placement) -> float:
-        """From the scene's own unit to electrons: the factor given, or that of the exposure."""
+        """Return the factor from the scene's unit to electrons: the given one, or that of the
+        exposure."""
         if self.factor is not None:
             return self.factor
         assert self.exposure is not None  # checked, or given
@@ -87,7 +88,7 @@ class _Request:
 
     @property
     def on_array(self) -> Placement:
-        """Of a scene that is made for the array."""
+        """The placement of a scene made for the array."""
         size = (self.window.rows, self.window.cols)
         return Placement("crop", size, size, size)
 
@@ -101,14 +102,14 @@ class _Request:
 
 
 def load_scene(spec: str, **settings: Any) -> Light:
-    """The light of a scene that is cropped to one array; `settings` and errors as `laid_scene`."""
+    """Load a scene cropped to one array; `settings` and errors are those of `laid_scene`."""
     return laid_scene(spec, **settings).light
 
 
 @dataclass(frozen=True, eq=False)
 class PlacedLight:
-    """Light on as many arrays as `placement` says; `colour`: it is of a picture or clip in colour.
-    `notes` say how the file was read where the user may expect something else."""
+    """Light on the arrays of `placement`. `colour`: the source is in colour. `notes` describe how
+    the file was read, where the user may expect something else."""
 
     light: Light
     placement: Placement
@@ -139,21 +140,43 @@ def laid_scene(
     warn: Callable[[Diagnostic], None] = lambda _: None,
     progress: Progress = unseen,
 ) -> PlacedLight:
-    """The light of scene `spec` in slots of `slot_us`, and how it lies on arrays of rows x cols.
+    """Load a scene.
 
-    `spec` is a file, a folder of pictures or `builtin:NAME`. Raises Rejected with status 2
-    (NS0730..NS0739); `warn` is handed what was changed in the scene (NS0740), `progress` the
-    frames as they are read, and what was cut off, scaled or turned grey (NS0773).
+    Parameters
+    ----------
+    spec : str
+        A file, a folder of pictures or `builtin:NAME`.
+    slot_us : sequence of float
+        Slot lengths in microseconds.
+    rows, cols : int
+        Size of the array.
+    exposure : ExposureLevel, optional
+        Electrons of a scene without units.
+    transfer, fps, crop, fit, white, skip, bracket, times
+        As of `nscc_runtime.scenes.scene.Scene`; `times` are exposures in seconds.
+    frames_are : {"integrals", "samples"}
+        "samples" declares that the scene moves within a frame. That motion is an effect of the
+        sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
+        integral.
+    first, single
+        The frame that a clip begins with; with `single` that frame is a still.
+    channel : int, optional
+        Expose red, green or blue (0 to 2) of a colour picture instead of its luminance.
+    factor : float, optional
+        Electrons per unit of the scene, instead of an exposure.
+    warn : callable
+        Gets notes on changes of the scene: NS0740, NS0773, NS0776.
+    progress : callable
+        Gets the frames as they are read.
 
-    A clip begins with frame `first`; with `single` that frame is a still. `channel` exposes red,
-    green or blue (0 to 2) of a picture in colour instead of its luminance, `factor` is known
-    electrons for one unit of the scene instead of an exposure. `white` is the sample that is white
-    instead of the largest of its type. `skip` leaves out frames that a folder lacks, with a
-    warning (NS0776). `bracket` merges photos to a still; `times` are their exposures in seconds.
+    Returns
+    -------
+    PlacedLight
 
-    `frames_are` "samples" declares that the scene moves within a frame. That motion is an effect of
-    the sensor model (`Light.motion`): with effects off a sample stands for its whole frame, as an
-    integral does.
+    Raises
+    ------
+    Rejected
+        NS0730 to NS0739, status 2.
     """
     request = _Request(
         spec, tuple(slot_us), Window(rows, cols, crop), exposure, transfer, fps, crop, frames_are,
@@ -185,11 +208,9 @@ def laid_scene(
 def light_of_array(
     values: NDArray[Any], *, slot_us: Sequence[float], rows: int, cols: int, name: str = "light"
 ) -> Light:
-    """The light of an array: electrons a slot (N, rows, cols), or a second (rows, cols).
-
+    """Return the light of an array: electrons per slot (N, rows, cols), or per second (rows, cols).
     float32 arrays are not copied, and must not be written to while the light is in use. Raises
-    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit or hold what is no light.
-    """
+    Rejected with status 2 (NS0733 .. NS0736) for arrays that do not fit, or are not light."""
     request = _Request(name, tuple(slot_us), Window(rows, cols))
     values = np.asarray(values)
     light_arrays.check_type(Path(name), "light", values.dtype)
@@ -247,7 +268,8 @@ def _load_path(request: _Request, path: Path) -> PlacedLight:
 
 
 def _noted(request: _Request, pages: Pages, usual: Transfer, still: bool = False) -> PlacedLight:
-    """The still or clip of a file, with the file's notes; `usual` is the curve of its format."""
+    """Return the still or clip of a file, with the file's notes; `usual` is the curve of its
+    format."""
     for text, help_text in pages.notes if request.channel is None else ():
         request.warn(picture_note(f"'{request.name}' {text}", help_text))
     transfer = request.transfer or pages.transfer or usual
@@ -273,7 +295,7 @@ def _refuse(request: _Request, why: str, *names: str) -> None:
 
 
 def _array(request: _Request, path: Path) -> PlacedLight:
-    """Light in electrons, or a .mat clip."""
+    """Return light in electrons, or a .mat clip."""
     if path.suffix.lower() == ".mat":
         key, values = light_arrays.read_mat(path, request.check_light)
         if key == light_arrays.MAT_CLIP_KEY:
@@ -327,7 +349,8 @@ def _still(request: _Request, read: Callable[[], NDArray[Any]], transfer: Transf
 
 
 def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer) -> PlacedLight:
-    """Frames of a clip: one a slot, or as `--fps` lays them under the slots; or one, as a still."""
+    """Return the light of a clip: a frame per slot, or as `--fps` distributes them; or one frame as
+    a still."""
     if request.single:
         return _still(
             request, partial(timing.only_frame, request.name, stored, request.first), transfer
@@ -343,7 +366,7 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
         if have == 0:
             colour = _say_changes(request, picture, transfer, placement)
         if have == len(frames):
-            # realloc grows a large block without a copy; the final size is exactly `need`
+            # realloc grows a large block without a copy; the final size is `need`
             frames.resize((min(need, max(64, 2 * have)), *frame.shape), refcheck=False)
         frames[have] = frame
         have += 1
@@ -366,7 +389,8 @@ def _clip(request: _Request, stored: Iterator[NDArray[Any]], transfer: Transfer)
 def _say_changes(
     request: _Request, stored: NDArray[Any], transfer: Transfer, placement: Placement
 ) -> bool:
-    """Whether the picture is in colour; what becomes of size, colours and light is said once."""
+    """Return whether the picture is in colour, and emit notes on changes of its size, colours and
+    light."""
     colour = in_colour(stored)
     if request.channel is None:
         for note in changes(placement, colour, request.name):
@@ -382,7 +406,8 @@ def _say_changes(
 def _light(
     request: _Request, stored: NDArray[Any], transfer: Transfer, name: str
 ) -> tuple[NDArray[np.float32], Placement]:
-    """A stored picture as light on the arrays, and how it lies; NS0736 for what is not light."""
+    """Return a stored picture as light on the arrays, and its placement; NS0736 for values that are
+    not light."""
     placement = placement_of(request.fit, (stored.shape[0], stored.shape[1]), request.window, name)
     window = None
     if placement.fit == "crop":

@@ -1,7 +1,5 @@
-"""Arrays in files of MATLAB: version 5 by scipy, version 7.3, which is HDF5, by h5py.
-
-Their size is checked before they are unpacked.
-"""
+"""Arrays in files of MATLAB: version 5 by scipy, version 7.3, which is HDF5, by h5py. Their size is
+checked before they are unpacked."""
 
 from __future__ import annotations
 
@@ -18,7 +16,7 @@ from nscc.npy import MOST_BYTES, check_size
 
 _SIGNATURE = b"\x89HDF\r\n\x1a\n"
 _USER_BLOCKS = (0, 512, 1024, 2048, 4096)
-"""Where HDF5 may begin; MATLAB writes a header of 512 bytes before it."""
+"""Offsets at which HDF5 may begin; MATLAB writes a header of 512 bytes before it."""
 _HEADER_BYTES = 128
 _COMPRESSED = 15
 _BLOCK_BYTES = 1 << 20
@@ -26,7 +24,7 @@ _WIDEST_NUMBER = 8
 
 
 def is_hdf5(path: Path) -> bool:
-    """Whether a file is HDF5, with or without a block of the user before it."""
+    """Return whether a file is HDF5, with or without a user block."""
     with open(path, "rb") as file:
         for start in _USER_BLOCKS:
             file.seek(start)
@@ -36,8 +34,8 @@ def is_hdf5(path: Path) -> bool:
 
 
 def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
-    """The variables in a .mat file of any version, and the shapes of those that are arrays; () of
-    others. Raises what scipy and h5py do for a damaged file."""
+    """Return the shapes of the variables in a .mat file of any version, () for those that are not
+    arrays. Raises the exceptions of scipy and h5py for a damaged file."""
     if is_hdf5(path):
         import h5py
 
@@ -54,15 +52,13 @@ def mat_shapes(path: Path) -> dict[str, tuple[int, ...]]:
 
 
 def mat_names(path: Path) -> list[str]:
-    """The names of the variables in a .mat file of any version."""
+    """Return the names of the variables in a .mat file of any version."""
     return [*mat_shapes(path)]
 
 
 def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[Any]:
-    """The array of that name, its axes in MATLAB's order; ValueError for what is no array.
-
-    InvalidArrays where it takes more than `most_bytes`.
-    """
+    """Read an array by name, with axes in MATLAB's order; ValueError if it is not an array.
+    InvalidArrays where it takes more than `most_bytes`."""
     arrays = mat_arrays(path, [name], most_bytes)
     if name not in arrays:
         raise ValueError(f"'{name}' is not an array")
@@ -72,11 +68,9 @@ def mat_array(path: Path, name: str, most_bytes: int = MOST_BYTES) -> NDArray[An
 def mat_arrays(
     path: Path, names: Sequence[str] | None = None, most_bytes: int = MOST_BYTES
 ) -> dict[str, NDArray[Any]]:
-    """Read the named arrays of a .mat file of any version, or all; what is no array is left out.
-
-    Raises InvalidArrays where the file's arrays take more than `most_bytes`, and what scipy and
-    h5py do where it is damaged.
-    """
+    """Read the named arrays of a .mat file of any version, or all; other variables are skipped.
+    Raises InvalidArrays for more than `most_bytes`, and the exceptions of scipy and h5py for a
+    damaged file."""
     if is_hdf5(path):
         return _of_hdf5(path, names, most_bytes)
     from scipy.io import loadmat, whosmat
@@ -99,8 +93,8 @@ def mat_arrays(
 
 
 def _unpacked_sizes(file: IO[bytes]) -> Iterator[int]:
-    """Unpack the compressed elements of a version 5 file block by block, and yield their sizes:
-    what an element states about its own size need not be true."""
+    """Unpack the compressed elements of a version 5 file block by block, and yield their sizes. The
+    size that an element states may be wrong."""
     head = file.read(_HEADER_BYTES)
     orders = {b"IM": "<", b"MI": ">"}
     if head[-2:] not in orders:
@@ -138,14 +132,14 @@ def _of_hdf5(
 
 
 def _stated_bytes(stored: Any) -> int:
-    """What the array takes, or its largest chunk, which may be larger."""
+    """Return the bytes of the array, or of its largest chunk if larger."""
     shapes = (stored.shape or (), stored.chunks or ())
     return max(prod(map(int, shape)) for shape in shapes) * int(stored.dtype.itemsize)
 
 
 def _check_chunks(stored: Any) -> None:
-    """Raises InvalidArrays for a chunk packed by deflate that unpacks to more than a chunk: HDF5
-    takes whatever memory that needs."""
+    """Raise InvalidArrays for a deflated chunk that unpacks to more than a chunk. HDF5 would
+    allocate all memory that it needs."""
     if stored.chunks is None or stored.compression != "gzip":
         return
     most = prod(stored.chunks) * stored.dtype.itemsize

@@ -1,4 +1,4 @@
-"""Frames that are missing from a folder: files that are not read, gaps in the numbering."""
+"""Missing frames of a folder: unread files, and gaps in the numbering."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ _MOST_DIGITS = 18
 
 
 def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, ...]:
-    """What is missing of a clip, a sentence each.
+    """Return a sentence for each kind of missing frames of a clip.
 
     `pictures` are the names of the files that are read, in order, and `names` those of all files in
-    the folder. A file counts as a frame that is not read if it is a picture by its ending, or if
-    its number is in the numbering of the frames and no picture has this number.
+    the folder. A file counts as an unread frame if its ending is that of a picture, or if its
+    number belongs to the numbering and no picture has this number.
     """
     stems = {Path(name).stem for name in pictures}
     split_names = [re.split(r"(\d+)", Path(name).stem) for name in pictures]
@@ -34,7 +34,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
     sentences = [f"{_listed(unread)}: not a picture that is read"] if unread else []
     if place is not None:
         read = {int(split_name[place]) for split_name in split_names}
-        # A number whose file is there has been named already.
+        # Numbers of unread files are reported already.
         unread_numbers = {int(re.split(r"(\d+)", Path(name).stem)[place]) for name in unread
                  if _counts(name, split_names[0], place)}  # fmt: skip
         gaps = _gaps(sorted(read | unread_numbers))
@@ -44,7 +44,7 @@ def missing_frames(pictures: Sequence[str], names: Sequence[str]) -> tuple[str, 
 
 
 def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) -> Diagnostic:
-    """NS0776: an error, or a warning where `skipped` frames are left out as was asked for."""
+    """Return NS0776: an error, or a warning if missing frames are `skipped` on request."""
     helps = ("convert or remove the files, or add --skip to expose the frames that are there",)
     return Diagnostic(
         "NS0776",
@@ -56,7 +56,7 @@ def frames_missing(folder: Path, missing: Sequence[str], skipped: bool = False) 
 
 
 def _counting_part(split_names: Sequence[list[str]]) -> int | None:
-    """Which part of the names counts the frames, if they differ in a number alone."""
+    """Return which part of the names is the frame number, if they differ in one number only."""
     if len(split_names) < 2 or len({len(split_name) for split_name in split_names}) != 1:
         return None
     varying = [
@@ -73,7 +73,7 @@ def _counting_part(split_names: Sequence[list[str]]) -> int | None:
 
 
 def _counts(name: str, like: list[str], place: int) -> bool:
-    """Whether a file is named as the frames are, but for its number."""
+    """Return whether a file is named like the frames, apart from its number."""
     split_name = re.split(r"(\d+)", Path(name).stem)
     return len(split_name) == len(like) and all(
         split_name[k] == like[k] for k in range(len(like)) if k != place
@@ -86,8 +86,8 @@ def _is_picture(name: str) -> bool:
 
 
 def _gaps(numbers: Sequence[int]) -> str:
-    """The numbers that a sequence of one step leaves out, as text; "" where there are none, or
-    where the steps are no such sequence (numbers that are times)."""
+    """Return the numbers missing from a sequence of constant step, as text. "" without gaps, or if
+    the numbers are not such a sequence (for example times)."""
     steps = [b - a for a, b in pairwise(numbers)]
     step = min(steps, default=0)
     usual = step > 0 and 2 * steps.count(step) >= len(steps)

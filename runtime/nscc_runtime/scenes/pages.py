@@ -1,4 +1,4 @@
-"""The pictures that one file holds, with what the file itself says of them."""
+"""The pictures of a file, and its own description of them."""
 
 from __future__ import annotations
 
@@ -11,17 +11,14 @@ from numpy.typing import NDArray
 from nscc_runtime.scenes.colour import Transfer
 
 Note = tuple[str, str]
-"""A sentence on a file, without its name, and what may be done about it."""
+"""A sentence on a file, without its name, and a remedy."""
 
 
 @dataclass(frozen=True)
 class Pages:
     """The `count` pictures of a file, decoded one after the other by `read`, each (R, C) grey or
-    (R, C, 3) red, green, blue as stored.
-
-    `transfer` is the transfer curve that the file names, None where it names none; `notes` say what
-    a reader does that the user may not expect.
-    """
+    (R, C, 3) red, green, blue as stored. `transfer` is the transfer curve that the file names, or
+    None; `notes` describe unexpected choices of the reader."""
 
     count: int
     read: Callable[[], Iterator[NDArray[Any]]]
@@ -30,7 +27,7 @@ class Pages:
 
 
 class UnsupportedPicture(Exception):
-    """A whole file of a kind that nscc does not decode: the reason, and what to do about it."""
+    """An intact file of a kind that nscc does not decode: the reason, and a remedy."""
 
     def __init__(self, reason: str, help_text: str) -> None:
         super().__init__(reason)

@@ -1,8 +1,6 @@
-"""Scenes given as pictures: single files and folders of them, through the readers that know them.
-
-OpenEXR reads .exr; Pillow .jpg and .webp, because it notices truncated files, and .avif; rawpy the
-raw files of cameras; OpenCV the rest, because it keeps 16 bits a sample and knows Radiance and PFM.
-"""
+"""Scenes as pictures: single files and folders of them. OpenEXR reads .exr; Pillow .jpg and .webp,
+because it detects truncated files, and .avif; rawpy the raw files of cameras; OpenCV the rest,
+because it keeps 16 bits per sample and reads Radiance and PFM."""
 
 from __future__ import annotations
 
@@ -36,26 +34,24 @@ PICTURES = LINEAR + DISPLAY
 
 
 def default_transfer(path: Path) -> Transfer:
-    """Linear for formats of linear light, the sRGB curve for those made for displays."""
+    """Return the default curve: linear for formats of linear light, sRGB for formats made for
+    displays."""
     return "linear" if path.suffix.lower() in LINEAR else "srgb"
 
 
 def transfer_of(path: Path) -> Transfer:
-    """The transfer curve that a picture's file names, or else that of its format."""
+    """Return the transfer curve that a picture's file names, or that of its format."""
     named = png_head(path).transfer if path.suffix.lower() == ".png" else None
     return named or default_transfer(path)
 
 
 def open_pages(path: Path, large: bool = False) -> Pages:
-    """The pictures in a file: one, or those of a file of several, which are a clip.
+    """Open the pictures in a file: one, or several, which are a clip.
 
     Alpha is dropped; the rotation noted in a photograph is applied. `large` admits single pictures
-    of 8 bits a sample with up to `MOST_LARGE_PIXELS`.
+    of 8 bits per sample with up to `MOST_LARGE_PIXELS`.
 
-    Raises
-    ------
-    Rejected
-        NS0732 for a file that is damaged, or of a kind that is not decoded.
+    Raises Rejected (NS0732) for a file that is damaged, or of a kind that is not decoded.
     """
     reads(path)
     with _readable(path):
@@ -78,7 +74,7 @@ def open_pages(path: Path, large: bool = False) -> Pages:
 
 
 def read_picture(path: Path) -> NDArray[Any]:
-    """The one picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
+    """Read the one picture of a file as stored: (R, C) grey or (R, C, 3) red, green, blue.
 
     Raises
     ------
@@ -96,7 +92,7 @@ def read_picture(path: Path) -> NDArray[Any]:
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
-    """NS0732 with the reader's words, or with the reason why a whole file is not decoded."""
+    """Turn exceptions of readers into NS0732, with the reader's text or the reason."""
     try:
         with quiet():
             yield
@@ -109,8 +105,8 @@ def _readable(path: Path) -> Iterator[None]:
 
 
 def _single_picture_pages(path: Path, decode: Callable[[NDArray[np.uint8]], NDArray[Any]]) -> Pages:
-    """A file of one picture. imread knows files by their content; decoding from memory also takes
-    any path."""
+    """Open a file of one picture. Decoding from memory recognises files by content, as imread does,
+    and supports any path."""
 
     def read() -> Iterator[NDArray[Any]]:
         yield decode(np.fromfile(path, np.uint8))
@@ -123,12 +119,12 @@ def _opencv_pages(path: Path) -> Pages:
 
 
 def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
-    """The picture that OpenCV decodes from the bytes of a file; ValueError where it cannot."""
+    """Decode a file's bytes by OpenCV; ValueError if it cannot."""
     import cv2
 
     if data.size == 0:
         raise ValueError("the file is empty")
-    # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
+    # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
         image = cv2.imdecode(data, cv2.IMREAD_ANYDEPTH | flags)
         if image is not None:
@@ -140,7 +136,7 @@ def decoded(data: NDArray[np.uint8]) -> NDArray[Any]:
 
 
 def _pillow_pages(path: Path) -> Pages:
-    """The frames of a file, an animation's laid over those before."""
+    """Open the frames of a file by Pillow; frames of an animation are composed."""
     from PIL import Image, ImageOps
 
     with without_pillow_limit(), Image.open(path) as image:
@@ -166,7 +162,8 @@ def _heif_pages(path: Path) -> Pages:
 
 
 def _png_pages(path: Path) -> Pages:
-    """A picture by OpenCV, which keeps 16 bits, or the frames of an animation by Pillow."""
+    """Open a .png: a picture by OpenCV, which keeps 16 bits, or the frames of an animation by
+    Pillow."""
     head = png_head(path)
     pages = _pillow_pages(path) if head.animated else _opencv_pages(path)
     return replace(pages, transfer=head.transfer, notes=head.notes)
@@ -190,7 +187,7 @@ _READERS: dict[str, Callable[[Path], Pages]] = {
 def files_of(
     folder: Path, skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> list[Path]:
-    """The pictures of a folder in natural order (2 before 10).
+    """Return the pictures of a folder in natural order (2 before 10).
 
     Hidden files, and files that belong to no sequence of frames, are passed over. With `skip`,
     `warn` is told of frames that are missing.
@@ -234,7 +231,7 @@ def files_of(
 
 
 def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
-    """Sort key in which runs of digits count as numbers; the name itself decides ties."""
+    """Return a sort key in which runs of digits count as numbers; the name itself breaks ties."""
     runs = re.findall(r"\d+|\D+", name)
     return [
         (0, int(p), "") if p.isdecimal() and p.isascii() and len(p) < 4000 else (1, 0, p.casefold())
@@ -245,10 +242,8 @@ def _natural(name: str) -> tuple[list[tuple[int, int, str]], str]:
 def read_folder(
     pictures: list[Path], skip: bool = False, warn: Callable[[Diagnostic], None] = lambda _: None
 ) -> Iterator[NDArray[Any]]:
-    """The frames of a folder, each as stored; NS0734 where one differs in size from the first.
-
-    With `skip`, `warn` is told of damaged files (NS0776), and they are left out.
-    """
+    """Yield the frames of a folder as stored; NS0734 if one differs in size from the first. With
+    `skip`, damaged files are reported to `warn` (NS0776) and left out."""
 
     def read() -> Iterator[tuple[Path, NDArray[Any]]]:
         for path in pictures:
@@ -264,7 +259,7 @@ def read_folder(
 
 
 def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator[NDArray[Any]]:
-    """The pictures of a clip, each given with its name; NS0734 where one differs in size."""
+    """Yield the pictures of a clip, given with their names; NS0734 if one differs in size."""
     first: tuple[int, int] | None = None
     for name, picture in pictures:
         have = (picture.shape[0], picture.shape[1])
@@ -281,11 +276,9 @@ def same_size(pictures: Iterable[tuple[Path_or_name, NDArray[Any]]]) -> Iterator
 
 @contextmanager
 def quiet() -> Iterator[None]:
-    """Keep what decoding libraries print about damaged files off the user's screen.
-
-    They write to the process's standard error below Python, so the file descriptor is set aside.
-    OpenCV and its FFmpeg read their own switches when first used.
-    """
+    """Suppress the output of decoding libraries about damaged files. They write to the process's
+    standard error below Python, so the file descriptor is replaced. OpenCV and its FFmpeg read
+    their own switches at first use."""
     import io
     import os
     import sys

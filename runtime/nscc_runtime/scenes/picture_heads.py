@@ -1,4 +1,4 @@
-"""What the headers of PNG and Radiance files say beside the samples."""
+"""Headers of PNG and Radiance files."""
 
 from __future__ import annotations
 
@@ -18,15 +18,16 @@ from nscc_runtime.scenes.picture_size import refuse_size
 TRANSFERS: dict[int, Transfer] = {
     **dict.fromkeys((1, 6, 13, 14, 15), "srgb"), 8: "linear", 16: "pq", 18: "hlg",
 }  # fmt: skip
-"""Transfer curves by their number in ITU-T H.273; the camera curves of BT.709 and BT.2020 are shown
-by displays nearly as sRGB is."""
+"""Transfer curves by their number in ITU-T H.273. Displays show the camera curves of BT.709 and
+BT.2020 nearly as sRGB."""
 _LINEAR_GAMMA, _SRGB_GAMMA = 100_000, 45_455
 _GAMMA_SLACK = 500
 
 
 @dataclass(frozen=True)
 class PngHead:
-    """Of a PNG file: whether it is an animation, its transfer curve if it names one, and notes."""
+    """The header of a PNG file: whether it is an animation, its transfer curve if named,
+    and notes."""
 
     animated: bool
     transfer: Transfer | None
@@ -34,7 +35,7 @@ class PngHead:
 
 
 def png_head(path: Path) -> PngHead:
-    """Read the chunks of a PNG file that come before its samples."""
+    """Read the chunks of a PNG file before its samples."""
     chunks: dict[bytes, bytes] = {}
     with open(path, "rb") as file:
         file.seek(8)
@@ -50,7 +51,7 @@ def png_head(path: Path) -> PngHead:
 
 
 def _png_transfer(chunks: dict[bytes, bytes]) -> tuple[Transfer | None, tuple[Note, ...]]:
-    """The curve of cICP, sRGB or gAMA, in this order of their ranks."""
+    """Return the curve of cICP, sRGB or gAMA, in this order of precedence."""
     help_text = "--transfer says which curve is meant"
     if len(chunks.get(b"cICP", b"")) == 4:
         number = chunks[b"cICP"][1]
@@ -74,11 +75,9 @@ _RESOLUTION = re.compile(rb"^([+-])([XY]) (\d+) ([+-])([XY]) (\d+)$", re.MULTILI
 def read_radiance(
     path: Path, data: NDArray[np.uint8], decode: Callable[[NDArray[np.uint8]], NDArray[Any]]
 ) -> NDArray[Any]:
-    """The picture of a Radiance file in any of its eight orientations.
-
-    `decode` takes the bytes of a file whose rows run from top to bottom and left to right.
-    UnsupportedPicture for colours other than red, green, blue.
-    """
+    """Read the picture of a Radiance file in any of its eight orientations. `decode` takes the
+    bytes of a file whose rows run from top to bottom and left to right. UnsupportedPicture for
+    colours other than red, green, blue."""
     head, blank, body = data.tobytes().partition(b"\n\n")
     line, newline, samples = body.partition(b"\n")
     if b"FORMAT=32-bit_rle_xyze" in head:

@@ -1,4 +1,4 @@
-"""Stored pictures as light: one rule for exposing and for training."""
+"""Convert stored pictures to light, by one rule for exposing and for training."""
 
 from __future__ import annotations
 
@@ -17,8 +17,7 @@ from nscc_runtime.scenes.large_pictures import reduced
 from nscc_runtime.scenes.light_arrays import check_type
 
 _STRIP = 256
-"""Rows of a picture that become light at a time: a large one never exists in double precision and
-in colours."""
+"""Rows of a picture that are converted at a time, to limit memory in double precision."""
 _TINY_NEGATIVE = 1e-3
 """Samples below 0 by at most this part of a picture's peak are filter ringing: set to 0."""
 

@@ -1,4 +1,4 @@
-"""The size of a picture by its header, so that a huge one is refused before it is decoded."""
+"""Check the size of a picture by its header, before it is decoded."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from typing import Any
 from nscc.diagnostics.rejection import rejected
 
 MOST_PIXELS = 1 << 26
-"""Of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
+"""Most pixels of a picture or of a frame of a clip: 8192 x 8192, 67 million."""
 
 MOST_LARGE_PIXELS = 3 * MOST_PIXELS
-"""Of a scene that is one picture of 8 bits a sample: 201 million."""
+"""Most pixels of a scene that is one picture of 8 bits per sample: 201 million."""
 
 _MOST_SAMPLES = 4
-"""Samples that an OpenEXR file holds, in all its parts and channels, for each of MOST_PIXELS."""
+"""Most samples of an OpenEXR file, in all parts and channels, per MOST_PIXELS."""
 
 _HEADER_BYTES = 1 << 16
 _WINDOWS = ("dataWindow", "displayWindow")
@@ -26,14 +26,15 @@ _RADIANCE = re.compile(rb"[-+][XY]\s+(\d+)\s+[-+][XY]\s+(\d+)")
 
 
 def refuse_huge(path: Path) -> None:
-    """NS0734 for a picture file whose header states more than MOST_PIXELS; other faults pass."""
+    """Raise NS0734 for a picture file whose header states more than MOST_PIXELS; other
+    errors pass."""
     size = _stated_size(path)
     if size is not None:
         refuse_size(path, *size)
 
 
 def refuse_size(path: Path, rows: int, cols: int) -> None:
-    """NS0734 for a picture or a frame of more than MOST_PIXELS."""
+    """Raise NS0734 for a picture or a frame of more than MOST_PIXELS."""
     if rows * cols > MOST_PIXELS:
         raise rejected(
             "NS0734",
@@ -46,7 +47,7 @@ def refuse_size(path: Path, rows: int, cols: int) -> None:
 
 
 def _stated_size(path: Path) -> tuple[int, int] | None:
-    """Rows and columns; None where the header does not tell them."""
+    """Return rows and columns; None if the header does not state them."""
     with open(path, "rb") as file:
         head = file.read(_HEADER_BYTES)
     if match := _PFM.match(head):
@@ -71,8 +72,8 @@ def _stated_size(path: Path) -> tuple[int, int] | None:
 
 
 def _exr_size(path: Path) -> tuple[int, int] | None:
-    """The size of the largest window of an OpenEXR file's parts; NS0734 for too many samples in
-    all of them, which are decoded together."""
+    """Return the size of the largest window of an OpenEXR file's parts. NS0734 for too many samples
+    in all parts, which are decoded together."""
     import OpenEXR
 
     try:

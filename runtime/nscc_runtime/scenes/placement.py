@@ -1,9 +1,6 @@
-"""How a picture of any size comes onto an array: cut out, scaled, or in pieces.
-
-With `scale` and `tiles` the frame is the picture's, not the array's: the picture lies in the top
-left corner of as many arrays as it takes, side by side. What is left of them sees its mirror image,
-and is cut off again.
-"""
+"""Place pictures of any size on arrays: cropped, scaled, or in pieces. With `scale` and `tiles` the
+frame has the size of the picture, which lies in the top left corner of as many arrays as needed,
+side by side. The remaining pixels see its mirror image, and are cut off afterwards."""
 
 from __future__ import annotations
 
@@ -25,12 +22,12 @@ Fit = Literal["crop", "scale", "tiles"]
 FITS: tuple[Fit, ...] = get_args(Fit)
 
 MOST_PIXELS = 1 << 26
-"""A picture in pieces may have so many pixels: a frame takes some 30 bytes for each."""
+"""Most pixels of a picture in pieces: a frame takes some 30 bytes per pixel."""
 
 
 @dataclass(frozen=True)
 class Placement:
-    """Where a picture lies: `picture` (R, C) as stored, `size` (rows, cols) as it is exposed, on
+    """The placement of a picture: `picture` (R, C) as stored, `size` (rows, cols) as exposed, on
     `arrays` (down, across) of `array` (rows, cols) each."""
 
     fit: Fit
@@ -40,20 +37,20 @@ class Placement:
 
     @property
     def arrays(self) -> tuple[int, int]:
-        """How many arrays lie below each other and side by side."""
+        """Numbers of arrays, down and across."""
         return -(-self.size[0] // self.array[0]), -(-self.size[1] // self.array[1])
 
     @property
     def fits_one_array(self) -> bool:
-        """Whether one array sees all that is exposed, and nothing else."""
+        """Whether the exposed picture has the size of one array."""
         return self.size == self.array
 
     def cut(self, values: NDArray[Any]) -> NDArray[Any]:
-        """The part (.., rows, cols) that is the picture, of values on all arrays."""
+        """Return the part (.., rows, cols) of values on all arrays that is the picture."""
         return values[..., : self.size[0], : self.size[1]]
 
     def pieces(self, light: Light) -> list[Light]:
-        """The light on each array, row by row."""
+        """Return the light on each array, row by row."""
         if self.fits_one_array:
             return [light]
         (rows, cols), (down, across) = self.array, self.arrays
@@ -64,7 +61,7 @@ class Placement:
         ]
 
     def joined(self, pieces: list[NDArray[Any]]) -> NDArray[Any]:
-        """Values (.., rows, cols) of all arrays, row by row, put together and cut."""
+        """Join values (.., rows, cols) of all arrays, row by row, and cut them to the picture."""
         down, across = self.arrays
         if len(pieces) == 1:
             return self.cut(pieces[0])
@@ -72,25 +69,25 @@ class Placement:
         return self.cut(np.concatenate([np.concatenate(row, axis=-1) for row in rows], axis=-2))
 
     def repeated(self, values: NDArray[Any]) -> NDArray[Any]:
-        """What every array has (.., rows, cols), at the pixels of the picture."""
+        """Repeat values of an array (.., rows, cols) at the pixels of the picture."""
         ahead = (1,) * (values.ndim - 2)
         return np.ascontiguousarray(self.cut(np.tile(values, (*ahead, *self.arrays))))
 
     def widened(self, container: Container) -> Container:
-        """The container with the codes of every pixel of the picture."""
+        """Return the container with the codes of every pixel of the picture."""
         if container.pixel_codes is None or self.fits_one_array:
             return container
         return replace(container, pixel_codes=self.repeated(container.pixel_codes))
 
     def as_json(self) -> dict[str, Any]:
-        """What a frame file's meta says of it."""
+        """Return the entry in a frame file's meta."""
         return {"fit": self.fit, "picture": list(self.picture), "arrays": list(self.arrays)}
 
 
 def placement_of(
     fit: Fit, picture: tuple[int, int], window: Window, name: Path_or_name
 ) -> Placement:
-    """How a picture (R, C) lies; NS0734 for one in more pieces than there can be."""
+    """Return the placement of a picture (R, C); NS0734 for too many pieces."""
     array = (window.rows, window.cols)
     if fit == "crop":
         return Placement(fit, picture, array, array)
@@ -111,7 +108,7 @@ def placement_of(
 
 
 def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float32]:
-    """The light (rows, cols) of what is exposed of a picture, on all arrays."""
+    """Return the light (rows, cols) of the exposed picture on all arrays."""
     exposed = light.astype(np.float32)
     if exposed.shape != placement.size:
         exposed = _resized(exposed, placement.size)
@@ -121,7 +118,7 @@ def placed(light: NDArray[np.float64], placement: Placement) -> NDArray[np.float
 
 
 def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[np.float32]:
-    """Means over the area of each new pixel; between old ones, where there are fewer of those."""
+    """Resize by means over the area of each new pixel, or enlarge by linear interpolation."""
     import cv2
 
     smaller = new_size[0] <= light.shape[0] and new_size[1] <= light.shape[1]
@@ -130,12 +127,12 @@ def _resized(light: NDArray[np.float32], new_size: tuple[int, int]) -> NDArray[n
 
 
 def in_colour(stored: NDArray[Any]) -> bool:
-    """Whether a stored picture has colours that differ anywhere."""
+    """Return whether a stored picture has colours that differ anywhere."""
     return stored.ndim == 3 and any((row != row[:, :1]).any() for row in stored)
 
 
 def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
-    """Notes (NS0773) on what becomes of a picture's size and colours on the way to the array."""
+    """Return notes (NS0773) on changes of size and colours of a picture."""
     notes = []
     picture, array = size(placement.picture), size(placement.array)
     if placement.fit == "crop" and placement.picture != placement.size:
@@ -161,12 +158,12 @@ def changes(placement: Placement, colour: bool, name: str) -> list[Diagnostic]:
 
 
 def no_colours(name: str) -> Diagnostic:
-    """The note (NS0773) on a scene that is to be exposed in colours and has none."""
+    """Return the note (NS0773) on a grey scene that is to be exposed in colours."""
     return picture_note(f"'{name}' has no colours: it is exposed once", "leave --color out")
 
 
 def taken_for_srgb(name: str) -> Diagnostic:
-    """The note (NS0773) on floating-point samples in a format that is made for screens."""
+    """Return the note (NS0773) on floating-point samples in a format made for screens."""
     return picture_note(
         f"the numbers of '{name}' are taken for sRGB, 1 for white",
         "--transfer linear takes them for light",
@@ -174,13 +171,14 @@ def taken_for_srgb(name: str) -> Diagnostic:
 
 
 def few_bits(stored: NDArray[Any]) -> bool:
-    """Whether samples of more than 8 bits use a quarter of their type at most: 14 bits of 16."""
+    """Return whether samples of more than 8 bits use at most a quarter of their range: 14 bits of
+    16."""
     deep = stored.dtype.kind in "ui" and stored.dtype.itemsize > 1
     return deep and int(stored.max()) <= int(np.iinfo(stored.dtype).max) // 4
 
 
 def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnostic:
-    """The note (NS0773) on curve and white level of samples with `few_bits`, of a first picture."""
+    """Return the note (NS0773) on curve and white level of a first picture with `few_bits`."""
     return picture_note(
         f"the samples of '{name}' are taken with {CURVES[transfer]} and {white_of(stored.dtype):g} "
         f"for white; the largest is {stored.max():g}",
@@ -189,5 +187,5 @@ def white_used(name: str, transfer: Transfer, stored: NDArray[Any]) -> Diagnosti
 
 
 def picture_note(text: str, help_text: str) -> Diagnostic:
-    """A note (NS0773) on what becomes of a picture."""
+    """Return a note (NS0773) on the treatment of a picture."""
     return Diagnostic("NS0773", text, severity=Severity.NOTE, helps=(help_text,))

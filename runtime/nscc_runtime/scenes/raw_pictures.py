@@ -1,4 +1,4 @@
-"""Raw files of cameras, by rawpy: linear light in the camera's own colours."""
+"""Raw files of cameras, by rawpy: linear light in the camera's colours."""
 
 from __future__ import annotations
 
@@ -21,11 +21,8 @@ _NOTE = (
 
 
 def raw_pages(path: Path) -> Pages:
-    """The picture of a raw file: uint16, 65535 at the camera's white level, no curve, no balance of
-    colours, no brightening.
-
-    ImportError without rawpy.
-    """
+    """Open the picture of a raw file: uint16, 65535 at the camera's white level. No curve, no
+    colour balance, no brightening. ImportError without rawpy."""
     import rawpy
 
     def read() -> Iterator[NDArray[Any]]:

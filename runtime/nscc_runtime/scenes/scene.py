@@ -1,4 +1,4 @@
-"""A scene that is named and not loaded yet: one for programs of any slots."""
+"""A scene before it is loaded, for programs of any slots."""
 
 from __future__ import annotations
 
@@ -76,7 +76,8 @@ class Scene:
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
     ) -> Light:
-        """The light on one array, of a scene that is neither laid on several nor in colours."""
+        """Return the light on one array, of a scene that is neither on several arrays nor in
+        colours."""
         return self.laid(slot_us, target, warn, progress)[0].light
 
     def laid(
@@ -86,8 +87,8 @@ class Scene:
         warn: Callable[[Diagnostic], None] = lambda _: None,
         progress: Progress = unseen,
     ) -> tuple[PlacedLight, ...]:
-        """The light in slots of these lengths on the array of `target`: its luminance, or red,
-        green and blue at the exposure of the luminance. Raises as `laid_scene`."""
+        """Return the light in slots of these lengths on the array of `target`. It is the luminance,
+        or red, green and blue at the exposure of the luminance. Raises as `laid_scene`."""
 
         def load(tell: Callable[[Diagnostic], None], **options: Any) -> PlacedLight:
             return laid_scene(

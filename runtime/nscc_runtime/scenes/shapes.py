@@ -1,8 +1,6 @@
-"""Pieces of procedural pictures.
-
-Only sums, products, quotients and square roots, which every machine rounds alike: a builtin scene
-is the same to the bit everywhere, which library sines and powers are not.
-"""
+"""Components of procedural pictures. They use only sums, products, quotients and square roots,
+which every machine rounds alike, unlike sines and powers of libraries, so that builtin scenes are
+bit-identical everywhere."""
 
 from __future__ import annotations
 
@@ -20,7 +18,7 @@ def smooth(low: float, high: float, values: Field) -> Field:
 
 
 def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
-    """A number in [0, 1) for every pair of integers, without visible pattern."""
+    """Return a pseudo-random number in [0, 1) for every pair of integers."""
     h = (x * 374761393 + y * 668265263 + seed * 1442695041) & 0xFFFFFFFF
     h = ((h ^ (h >> 13)) * 1274126177) & 0xFFFFFFFF
     h = ((h ^ (h >> 15)) * 2246822519) & 0xFFFFFFFF
@@ -29,10 +27,8 @@ def hashed(x: NDArray[np.int64], y: NDArray[np.int64], seed: int) -> Field:
 
 
 def noise(x: Field, y: Field, seed: int) -> Field:
-    """Smooth random field in [0, 1) with grain size 1.
-
-    x and y are the coordinates of columns (cols,) and of rows (rows,): the field is (rows, cols).
-    """
+    """Return a smooth random field in [0, 1) with grain size 1. x and y are the coordinates of
+    columns (cols,) and of rows (rows,): the field is (rows, cols)."""
     column, row = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
     first_col, first_row = int(column.min()), int(row.min())
     across = np.arange(first_col, int(column.max()) + 2, dtype=np.int64)
@@ -48,7 +44,8 @@ def noise(x: Field, y: Field, seed: int) -> Field:
 
 
 def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
-    """Noise in [0, 1) with detail at `octaves` scales, each half as large and half as strong."""
+    """Return noise in [0, 1) with detail at `octaves` scales, each half as large and half as
+    strong."""
     total = np.zeros((len(y), len(x)))
     strength, sum_of_strengths = 1.0, 0.0
     for octave in range(octaves):
@@ -61,7 +58,8 @@ def fractal(x: Field, y: Field, seed: int, octaves: int) -> Field:
 
 
 def turn(phase: float) -> tuple[float, float]:
-    """A point (x, y) of the unit circle; phase 0..1 goes round once, at nearly constant speed."""
+    """Return a point (x, y) of the unit circle; phase 0..1 is one turn, at nearly
+    constant speed."""
     quarter, fraction = divmod((phase % 1.0) * 4.0, 1.0)
     t = fraction * (
         0.8284 + 0.1716 * fraction * fraction

@@ -1,8 +1,6 @@
-"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV.
-
-OpenCV multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white;
-Pillow has no colours of 16 bits.
-"""
+"""TIFF files: their pages, by Pillow where samples have at most 8 bits, else by OpenCV. OpenCV
+multiplies 8-bit colours by alpha and leaves 16-bit pictures inverted in which 0 is white; Pillow
+has no colours of 16 bits."""
 
 from __future__ import annotations
 
@@ -30,7 +28,7 @@ Tags = Mapping[int, Any]
 
 
 def tiff_pages(path: Path) -> Pages:
-    """The pages of a TIFF file, thumbnails and masks left out.
+    """Open the pages of a TIFF file, without thumbnails and masks.
 
     Raises
     ------
@@ -55,7 +53,7 @@ def tiff_pages(path: Path) -> Pages:
 
 
 def _directories(path: Path) -> list[Tags]:
-    """The tags of each page."""
+    """Return the tags of each page."""
     from PIL.TiffImagePlugin import ImageFileDirectory_v2
 
     directories: list[Tags] = []
@@ -77,7 +75,7 @@ def _directories(path: Path) -> list[Tags]:
 
 
 def _samples(tags: Tags) -> tuple[int, int]:
-    """Format and bits of a page's samples."""
+    """Return format and bits of a page's samples."""
     kinds, bits = (np.ravel(tags.get(tag) or 1) for tag in (_FORMAT, _BITS))
     return int(kinds[0]), int(bits.max())
 
@@ -108,7 +106,7 @@ def _read_page(path: Path, index: int, tags: Tags) -> NDArray[Any]:
 
 
 def _by_pillow(path: Path, index: int) -> NDArray[Any] | None:
-    """The page in 8 bits; None where Pillow does not know its kind."""
+    """Return the page in 8 bits; None if Pillow does not support its kind."""
     from PIL import Image, ImageOps, UnidentifiedImageError
 
     try:
@@ -125,7 +123,7 @@ def _by_opencv(path: Path, index: int) -> NDArray[Any]:
     import cv2
 
     data = np.fromfile(path, np.uint8)
-    # In colour it refuses 32 and 64 bits a sample of one channel; with alpha, in any but all four.
+    # IMREAD_COLOR refuses 32 and 64 bits of one channel; with alpha they need IMREAD_UNCHANGED.
     for flags in (cv2.IMREAD_COLOR, cv2.IMREAD_ANYCOLOR, cv2.IMREAD_UNCHANGED):
         success, pages = cv2.imdecodemulti(
             data, cv2.IMREAD_ANYDEPTH | flags, range=(index, index + 1)

@@ -1,4 +1,4 @@
-"""Clips in time: which parts of which frames fall into which slot, and what moves inside one."""
+"""Timing of clips: the overlap of slots and frames, and motion within slots."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ from nscc_runtime.light import Light
 from nscc_runtime.scenes.errors import Path_or_name
 
 _SLACK_FRAMES = Fraction(1, 1000)
-"""So much of a frame may the last slot reach beyond the clip: slots of 16.667 ms at 60 frames/s."""
+"""Fraction of a frame by which the last slot may exceed the clip: slots of 16.667 ms at 60
+frames/s."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,23 +32,23 @@ class Overlaps:
 
 
 def slot_edges_us(slot_us: Sequence[float]) -> list[Fraction]:
-    """The N + 1 boundaries of the slots, exact: lengths are the decimals that they print as."""
+    """Return the N + 1 boundaries of the slots as exact fractions of the printed decimals."""
     exact = {length: Fraction(repr(float(length))) for length in set(slot_us)}
     return [*accumulate((exact[length] for length in slot_us), initial=Fraction(0))]
 
 
 def frames_needed(slot_us: Sequence[float], fps: Fraction) -> int:
-    """How many frames, from the first, the slots reach into."""
+    """Return the number of frames, from the first, that the slots need."""
     end = slot_edges_us(slot_us)[-1] * fps / 1_000_000
     return max(1, ceil(end - _SLACK_FRAMES))
 
 
 def overlaps(slot_us: Sequence[float], fps: Fraction) -> Overlaps:
-    """Frame k covers [k / fps, (k + 1) / fps); what reaches beyond the last frame counts to it.
+    """Return the overlap of slots and frames.
 
-    The boundaries are computed in exact fractions, so a slot that ends with a frame holds
-    nothing of the next, whatever the number of slots. The last frame is number
-    `frames_needed` - 1.
+    Frame k covers [k / fps, (k + 1) / fps); time beyond the last frame counts to it. Boundaries are
+    exact fractions, so that a slot that ends with a frame contains nothing of the next, for any
+    number of slots. The last frame is number `frames_needed` - 1.
     """
     per_us = fps / 1_000_000
     last = frames_needed(slot_us, fps) - 1
@@ -76,10 +77,8 @@ def spread(
     overlap: Overlaps,
     factor_of: Callable[[NDArray[np.float64]], float],
 ) -> Light:
-    """A clip of electrons a second, up to a factor, that slots integrate piecewise constant.
-
-    `factor_of` finds the factor from the all-open sum (rows, cols).
-    """
+    """Return the light of a clip in electrons per second, up to a factor, integrated as piecewise
+    constant. `factor_of` returns the factor for the all-open sum (rows, cols)."""
     share = np.bincount(overlap.frame_index, overlap.seconds, len(frames))
     open_sum = np.zeros(frames.shape[1:], np.float64)
     for frame, time_s in zip(frames, share, strict=True):
@@ -92,12 +91,11 @@ def spread(
 def with_motion(
     light: Light, seconds: NDArray[np.float64] | None = None, fps: float = 1.0
 ) -> Light:
-    """`light`, a clip of samples, with its `motion`: frame k is the light at the start of its time,
-    and changes linearly to the next.
+    """Return a clip of samples with its `motion`: linear interpolation between frames.
 
-    Each entry of the matrix spends `seconds` in its frame, of 1 / `fps`, and the entries follow
-    each other without a gap; without `seconds` each is the whole of its frame. The light stands
-    still in the last frame, which no sample follows.
+    Frame k is the light at the start of its time. Each entry of the matrix spends `seconds` in its
+    frame, of 1 / `fps`, and entries follow each other without a gap; without `seconds` each is its
+    whole frame. In the last frame the light stands still.
     """
     entries = len(light.frame_index)
     begin, end = np.zeros(entries), np.ones(entries)
@@ -117,7 +115,8 @@ def with_motion(
 
 
 def check_fps(fps: float) -> Fraction:
-    """The frame rate as the exact fraction that it prints as; NS0739 outside 1e-6 .. 1e9."""
+    """Return the frame rate as the exact fraction of its printed decimals; NS0739 outside 1e-6 ..
+    1e9."""
     if 1e-6 <= fps <= 1e9:
         return Fraction(repr(float(fps)))
     raise rejected(
@@ -131,7 +130,8 @@ def check_fps(fps: float) -> Fraction:
 def too_short(
     name: Path_or_name, have: int, need: int, slots: int, fps: float | None, first: int = 0
 ) -> Rejected:
-    """The clip has fewer frames than the slots take (NS0735): `have` from frame `first` on."""
+    """Return the error (NS0735) for a clip with fewer frames than the slots need: `have` from frame
+    `first` on."""
     if fps is None:
         why = f"{slots} slots take one frame each"
         ways = "a program with fewer slots, or give the clip's frame rate: --fps F"
@@ -149,7 +149,7 @@ def too_short(
 
 
 def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -> NDArray[Any]:
-    """The frame of a clip that is taken as a still; NS0735 beyond its end."""
+    """Return the frame of a clip that is used as a still; NS0735 beyond its end."""
     have = 0
     for have, picture in enumerate(stored, 1):
         if have > first:
@@ -158,7 +158,7 @@ def only_frame(name: Path_or_name, stored: Iterator[NDArray[Any]], first: int) -
 
 
 def no_such_frame(name: Path_or_name, have: int, first: int) -> Rejected:
-    """The clip ends before the frame that is taken as a still (NS0735)."""
+    """Return the error (NS0735) for a clip that ends before the frame used as a still."""
     return rejected(
         "NS0735",
         f"the clip '{name}' has {have} frame{'' if have == 1 else 's'}, and no frame {first}",

@@ -1,4 +1,4 @@
-"""Videos by PyAV: all bits of their samples, in the colours, the rotation and the times stored."""
+"""Read videos by PyAV, with all bits of their samples, and their colours, rotation and times."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ _BT_601 = (0.299, 0.114)
 _BT_2020_PRIMARIES = 9
 _UNSPECIFIED = 2
 _HIGH_DEFINITION = 720
-"""Rows from which on a video that names no matrix has that of BT.709."""
+"""Rows from which on the default matrix is that of BT.709."""
 _FULL_RANGE = 2
 _UNEVEN = 0.4
-"""Times between frames that differ by so much of their median are no jitter."""
+"""Relative deviation from the median time between frames above which times are not jitter."""
 
 
 @dataclass(frozen=True)
 class _Timing:
-    """Of a video's packets: times of frames in order, in units of `unit_s`, and how many frames the
-    header declares (0: none)."""
+    """Timing of a video's packets: times of frames in order, in units of `unit_s`, and the number
+    of frames in the header (0: none)."""
 
     times: NDArray[np.int64]
     unit_s: float
@@ -45,17 +45,15 @@ class _Timing:
 
     @property
     def is_variable(self) -> bool:
-        """Whether frames last for unequal times."""
+        """Whether frames have unequal durations."""
         steps = np.diff(self.times)
         return self.step > 0 and bool((np.abs(steps - self.step) > _UNEVEN * self.step).any())
 
 
 def video_pages(path: Path) -> Pages:
-    """The frames of a video, uint8 or uint16 (R, C, 3), at even times.
-
-    Frames of unequal length are repeated or left out so that all last for the usual time. A file
-    that breaks off yields the frames before. ValueError where there is none; NS0734 for large ones.
-    """
+    """Open the frames of a video, uint8 or uint16 (R, C, 3), at equal times. Frames of unequal
+    duration are repeated or skipped. A truncated file yields the frames before its end. ValueError
+    without frames; NS0734 for large ones."""
     timing = _timing_of(path)
     with _opened(path) as container:
         context = container.streams.video[0].codec_context
@@ -77,8 +75,8 @@ def video_pages(path: Path) -> Pages:
 def _opened(path: Path) -> Iterator[Any]:
     import av
 
-    # As a file and not by its name, in which FFmpeg would look for a protocol; what a playlist
-    # inside names is not opened.
+    # Open a file object, because FFmpeg looks for a protocol in names; files that a playlist
+    # names are not opened.
     protocol_options = {"protocol_whitelist": "none"}
     with open(path, "rb") as file, av.open(
         file, container_options=protocol_options, options=_bound()
@@ -87,7 +85,7 @@ def _opened(path: Path) -> Iterator[Any]:
 
 
 def _bound() -> dict[str, str]:
-    """The option by which FFmpeg refuses large frames before it takes memory for them."""
+    """Return the option that makes FFmpeg refuse large frames before allocating memory."""
     return {"max_pixels": str(picture_size.MOST_PIXELS)}
 
 
@@ -132,13 +130,13 @@ def _notes(timing: _Timing, primaries: int) -> tuple[Note, ...]:
 
 
 def _frames(path: Path, timing: _Timing) -> Iterator[NDArray[Any]]:
-    """The frames at even times from the first on."""
+    """Yield the frames at equal times from the first on."""
     if not timing.is_variable:
         yield from (picture for _, picture in _decoded(path))
         return
     at, pending_picture = float(timing.times[0]), None
     for time, picture in _decoded(path):
-        # A frame is shown from the moment of the grid that is next to its own time.
+        # A frame is shown from the grid time nearest to its own time.
         while pending_picture is not None and at + timing.step / 2 <= time:
             yield pending_picture
             at += timing.step
@@ -148,7 +146,7 @@ def _frames(path: Path, timing: _Timing) -> Iterator[NDArray[Any]]:
 
 
 def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
-    """Times and pictures, as far as the file can be decoded; ValueError where not a frame can."""
+    """Yield times and pictures as far as the file can be decoded; ValueError without any."""
     import av
 
     count = 0
@@ -166,13 +164,13 @@ def _decoded(path: Path) -> Iterator[tuple[int, NDArray[Any]]]:
 
 
 def _upright(picture: NDArray[Any], degrees: int) -> NDArray[Any]:
-    """The picture turned by quarter turns, counted against the clock."""
+    """Return the picture rotated counter-clockwise by quarter turns."""
     return np.ascontiguousarray(np.rot90(picture, round(degrees / 90)))
 
 
 def picture_of(frame: Any) -> NDArray[Any]:
-    """Red, green and blue (R, C, 3) of a decoded frame, of 0..255, or of 0..65535 where samples
-    have more than 8 bits: by the matrix and the range that the frame names."""
+    """Return red, green and blue (R, C, 3) of a decoded frame. They are 0..255, or 0..65535 for
+    more than 8 bits, by the matrix and the range that the frame names."""
     bits = frame.format.components[0].bits
     if frame.format.is_rgb or frame.format.name.startswith("pal"):
         return np.asarray(frame.to_ndarray(format="rgb24" if bits <= 8 else "rgb48le"))
@@ -188,7 +186,7 @@ def picture_of(frame: Any) -> NDArray[Any]:
 
 
 def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
-    """Luma and, unless it is grey, both chromas as they are stored, each of its own size."""
+    """Return luma and, unless it is grey, both chromas as stored, each of its own size."""
     grey = frame.format.name.startswith("gray")
     plane_count = 1 if grey else 3
     if len(frame.planes) < plane_count or frame.format.name.endswith("be"):
@@ -205,7 +203,7 @@ def _planes(frame: Any, bits: int) -> list[NDArray[Any]]:
 def _as_fractions(
     planes: Sequence[NDArray[Any]], bits: int, full: bool
 ) -> list[NDArray[np.float32]]:
-    """Luma 0..1, chroma -0.5..0.5, of full or limited range."""
+    """Return luma 0..1 and chroma -0.5..0.5, from full or limited range."""
     step = 1 << (bits - 8)
     most = (1 << bits) - 1
     luma_black, luma_span = (0, most) if full else (16 * step, 219 * step)

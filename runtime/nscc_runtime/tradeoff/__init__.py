@@ -1,1 +1,1 @@
-"""What the emulator's time buys: errors against the reference beside times of frames."""
+"""The tradeoff of the emulator: errors against the reference and times of frames."""

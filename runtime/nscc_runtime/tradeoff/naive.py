@@ -1,4 +1,4 @@
-"""What a plan is measured beside: the two ways people write an exposure in numpy, and memory."""
+"""Baselines for plans: two ways to write an exposure in numpy, and the speed of memory."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ from nscc_runtime.interface import Exposure
 from nscc_runtime.light import Light
 
 _MOST_BYTES = 1 << 28
-"""Up to here light and shutters of all slots lie ready as arrays, which costs these ways no time;
-beyond it, they are made slot by slot."""
+"""Up to this size, light and shutters of all slots are prepared as arrays, outside of the timing;
+beyond it they are made slot by slot."""
 _COPIED_BYTES = 1 << 26
 _COPIES = 25
 
 
 @dataclass(frozen=True, eq=False)
 class Naive:
-    """A scene and the shutters of a program's pixels. Both ways end in a noiseless ADC."""
+    """A scene and the shutters of a program's pixels; both ways end in a noiseless ADC."""
 
     program: Program
     light: Light
 
     def summed(self) -> Frame:
-        """Light summed over the open slots in float32; no effects."""
+        """Sum the light over the open slots in float32, without effects."""
         total = self._dark(np.float32)
         with np.errstate(over="ignore"):
             for light, opened in self._slots():
@@ -39,10 +39,8 @@ class Naive:
         return self._read(total)
 
     def drawn(self, seed: int) -> Frame:
-        """numpy's Poisson of every slot's light, summed over the open slots; no other effects.
-
-        Raises ValueError for light beyond what numpy draws, some 9e18 electrons a slot.
-        """
+        """Sum numpy's Poisson counts of every slot over the open slots, without other effects.
+        Raises ValueError for light beyond the range of numpy, some 9e18 electrons per slot."""
         random = np.random.default_rng(seed)
         total = self._dark(np.float64)
         for light, opened in self._slots():
@@ -59,7 +57,7 @@ class Naive:
         return read_out(exposure, self.program.container.target, self.program.sensor)
 
     def _slots(self) -> Iterator[tuple[NDArray[np.float32], NDArray[np.bool_]]]:
-        """Light (rows, cols) and open pixels (buckets, rows, cols) of slot after slot."""
+        """Yield the light (rows, cols) and the open pixels (buckets, rows, cols) slot by slot."""
         if self._ready is not None:
             yield from zip(*self._ready, strict=True)
         else:
@@ -81,8 +79,8 @@ class Naive:
 
 
 def copy_gb_per_s() -> float:
-    """Memory traffic of a copy beyond the caches, bytes read and written, in GB/s; the best of
-    some."""
+    """Return the memory traffic of a copy larger than the caches in GB/s, read and written; the
+    best of several."""
     source = np.ones(_COPIED_BYTES // 8)
     target = np.zeros_like(source)
     best_s = np.inf
@@ -94,5 +92,5 @@ def copy_gb_per_s() -> float:
 
 
 def floor_ms(light: Light, gb_per_s: float) -> float:
-    """How long it takes to read a scene once, as it is stored, at that speed."""
+    """Return the time to read a stored scene once at this speed."""
     return light.frames.nbytes / gb_per_s / 1e6

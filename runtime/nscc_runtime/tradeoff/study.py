@@ -1,4 +1,4 @@
-"""What the emulator's time buys: error against the reference, beside the time of one frame."""
+"""Measure the error of the emulator against the reference, and the time of a frame."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _ORDER = (REFERENCE, OTHER_DRAWS, SUMMED, DRAWN, PLANNED, WITH_PLANNING)
 ELECTRONS, LSB = "e", "lsb"
 
 _POOLED, _MOST_POOLED = 65536, 64
-"""Frames of few pixels are taken together until there are as many samples, or as many frames."""
+"""Small frames are pooled up to this number of samples, and at most this number of frames."""
 
 PROGRAM = """nsl 1
 frame 16 slots of 1ms
@@ -40,13 +40,13 @@ code stop : 1..16
 open when n < stop
 pixels stop = tile [[1, 4], [8, 16]]
 """
-"""Where no program is given."""
+"""The default program."""
 SCENES = ("builtin:hdr", "builtin:motion", "builtin:flat:300")
 
 
 @dataclass(frozen=True)
 class NamedLight:
-    """Light under a name."""
+    """Light with a name."""
 
     name: str
     light: Light
@@ -54,11 +54,11 @@ class NamedLight:
 
 @dataclass(frozen=True)
 class StudySettings:
-    """`tolerances` to plan for; `budget`, the one whose plan is shown effect by effect. Parts of
-    the mean signal are of each scene's own.
+    """Settings of a study.
 
-    Errors are of `frames` frames taken together, at least 2 and as many as make 65536 pixels, up to
-    64; times are medians of `repeats`.
+    `tolerances` to plan for; `budget` is the one whose plan is shown effect by effect. Tolerances
+    in percent refer to the mean signal of each scene. Errors are over `frames` frames, at least 2,
+    or more up to 65536 pixels or 64 frames; times are medians of `repeats`.
     """
 
     tolerances: tuple[str | float, ...] = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0)
@@ -71,7 +71,7 @@ class StudySettings:
 
 @dataclass(frozen=True)
 class MeasuredPlan:
-    """A plan, what was asked of it and what came of it: root mean square errors, worst bucket."""
+    """A plan with its measured error: RMS of the worst bucket."""
 
     setting: str
     plan: Plan
@@ -79,22 +79,22 @@ class MeasuredPlan:
 
     @property
     def tolerance_e(self) -> float:
-        """What was asked."""
+        """The tolerance in electrons."""
         return self.plan.tolerance_e or 0.0
 
     @property
     def predicted_e(self) -> float:
-        """What was measured on a sample of the scene."""
+        """The error predicted from a sample of the scene, in electrons."""
         return self.plan.predicted_e or 0.0
 
 
 @dataclass(frozen=True)
 class Study:
-    """One scene: its points in electrons and in LSB, plans by tolerance, and what bounds them.
+    """The result of one scene: points in electrons and in LSB, plans by tolerance, and bounds.
 
-    `resolution_e`, `resolution_lsb`: RMS between two frames of the reference that differ in their
-    draws alone. `floor_ms`: reading the scene from memory once. `budget`: the plan to look into.
-    `missing`: methods that could not be run, and why.
+    `resolution_e`, `resolution_lsb`: RMS difference of two reference frames with different draws.
+    `floor_ms`: time to read the scene from memory once. `budget`: the plan for the error budget.
+    `missing`: methods that could not run, with the reasons.
     """
 
     scene: str
@@ -108,7 +108,7 @@ class Study:
 
 
 Progress = Callable[[Sequence["_Bench"]], Iterable["_Bench"]]
-"""Hands the work on one by one, and may show how far that is."""
+"""Iterates over the work, and may show progress."""
 
 
 def measure(
@@ -119,13 +119,13 @@ def measure(
     progress: Progress = iter,
     rows: Rows | None = None,
 ) -> tuple[Study, ...]:
-    """Errors of every method on every scene, then times in turn, so that what else the machine does
-    is spread over all.
+    """Measure the errors of every method on every scene, then the times in turn.
 
-    Everything random has the seeds of `settings`: plan and reference draw the same numbers. The
-    program is analysed before and costs no method time. What `rows` knows is not made again, of
-    scenes whose names differ. ValueError for less than 2 frames; Rejected
-    (NS0746) for what is no tolerance, before anything is measured.
+    Timing in turn distributes disturbances of the machine over all methods. All random numbers have
+    the seeds of `settings`: plan and reference draw the same numbers. The program is analysed
+    before, which counts for no method. Results in `rows` are not computed again; names of scenes
+    must differ. ValueError for less than 2 frames; Rejected (NS0746) for an invalid tolerance,
+    before anything is measured.
     """
     if settings.frames < 2 or settings.repeats < 1:
         raise ValueError(f"{settings.frames} frames, {settings.repeats} repeats")
@@ -146,7 +146,7 @@ _Key = tuple[str, str]
 
 @dataclass(eq=False)
 class _Bench:
-    """One scene while it is measured; everything by (method, setting)."""
+    """The measurement of one scene; results are keyed by (method, setting)."""
 
     program: Program
     scene: NamedLight
@@ -176,12 +176,12 @@ class _Bench:
         return allowed_on(self._on(self.scene.light), tolerance, None)[0]
 
     def _on(self, light: Light) -> FixedShutters:
-        """The program on a scene."""
+        """Return the program on a scene."""
         program, seed = self.program, self.settings.device_seed
         return FixedShutters(program.container, program.sensor, light, seed, threads=1)
 
     def compare(self) -> None:
-        """The errors of all methods, and the times of the reference's frames."""
+        """Measure the errors of all methods, and the times of the reference's frames."""
         self.plans = {tolerance.name: self._plan(tolerance) for tolerance in self.tolerances}
         self.watch.ran(WITH_PLANNING, *((self.scene.name, setting) for setting in self.plans))
         row = self.rows.once(f"{self.scene.name}, errors", self._compared)
@@ -198,7 +198,7 @@ class _Bench:
                 seed=settings.seed, device_seed=settings.device_seed, count=count,
             )
         )  # fmt: skip
-        # A row loads what a frame does; each frame is drawn once, and its time counts.
+        # One row compiles and loads everything; each frame is then drawn once and timed.
         scene = scene_of(self.program.container, light)
         self.program.reference.expose_rows(scene, range(1))
         self.watch.ran(REFERENCE, self.scene.name)
@@ -224,7 +224,7 @@ class _Bench:
         return {"errors": rows, "missing": missing, "ms": times_ms}
 
     def time(self) -> None:
-        """One frame of every method but the reference."""
+        """Time one frame of every method except the reference."""
         turn, self.timed = self.timed, self.timed + 1
         for method, setting, ms in self.rows.once(f"{self.scene.name}, {turn}", self._times):
             self.times_ms.setdefault((method, setting), []).append(ms)
@@ -248,7 +248,7 @@ class _Bench:
         return method, setting, self.watch.ms(method, (self.scene.name, setting), run)[1]
 
     def study(self, gb_per_s: float) -> Study:
-        """What was found."""
+        """Return the results."""
         light, errors, rank = self.scene.light, self.errors, _ORDER.index
         points = [
             Point(self.scene.name, *key, errors[key][i], unit, tuple(self.times_ms[key]))
@@ -277,20 +277,20 @@ class _Bench:
         return next(iter(self._planned(plan, 1)))
 
     def _planned(self, plan: Plan, count: int) -> Iterable[Frame]:
-        """Frames of a scene that is made ready anew: sums over the slots are part of the first."""
+        """Yield frames of a scene prepared anew, so that the first includes the sums over slots."""
         light = unknown(self.scene.light)
         return self._on(light).frames(plan, self.settings.seed, count)
 
 
 def unknown(light: Light) -> Light:
-    """The same light, without what has been found out about it."""
+    """Return the same light, without cached results."""
     motion = light.motion
     return replace(light, motion=None if motion is None else unknown(motion))
 
 
 def error(frames: Sequence[Frame], truth: Sequence[Frame]) -> tuple[float, float]:
-    """Root mean square difference over the pixels valid in both and all frames, of the exposures
-    in electrons and of the ADC's codes; each of the bucket where it is largest."""
+    """Return the RMS difference over pixels valid in both and all frames, in electrons and in
+    codes. Each is that of the worst bucket."""
     totals = [np.zeros(len(truth[0].valid)) for _ in range(3)]
     for mine, theirs in zip(frames, truth, strict=True):
         valid = mine.valid & theirs.valid

@@ -1,4 +1,4 @@
-"""The emulator's studies for a reader: errors beside times, then each scene's error budget."""
+"""The emulator's studies as text: errors and times, then the error budget of each scene."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ from nscc_runtime.tradeoff.study import (
 )
 
 SLACK = 1.1
-"""A promise is kept while the measured error is at most this times the tolerance."""
+"""Largest ratio of measured error to tolerance of a kept promise."""
 
 _HEAD = ("method", "setting", "predicted e", "error e", "error LSB", "ms", "spread", "")
 _BUDGET_HEAD = ("effect", "", "RMS e", "bias e", "left out e", "saves ms", "why")
 
 
 def keeps_promise(measured_plan: MeasuredPlan) -> bool:
-    """Whether the plan kept its promise."""
+    """Return whether the plan kept its promise."""
     return measured_plan.measured_e <= SLACK * measured_plan.tolerance_e
 
 
 def studies_text(studies: Sequence[Study], gb_per_s: float) -> str:
-    """All tables: for each scene the methods, then the plan of its budget."""
+    """Return all tables: for each scene the methods, then the plan of its error budget."""
     tables = [f"memory copies at {gb_per_s:.3g} GB/s, read and written"]
     for study in studies:
         tables += [_methods_text(study), _budget_text(study.budget)]
@@ -71,7 +71,7 @@ def _methods_text(study: Study) -> str:
 
 
 def _setting(measured_plan: MeasuredPlan) -> str:
-    """What was asked, with its electrons where it was asked for in another unit."""
+    """Return the setting, with its electrons if it has another unit."""
     plain = measured_plan.plan.allowed is None or measured_plan.plan.allowed.in_electrons
     return (
         measured_plan.setting
@@ -83,7 +83,7 @@ def _setting(measured_plan: MeasuredPlan) -> str:
 def _remark(point: Point, measured_plan: MeasuredPlan | None, beaten: bool) -> str:
     if measured_plan is not None and not keeps_promise(measured_plan):
         return f"PROMISE BROKEN: {SLACK:g} x {measured_plan.tolerance_e:g} e"
-    # That a plan costs time to make is no news.
+    # Planning time is expected, so it is not marked.
     return "dominated" if beaten and point.method not in (REFERENCE, WITH_PLANNING) else ""
 
 
@@ -114,5 +114,5 @@ def _decision(decision: Decision) -> tuple[str, ...]:
 
 
 def _ms(time_ms: float) -> str:
-    """Milliseconds with three digits, more where there are that many before the point."""
+    """Return milliseconds with three digits, or all digits before the point."""
     return f"{time_ms:.0f}" if time_ms >= 100 else f"{time_ms:.3g}"

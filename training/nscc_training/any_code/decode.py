@@ -12,7 +12,7 @@ from torch import Tensor
 from nscc_training.any_code.network import ClipDenoiser, bf16_where_multiplied
 from nscc_training.any_code.stages import STAGES, led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
-from nscc_training.baselines.tensor_tv import gap_tv_of
+from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.measured import Measured
 
 WEIGHTS = "weights.safetensors"
@@ -50,7 +50,7 @@ def write_shipped(clip: Path, still: Path, out: Path) -> None:
 
 
 @torch.no_grad()
-def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
+def decoded_clip(measured: Measured[Tensor], count: int = STAGES) -> Tensor:
     """The clip (batch, N, rows, cols) of frames of any code, in their unit, after `count` stages;
     at last it is led to the frames once more.
 
@@ -69,7 +69,7 @@ def decoded_clip(measured: Measured, count: int = STAGES) -> Tensor:
 
 
 @torch.no_grad()
-def decoded_still(measured: Measured, count: int = STILL_STAGES) -> Tensor:
+def decoded_still(measured: Measured[Tensor], count: int = STILL_STAGES) -> Tensor:
     """The light over the frame (batch, rows, cols) of frames of any code, in their unit, after
     `count` stages."""
     # A well is filled by the largest value there is, nearly: by 1, as the stages want it.
@@ -82,7 +82,7 @@ def decoded_still(measured: Measured, count: int = STILL_STAGES) -> Tensor:
     return light * unit.reshape(-1, 1, 1)
 
 
-def white(measured: Measured) -> Tensor:
+def white(measured: Measured[Tensor]) -> Tensor:
     """Return the light (batch,) that all but the brightest half percent of the pixels have on
     average, of those that are ever open; 1 where none is."""
     total = measured.mask.sum(dim=(1, 2))

@@ -11,7 +11,7 @@ from nscc_training.any_code.decode import shipped, white
 from nscc_training.any_code.network import ClipDenoiser
 from nscc_training.any_code.stages import led, mirrored, schedule, stage
 from nscc_training.any_code.stills import STILL_STAGES, started_still, still_schedule, still_stage
-from nscc_training.baselines.tensor_tv import gap_tv_of
+from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.measured import Measured
 from nscc_training.sensor_model import laid, shared_out
@@ -61,7 +61,7 @@ class AnyCode(nn.Module):
         measured = Measured(slots * frame, masks, variance, frame >= 1)
         return self._still(measured) if self.still else self._clip(measured)
 
-    def _clip(self, measured: Measured) -> Tensor:
+    def _clip(self, measured: Measured[Tensor]) -> Tensor:
         with torch.no_grad():
             unit = white(measured)
             clip, target = gap_tv_of(measured.over(unit))
@@ -70,7 +70,7 @@ class AnyCode(nn.Module):
             clip, target = stage(measured, mirrored(self.denoiser, number), clip, target, sigma)
         return led(measured, clip) * unit.reshape(-1, 1, 1, 1)
 
-    def _still(self, measured: Measured) -> Tensor:
+    def _still(self, measured: Measured[Tensor]) -> Tensor:
         light = started_still(measured)
         for sigma in still_schedule(self.stages):
             light = still_stage(measured, self.denoiser, light, sigma)

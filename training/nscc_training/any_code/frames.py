@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import torch
 from numpy.typing import NDArray
 
 from nscc.containers import is_compiled, load_container, with_pixels
@@ -64,23 +63,23 @@ class CodedFrame:
             row=self.row[rows, cols],
         )
 
-    def clip(self) -> Measured:
+    def clip(self) -> Measured[NDArray[Any]]:
         """As the frames of a clip, whose unit is electrons in a slot of mean length."""
         weights = (self.opened * (self.slot_us / self.slot_us.mean())).astype(np.float32)
         return self._measured(weights)
 
-    def still(self) -> Measured:
+    def still(self) -> Measured[NDArray[Any]]:
         """As the frames of a still, whose unit is electrons over the whole frame."""
         share = self.opened @ (self.slot_us / self.slot_us.sum())
         return self._measured(share[..., None].astype(np.float32))
 
-    def _measured(self, weights: NDArray[np.float32]) -> Measured:
+    def _measured(self, weights: NDArray[np.float32]) -> Measured[NDArray[Any]]:
         """`weights` (shutters, B, N)."""
         if weights.shape[2] * self.row.size > _MOST_VALUES:
             raise ValueError(f"{weights.shape[2]} slots of {self.row.size} pixels are too many")
         mask = np.ascontiguousarray(weights[self.row].transpose(2, 3, 0, 1))
         arrays = (self.value_e, mask, self.variance_e2, self.saturated)
-        return Measured(*(torch.from_numpy(part)[None] for part in arrays))
+        return Measured(*(part[None] for part in arrays))
 
 
 def read_coded_frames(

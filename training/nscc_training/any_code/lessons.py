@@ -1,8 +1,6 @@
 """Lessons of the decoder for any code: noisy clips, and clips and stills behind codes of any kind.
-
 What is drawn of a lesson, light and shutters, depends on seed and step; noise is drawn on the
-device that the network learns on.
-"""
+device that the network learns on."""
 
 from __future__ import annotations
 
@@ -88,7 +86,7 @@ def noisy(clip: Tensor, generator: torch.Generator) -> tuple[Tensor, Tensor]:
 
 def measured_lesson(
     lesson: Lesson, generator: torch.Generator
-) -> tuple[Tensor, Measured, Tensor | None]:
+) -> tuple[Tensor, Measured[Tensor], Tensor | None]:
     """Return the truth of a lesson, what is measured of it, and the display's white (batch,).
 
     The white is given for filmed lessons, in whose unit errors are counted as a display shows them.
@@ -202,9 +200,7 @@ def _read_out(
     value: Tensor, masks: Tensor, generator: torch.Generator, full: Tensor | None
 ) -> tuple[Tensor, Tensor, Tensor, Tensor]:
     """Return frames (batch, 1, rows, cols) as some sensor reads each: the fields of `Measured`.
-
-    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none.
-    """
+    `full` (batch,) is the value that fills the well, else one that some pixels reach, or none."""
     wide = (-1, 1, 1, 1)
 
     def drawn(limits: tuple[float, float]) -> Tensor:

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from torch import Tensor
 
-from nscc_training.baselines.tensor_tv import gap_step
+from nscc_training.baselines.gap_tv import gap_step
 from nscc_training.measured import Measured
 
 Denoiser = Callable[[Tensor, Tensor, Tensor], Tensor]
@@ -28,7 +28,7 @@ def schedule(count: int) -> list[float]:
 
 
 def stage(
-    measured: Measured, denoiser: Denoiser, clip: Tensor, target: Tensor, sigma: float
+    measured: Measured[Tensor], denoiser: Denoiser, clip: Tensor, target: Tensor, sigma: float
 ) -> tuple[Tensor, Tensor]:
     """Clip and target after a stage of accelerated GAP (Liao, Li and Carin 2014), from those that
     the one before or `gap_tv_of` left: what frames still lack is asked for again and again."""
@@ -49,7 +49,7 @@ def mirrored(denoiser: Denoiser, number: int) -> Denoiser:
     return denoised
 
 
-def led(measured: Measured, clip: Tensor) -> Tensor:
+def led(measured: Measured[Tensor], clip: Tensor) -> Tensor:
     """The clip of the last stage led to what the frames say of it, and asked for no more."""
     gap = measured.missing(measured.of(clip), measured.value)
     return clip + measured.correction(gap, clip.new_full((len(clip),), _LEFT))

@@ -26,7 +26,7 @@ _SPAN = log(1 + 200 / _FLOOR)
 """The logarithm of light that few scenes reach; 1 for the denoiser."""
 
 
-def started_still(measured: Measured) -> Tensor:
+def started_still(measured: Measured[Tensor]) -> Tensor:
     """Light over the frame (batch, rows, cols): every pixel's is the mean of what it and those
     around it say, each by its precision; a saturated pixel has at least the light that saturates
     it.
@@ -50,7 +50,9 @@ def still_schedule(count: int) -> list[float]:
     return [float(sigma) for sigma in np.linspace(*_SIGMA, count)]
 
 
-def still_stage(measured: Measured, denoiser: Denoiser, light: Tensor, sigma: float) -> Tensor:
+def still_stage(
+    measured: Measured[Tensor], denoiser: Denoiser, light: Tensor, sigma: float
+) -> Tensor:
     """Light after a stage: the most likely one between what it was and what the frames say, then
     denoised. The unit is such that a well is filled by light of about 1."""
     spread = sigma * _SPAN * (light + _FLOOR)
@@ -76,7 +78,7 @@ def light_of(coded: Tensor) -> Tensor:
     return torch.expm1(coded.float().clamp(0, 1.5) * _SPAN) * _FLOOR
 
 
-def _planes(measured: Measured) -> Tensor:
+def _planes(measured: Measured[Tensor]) -> Tensor:
     """(batch, 3, 1, rows, cols): how long pixels were open, what they say alone, and how sure that
     is, all as logarithms; where several frames say something, the surest."""
     mask = measured.mask[:, :, 0]

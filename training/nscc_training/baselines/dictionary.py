@@ -1,8 +1,6 @@
-"""Clips from one coded frame with a learned dictionary (after Hitomi et al., ICCV 2011).
-
-Every block of the clip is a sum of few atoms, which orthogonal matching pursuit selects from the
-coded block. The dictionary is learned by the method of optimal directions.
-"""
+"""Clips from one coded frame with a learned dictionary (after Hitomi et al., ICCV 2011). Every
+block of the clip is a sum of few atoms, which orthogonal matching pursuit selects from the coded
+block. The dictionary is learned by the method of optimal directions."""
 
 from __future__ import annotations
 
@@ -33,11 +31,8 @@ def dictionary_clip(
     measurement: NDArray[np.float32], mask: Clip, atoms: Matrix, sparsity: int = SPARSITY
 ) -> Clip:
     """Reconstruct the clip (T, rows, cols) of a measurement (rows, cols), averaging overlapping
-    blocks.
-
-    `atoms` (T * SIDE * SIDE, K) come from `learned`. ValueError for a picture smaller than a block,
-    or atoms of another length.
-    """
+    blocks. `atoms` (T * SIDE * SIDE, K) come from `learned`. ValueError for a picture smaller than
+    a block, or atoms of another length."""
     frames, rows, cols = mask.shape
     if min(rows, cols) < SIDE or len(atoms) != frames * SIDE * SIDE:
         raise ValueError(f"{mask.shape} with atoms of {len(atoms)} numbers")
@@ -56,10 +51,8 @@ def dictionary_clip(
 
 def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArray[np.float64]:
     """Solve matrix @ weights = right with at most `sparsity` weights (K,), by orthogonal matching
-    pursuit.
-
-    It ends early when the residual is small, and never selects a column that depends on the others.
-    """
+    pursuit. It ends early when the residual is small, and never selects a column that depends on
+    the others."""
     weights = np.zeros(matrix.shape[1])
     norms = np.linalg.norm(matrix, axis=0)
     usable = norms > 1e-9 * max(float(norms.max()), 1e-300)
@@ -82,11 +75,9 @@ def pursued(matrix: Matrix, right: NDArray[np.float64], sparsity: int) -> NDArra
 
 
 def learned(blocks: Matrix, atoms: int, sparsity: int, rounds: int, seed: int) -> Matrix:
-    """Learn a dictionary (d, K) with columns of length 1 for blocks (n, d).
-
-    The first atom is constant. An unused atom is replaced by the block with the largest error.
-    ValueError for fewer blocks than atoms.
-    """
+    """Learn a dictionary (d, K) with columns of length 1 for blocks (n, d). The first atom is
+    constant. An unused atom is replaced by the block with the largest error. ValueError for fewer
+    blocks than atoms."""
     if len(blocks) < atoms:
         raise ValueError(f"{len(blocks)} blocks for {atoms} atoms")
     generator = np.random.default_rng(seed)
@@ -121,9 +112,8 @@ def made_dictionary(frames: int) -> Matrix:
 
 def _encoded(atoms: Matrix, blocks: Matrix, sparsity: int) -> Matrix:
     """Return the weights (n, K) of complete blocks by matching pursuit, for all blocks together.
-
-    Each round adds the best atom and solves for all weights, using the inner products of the atoms.
-    """
+    Each round adds the best atom and solves for all weights, using the inner products of the
+    atoms."""
     products, right = atoms.T @ atoms, blocks @ atoms
     count = len(blocks)
     chosen = np.zeros((count, 0), np.int64)

@@ -29,17 +29,26 @@ def merged(
     variance = (exposure + read_noise_e**2 + electrons_per_lsb**2 / 12) / share**2
     precision = np.where(usable, 1.0 / variance, 0.0)
     light = exposure / share
+    return merge_neighbours(
+        light, precision, np.where(saturated & (open_share > 0), light, -np.inf)
+    )
+
+
+def merge_neighbours(light: Picture, precision: Picture, least: Picture) -> Picture:
+    """Return the mean of the light around each pixel, weighted by precision, and at least `least`.
+
+    The neighbourhood of a pixel grows until it holds a measurement of a precision above 0.
+    """
     weighted = precision * light
-    result = np.full(frame.shape, np.nan)
+    result = np.full(light.shape, np.nan)
     reach = 2
-    while np.isnan(result).any() and reach <= 2 * max(frame.shape):
+    while np.isnan(result).any() and reach <= 2 * max(light.shape):
         total = _tent(precision, reach) + (_OWN - 1) * precision
         value = _tent(weighted, reach) + (_OWN - 1) * weighted
         fillable = np.isnan(result) & (total > 0)
         result[fillable] = value[fillable] / total[fillable]
         reach *= 2
-    result = np.where(np.isnan(result), light, result)
-    return np.where(saturated & (open_share > 0), np.maximum(result, light), result)
+    return np.maximum(np.where(np.isnan(result), light, result), least)
 
 
 def _tent(values: Picture, reach: int) -> Picture:

@@ -1,8 +1,6 @@
-"""Video snapshot compressive imaging without learning: T frames from one coded exposure.
-
-`mask` is (T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and the result a
-clip (T, rows, cols), on 0..1 in the unit of the measurement.
-"""
+"""Video snapshot compressive imaging without learning: T frames from one coded exposure. `mask` is
+(T, rows, cols), `measurement` (rows, cols) = sum over T of mask * clip, and the result a clip (T,
+rows, cols), on 0..1 in the unit of the measurement."""
 
 from __future__ import annotations
 
@@ -10,13 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from nscc_training.baselines.dictionary import dictionary_clip, made_dictionary
+from nscc_training.baselines.gap_tv import INNER, TIME, WEIGHT, gap_tv_of
 from nscc_training.baselines.tv import Clip, tv_denoise
+from nscc_training.measured import Measured
 
-WEIGHT = 0.1
 ITERATIONS = 40
-_INNER = 5
-_TIME = 0.3
-"""Weight of differences between frames relative to those between pixels, because objects move."""
 _RIDGE = 0.01
 
 
@@ -24,15 +20,11 @@ def gap_tv(
     measurement: NDArray[np.float32], mask: Clip, iterations: int = ITERATIONS,
     weight: float = WEIGHT,
 ) -> Clip:  # fmt: skip
-    """Generalised alternating projection with TV (Yuan 2016), accelerated."""
-    energy = _energy(mask)
-    clip = mask * (measurement / energy)
-    target = np.zeros_like(measurement)
-    for _ in range(iterations):
-        captured = np.einsum("trc,trc->rc", mask, clip)
-        target += measurement - captured
-        clip = tv_denoise(clip + mask * ((target - captured) / energy), weight, _INNER, _TIME)
-    return clip
+    """GAP-TV that begins with the measurement, spread over the open frames of each pixel."""
+    measured = Measured.exact(measurement[None], mask[None])
+    start = adjoint(measurement, mask)[None]
+    clips, _ = gap_tv_of(measured, iterations, weight=weight, start=start)
+    return np.asarray(clips[0])
 
 
 def admm_tv(
@@ -47,7 +39,7 @@ def admm_tv(
         split = clip + dual
         captured = np.einsum("trc,trc->rc", mask, split)
         split += mask * ((measurement - captured) / energy)
-        clip = tv_denoise(split - dual, weight, _INNER, _TIME)
+        clip = tv_denoise(split - dual, weight, INNER, TIME)
         dual -= split - clip
     return clip
 
@@ -64,10 +56,8 @@ def adjoint(measurement: NDArray[np.float32], mask: Clip) -> Clip:
 
 
 def bilinear(clip: Clip, mask: Clip) -> Clip:
-    """Interpolate the coded volume, before integration, frame by frame with tent weights.
-
-    A yardstick that sees the truth. A tent grows until it contains a sample.
-    """
+    """Interpolate the coded volume, before integration, frame by frame with tent weights. A
+    yardstick that sees the truth. A tent grows until it contains a sample."""
     return np.stack(
         [
             _inpainted(frame * open_mask, open_mask)

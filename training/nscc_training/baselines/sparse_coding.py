@@ -34,11 +34,8 @@ def sparse_coded(
     iterations: int = ITERATIONS, weight: float = WEIGHT,
 ) -> Picture:  # fmt: skip
     """Return a picture near `measured` where `confidence` (0..1) is high, and near `coarse`,
-    blurred, elsewhere.
-
-    All are square roots of light relative to a full well, (rows, cols). `filters` (K, 1, side,
-    side) come from `made_filters`.
-    """
+    blurred, elsewhere. All are square roots of light relative to a full well, (rows, cols).
+    `filters` (K, 1, side, side) come from `made_filters`."""
     base = blurred(torch.from_numpy(coarse).float()[None, None])
     mask = torch.from_numpy(confidence).float()[None, None]
     target = mask * (torch.from_numpy(measured).float()[None, None] - base)

@@ -1,4 +1,4 @@
-"""Total variation and GAP-TV of batches of clips, as operators of torch on any device."""
+"""Total variation of batches of clips, as an operator of torch on any device."""
 
 from __future__ import annotations
 
@@ -6,61 +6,17 @@ import numpy as np
 import torch
 from torch import Tensor
 
-from nscc_training.baselines.tv_loop import Volume, denoise
-from nscc_training.measured import Measured
-
-START = 20
-"""Iterations of GAP-TV at the start of decoders."""
-_WEIGHT, _INNER, _TIME = 0.1, 5, 0.3
-_FAR = 1.0
-"""Standard deviation of the clip's error that GAP-TV assumes, so large that frames are fitted
-exactly."""
-
-
-def gap_tv_of(measured: Measured, iterations: int = START) -> tuple[Tensor, Tensor]:
-    """Return the clip (batch, N, rows, cols) after `iterations` of GAP-TV, and its target for
-    `gap_step`.
-
-    Frames may have several buckets, and be saturated and noisy. The start is a static clip, with
-    each pixel's light spread over the frame: from a dark start, slots that no pixel recorded would
-    stay about a fifth too dark (64 slots).
-    """
-    far = measured.value.new_full((len(measured.value),), _FAR)
-    target = measured.value
-    clip = measured.mean().unsqueeze(1).expand(-1, measured.mask.shape[2], -1, -1)
-    for _ in range(iterations):
-        clip, target = gap_step(measured, clip, target, far)
-        clip = tv_denoised(clip, _WEIGHT, _INNER, _TIME).to(clip)
-    return clip, target
-
-
-def gap_step(
-    measured: Measured, clip: Tensor, target: Tensor, sigma: Tensor
-) -> tuple[Tensor, Tensor]:
-    """Return the clip after a step towards the frames, and the updated target."""
-    predicted = measured.of(clip)
-    target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
-    return clip + measured.correction(measured.missing(predicted, target), sigma), target
+from nscc_training.baselines.tv import tv_denoised_arrays
 
 
 @torch.library.custom_op("nscc::tv_denoise", mutates_args=(), device_types="cpu")
 def tv_denoised(clips: Tensor, weight: float, iterations: int, time: float) -> Tensor:
     """Return clips (batch, T, rows, cols) denoised as `nscc_training.baselines.tv.tv_denoise` does.
-
     On the CPU a compiled loop goes over the pixels, because torch's operators go over the memory
-    fifteen times as often; on other devices they are used. No gradient passes.
-    """
-    # The same memory as arrays: nothing is copied.
-    image = np.asarray(np.from_dlpack(clips.detach().float().contiguous()), np.float32)
-    field = np.zeros((3, *image.shape), np.float32)
-    out = np.empty_like(image)
-    batch, frames, rows, cols = image.shape
-    volume = Volume(
-        clips=batch, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
-        time=time,
-    )  # fmt: skip
-    denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
-    return torch.from_numpy(out)
+    fifteen times as often; on other devices they are used. No gradient passes."""
+    # The same memory as an array: nothing is copied.
+    image = np.from_dlpack(clips.detach().float().contiguous())
+    return torch.from_numpy(tv_denoised_arrays(image, weight, iterations, time))
 
 
 @tv_denoised.register_kernel(None)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -21,13 +23,18 @@ def tv_denoise(clip: Clip, weight: float, iterations: int, time: float = 1.0) ->
         raise ValueError(f"a clip of the shape {clip.shape}")
     if not weight > 0 or iterations < 0 or not time >= 0:
         raise ValueError(f"weight {weight}, {iterations} iterations, time {time}")
-    image = np.ascontiguousarray(clip, np.float32)[None]
+    return np.asarray(tv_denoised_arrays(clip[None], weight, iterations, time)[0])
+
+
+def tv_denoised_arrays(clips: NDArray[Any], weight: float, iterations: int, time: float) -> Clip:
+    """Return clips (batch, T, rows, cols), each denoised as `tv_denoise` does."""
+    image = np.ascontiguousarray(clips, np.float32)
     field = np.zeros((3, *image.shape), np.float32)
     out = np.empty_like(image)
-    _, frames, rows, cols = image.shape
+    batch, frames, rows, cols = image.shape
     volume = Volume(
-        clips=1, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
+        clips=batch, frames=frames, rows=rows, cols=cols, iterations=iterations, weight=weight,
         time=time,
     )  # fmt: skip
     denoise(volume=volume, image=image, later=field[0], down=field[1], right=field[2], out=out)
-    return np.asarray(out[0])
+    return out

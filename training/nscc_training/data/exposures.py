@@ -220,10 +220,8 @@ def _cut(
 
 
 def quantiles(values: Tensor, quantile: Tensor | float) -> Tensor:
-    """Return the quantile (a number, or (batch,)) of each row of values (batch, count).
-
-    The result is float64, interpolated as numpy does.
-    """
+    """Return the quantile (a number, or (batch,)) of each row of values (batch, count). The result
+    is float64, interpolated as numpy does."""
     last = values.shape[1] - 1
     if isinstance(quantile, float):
         below = int(quantile * last)

@@ -1,8 +1,6 @@
-"""Clips made of pictures: layers that pan, rotate, zoom, bend and cross one another.
-
-Little video may be used freely, but many photographs may. They provide detail; the layers provide
-independent motion of parts, with edges that cover and uncover.
-"""
+"""Clips made of pictures: layers that pan, rotate, zoom, bend and cross one another. Little video
+may be used freely, but many photographs may. They provide detail; the layers provide independent
+motion of parts, with edges that cover and uncover."""
 
 from __future__ import annotations
 
@@ -37,11 +35,8 @@ def moving(
     pictures: Sequence[Picture], generator: Generator, frames: int, size: int
 ) -> NDArray[np.float32]:
     """Return a clip (frames, size, size) on 0..1 of parts of `pictures`, 8 bits and larger than
-    `size`.
-
-    A background and up to three objects in front of it come from different pictures; half of the
-    clips have motion blur. Values are as stored or, raised to a power, like light.
-    """
+    `size`. A background and up to three objects in front of it come from different pictures; half
+    of the clips have motion blur. Values are as stored or, raised to a power, like light."""
     layers = [_Layer.drawn(pictures, generator, size, background=True)]
     for _ in range(int(generator.integers(0, 4))):
         layers.append(_Layer.drawn(pictures, generator, size, background=False))
@@ -61,12 +56,9 @@ def moving(
 
 @dataclass(frozen=True, eq=False)
 class _Layer:
-    """A moving picture.
-
-    At moment t, place p of the clip shows `picture` at centre + turn(t) (p - size / 2 - velocity t)
-    * scale * zoom^t, distorted by waves. `outline` is a polygon of radii around `middle`; None for
-    a background.
-    """
+    """A moving picture. At moment t, place p of the clip shows `picture` at centre + turn(t) (p -
+    size / 2 - velocity t) * scale * zoom^t, distorted by waves. `outline` is a polygon of radii
+    around `middle`; None for a background."""
 
     picture: Picture
     centre: NDArray[np.float64]
@@ -185,10 +177,8 @@ def pictures_below(folder: Path) -> list[Path]:
 
 
 def light_of_picture(path: Path) -> NDArray[np.float32]:
-    """Return the light of a picture, halved until its shorter side is below 1000 pixels.
-
-    That gives detail as sharp as that of small cameras.
-    """
+    """Return the light of a picture, halved until its shorter side is below 1000 pixels. That gives
+    detail as sharp as that of small cameras."""
     import cv2
 
     light = picture_light(read_picture(path), transfer_of(path), str(path)).astype(np.float32)

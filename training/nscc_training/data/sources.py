@@ -46,11 +46,9 @@ _VALIDATION = 5
 
 @dataclass(frozen=True, eq=False)
 class SourceScene:
-    """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit.
-
-    For clips of display files 1 is white. `sha256` is the digest of the file, or of the array if
-    there is no file.
-    """
+    """A scene: linear light (rows, cols) or (T, rows, cols), in an arbitrary unit. For clips of
+    display files 1 is white. `sha256` is the digest of the file, or of the array if there is no
+    file."""
 
     name: str
     sha256: str
@@ -196,10 +194,8 @@ def _read(path: Path, kind: _Kind) -> list[SourceScene]:
 def _turned(
     panorama: NDArray[np.float32], name: str, digest: str, kind: _Kind
 ) -> list[SourceScene]:
-    """Return the clips of a panorama; file and seed determine the camera's paths.
-
-    If stored values of clips count as light, the values of a display camera are used here too.
-    """
+    """Return the clips of a panorama; file and seed determine the camera's paths. If stored values
+    of clips count as light, the values of a display camera are used here too."""
     size = max(kind.settings.patch, _CAMERA_SIDE)
     scenes = []
     for index, generator in enumerate(_generators(digest, kind)):

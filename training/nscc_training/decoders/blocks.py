@@ -17,10 +17,7 @@ Size = tuple[int, int]
 
 def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
     """Return the blocks (batch, blocks, pictures * pixels) of pictures (batch, pictures, rows,
-    cols).
-
-    Blocks are ordered by rows and lie `step` pixels apart.
-    """
+    cols). Blocks are ordered by rows and lie `step` pixels apart."""
     blocks = pictures.unfold(2, block[0], step[0]).unfold(3, block[1], step[1])
     batch, count, down, across = blocks.shape[:4]
     return blocks.permute(0, 2, 3, 1, 4, 5).reshape(
@@ -30,10 +27,8 @@ def unfold_blocks(pictures: Tensor, block: Size, step: Size) -> Tensor:
 
 def fold_blocks(blocks: Tensor, size: tuple[int, int, int], block: Size, step: Size) -> Tensor:
     """Return the sums of overlapping blocks in pictures (batch, *size): the adjoint of
-    `unfold_blocks`.
-
-    A step is a block or a whole fraction of one, and the blocks fill the pictures.
-    """
+    `unfold_blocks`. A step is a block or a whole fraction of one, and the blocks fill the
+    pictures."""
     batch, (count, rows, cols) = len(blocks), size
     down, across = ((n - b) // s + 1 for n, b, s in zip((rows, cols), block, step, strict=True))
     again = block[0] // step[0], block[1] // step[1]

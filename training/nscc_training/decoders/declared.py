@@ -13,12 +13,9 @@ SIZES = ("paper", "small")
 
 @dataclass(frozen=True)
 class DecoderTask:
-    """The task of a decoder.
-
-    `kind` is "still" or "clip", of `slots` slots, coded by a tile (rows, cols) in one or two
-    `buckets`. `sees_code`: the network gets the shutters as input. `guess`: a U-Net starts from a
-    first guess (None: depends on the size).
-    """
+    """The task of a decoder. `kind` is "still" or "clip", of `slots` slots, coded by a tile (rows,
+    cols) in one or two `buckets`. `sees_code`: the network gets the shutters as input. `guess`: a
+    U-Net starts from a first guess (None: depends on the size)."""
 
     kind: str
     slots: int
@@ -114,10 +111,8 @@ DECODERS = {decoder.name: decoder for decoder in _OWN}
 
 
 def added_decoders() -> dict[str, Callable[..., Any]]:
-    """Return the builders of decoders that other distributions declare, by name.
-
-    Raises Rejected (NS0905) for an object that is not callable, or a name of `DECODERS`.
-    """
+    """Return the builders of decoders that other distributions declare, by name. Raises Rejected
+    (NS0905) for an object that is not callable, or a name of `DECODERS`."""
     makers = added("nscc.decoders", DECODERS)
     for name, make in makers.items():
         if not callable(make):

@@ -119,10 +119,8 @@ def _called(
     module: nn.Module, forward: Callable[..., Any], name: str, task: DecoderTask,
     frame: Tensor, shutters: Tensor,
 ) -> Tensor:  # fmt: skip
-    """Return the output of the user's decoder.
-
-    Raises Rejected (NS0822) for an output of another type, shape or dtype, or without a gradient.
-    """
+    """Return the output of the user's decoder. Raises Rejected (NS0822) for an output of another
+    type, shape or dtype, or without a gradient."""
     with own_code(name, "decoder"):
         output = forward(frame, shutters)
     expected_shape = (len(frame), *frame.shape[-2:])

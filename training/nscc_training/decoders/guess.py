@@ -1,8 +1,6 @@
-"""First guesses without learning, from a frame and its code, which networks improve.
-
-Both are normalised averages: each pixel is the weighted mean of the measurements around it. Where
-weights are small, wider neighbourhoods count more. Gradients pass.
-"""
+"""First guesses without learning, from a frame and its code, which networks improve. Both are
+normalised averages: each pixel is the weighted mean of the measurements around it. Where weights
+are small, wider neighbourhoods count more. Gradients pass."""
 
 from __future__ import annotations
 
@@ -44,11 +42,8 @@ def still_guess(frame: Tensor, share: Tensor) -> Tensor:
 
 def clip_guess(volume: Tensor, *opened: Tensor) -> Tensor:
     """Estimate the light of a clip slot by slot from S^T E, `volume` (batch, N, rows, cols) of
-    `lifted`.
-
-    `opened` (N, rows, cols) are the shutters of each bucket. A measurement is weighted by the
-    inverse of the number of slots in which the pixel's bucket was open.
-    """
+    `lifted`. `opened` (N, rows, cols) are the shutters of each bucket. A measurement is weighted by
+    the inverse of the number of slots in which the pixel's bucket was open."""
     refuse_not_finite(volume, "volume")
     weight = torch.stack([shutter / shutter.sum(dim=0).clamp(min=1) for shutter in opened]).sum(
         dim=0
@@ -71,10 +66,8 @@ def refuse_not_finite(values: Tensor, name: str) -> None:
 
 def averaged(values: Tensor, weights: Tensor) -> Tensor:
     """Return the weighted mean around every pixel; both arguments are (batch, channels, rows,
-    cols).
-
-    It is computed in their own precision, whatever the precision of the surrounding network.
-    """
+    cols). It is computed in their own precision, whatever the precision of the surrounding
+    network."""
     with torch.autocast(values.device.type, enabled=False):
         return _averaged(values, weights)
 

@@ -36,11 +36,9 @@ def _guesses(task: DecoderTask, size: str) -> bool:
 
 
 class UNet(nn.Module):
-    """A U-Net with `widths` channels from the finest level to the coarsest.
-
-    The input is padded to a multiple of 2 ** (levels - 1) by repeating its edge, and the result is
-    cut to the size of the input.
-    """
+    """A U-Net with `widths` channels from the finest level to the coarsest. The input is padded to
+    a multiple of 2 ** (levels - 1) by repeating its edge, and the result is cut to the size of the
+    input."""
 
     def __init__(self, inputs: int, outputs: int, widths: Sequence[int], dimensions: int) -> None:
         super().__init__()
@@ -93,11 +91,8 @@ class UNet(nn.Module):
 
 
 class _Convolution3d(nn.Conv3d):
-    """A convolution in float32 if only two slots remain, on CPUs.
-
-    In bfloat16 some gradients of its weights are uninitialised memory (torch 2.13 on processors
-    with AVX512-BF16).
-    """
+    """A convolution in float32 if only two slots remain, on CPUs. In bfloat16 some gradients of its
+    weights are uninitialised memory (torch 2.13 on processors with AVX512-BF16)."""
 
     def forward(self, x: Tensor) -> Tensor:
         if x.device.type != "cpu" or x.shape[2] != 2:
@@ -159,11 +154,9 @@ class StillUNet(nn.Module):
 
 
 class ClipUNet(nn.Module):
-    """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters.
-
-    With `guesses` the first guess is another input, and the network predicts its correction and its
-    gain (`gated`).
-    """
+    """3D U-Net on S^T E of each bucket: the frame copied over time and masked by the shutters. With
+    `guesses` the first guess is another input, and the network predicts its correction and its gain
+    (`gated`)."""
 
     def __init__(
         self, widths: Sequence[int], slots: int, guesses: bool = False, buckets: int = 1
@@ -182,20 +175,16 @@ class ClipUNet(nn.Module):
 
 
 def gated(guess: Tensor, added: Tensor, extra_share: Tensor) -> Tensor:
-    """Return `guess * (1 + extra_share) + added`.
-
-    A clip's guess contains the pattern of the code. Removing it by addition would make the network
-    reproduce the pattern; a gain removes it with one number.
-    """
+    """Return `guess * (1 + extra_share) + added`. A clip's guess contains the pattern of the code.
+    Removing it by addition would make the network reproduce the pattern; a gain removes it with one
+    number."""
     return added + guess * (1 + extra_share)
 
 
 def _lifted(frame: Tensor, shutters: Tensor, slots: int) -> tuple[list[Tensor], tuple[Tensor, ...]]:
     """Return S^T E (batch, N, rows, cols) of each bucket, and its shutters over the frame (N, rows,
-    cols).
-
-    The buckets stay separate: their sum has light in every slot and hides which bucket got it.
-    """
+    cols). The buckets stay separate: their sum has light in every slot and hides which bucket got
+    it."""
     frames = frame.unbind(1) if frame.ndim == 4 else (frame,)
     array_shutters = laid(shutters, *frame.shape[-2:]).to(frame.dtype)
     opened = (

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import torch
 from torch import Tensor, nn
 
-from nscc_training.baselines.tensor_tv import gap_tv_of
+from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.decoders.declared import DecoderTask
 from nscc_training.decoders.guess import clip_guess
 from nscc_training.decoders.unet import UNet, begin_with_nothing

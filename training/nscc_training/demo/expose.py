@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from importlib.util import find_spec
 from pathlib import Path
-from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -23,6 +22,7 @@ from nscc_runtime.decode_table import with_table
 from nscc_runtime.effects import selected
 from nscc_runtime.frame_file import FrameFile, meta
 from nscc_runtime.looked_light import DEVIATION, LIGHT, OPEN, merged_image
+from nscc_runtime.machine_code import working_s
 from nscc_runtime.pieces import Taken, simulate_scene
 from nscc_runtime.scenes import Fit, PlacedLight, Scene
 from nscc_runtime.sensor import Sensor, load_sensor
@@ -43,12 +43,9 @@ _BRIGHTER = ("@99", "@100")
 
 @dataclass(frozen=True)
 class Settings:
-    """How a scene is shown.
-
-    `exposure` is text as `--exposure` takes it (None: the run's), `tone` a curve (None: sRGB for
-    what was made for screens, a logarithm for light), `learned` decodes by the run's decoder,
-    which needs torch; else frames are merged.
-    """
+    """How a scene is shown. `exposure` is text as `--exposure` takes it (None: the run's), `tone` a
+    curve (None: sRGB for what was made for screens, a logarithm for light), `learned` decodes by
+    the run's decoder, which needs torch; else frames are merged."""
 
     fit: Fit = "scale"
     color: bool = False
@@ -127,9 +124,9 @@ def exposed(found: Subject, settings: Settings, listener: Listener) -> Exposed:
     sensor = load_sensor(converter_of(compiled), like.sensor)
     laid, scene = _laid(found, like, compiled, settings, listener)
     request = Request(selected("auto"), seed=settings.seed)
-    begin = perf_counter()
+    begin = working_s()
     taken = simulate_scene(compiled, laid, sensor, request, listener)
-    seconds = perf_counter() - begin
+    seconds = working_s() - begin
     target = None if like.target is None else str(like.target)
     usual_camera = camera(like.slots, like.slot_us, target)
     usual = simulate_scene(usual_camera, laid, sensor, request, listener)
@@ -146,7 +143,7 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
     """A still through the example whose pixels look; no decoder has a part in its light."""
     container = compile_file(examples()[LOOKING], Options()).container
     assert container is not None  # an example has compiled before
-    begin = perf_counter()
+    begin = working_s()
     laid = scene.laid(container.slot_us, container.target, progress=listener.progress)
     told = simulate_scene(container, laid, sensor, request, listener).simulated.frame.told
     # The buckets are the last but two axes; of colours there is one more.
@@ -157,7 +154,7 @@ def _looked(scene: Scene, sensor: Sensor, request: Request, listener: Listener) 
     ]
     light = np.stack([image for image, _ in images], axis=-1)
     open_us = np.mean([np.cumsum([0, *container.slot_us])[n] for _, n in images], axis=0)
-    seconds = perf_counter() - begin
+    seconds = working_s() - begin
     return Looked(light[..., 0] if len(images) == 1 else light, open_us, seconds)
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 from shlex import quote
-from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
 
 from nscc.files import Product, write_together
 from nscc_runtime.formats import Content, file_of
+from nscc_runtime.machine_code import working_s
 from nscc_runtime.pictures.sheet import png_of
 from nscc_runtime.scenes import Scene
 from nscc_runtime.simulate import Listener
@@ -82,9 +82,9 @@ def _reconstructed(
 
         found = reconstruct(made.run, frames[0], force=False, dark=frames[1])
         return found.light, found.decode_s, f"U-Net of run {made.run.name}"
-    begin = perf_counter()
+    begin = working_s()
     light, how = merged_light(made.taken, dark_codes(made.dark), made.sensor)
-    return light, perf_counter() - begin, how
+    return light, working_s() - begin, how
 
 
 def _commands(made: Exposed, settings: Settings, files: tuple[Path, ...]) -> tuple[str, ...]:

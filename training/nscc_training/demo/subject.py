@@ -45,12 +45,9 @@ class Subject:
 
 
 def subject(scene: Scene, slots: int, frame_s: float) -> Subject:
-    """What a scene is; a clip has to fill `slots` in `frame_s` seconds.
-
-    Of a longer clip the frames in which most moves are taken, one a slot; a shorter one is slowed
-    down. Raises Rejected as the scenes' readers do; what is wrong with a scene that is read later
-    is said then.
-    """
+    """What a scene is; a clip has to fill `slots` in `frame_s` seconds. Of a longer clip the frames
+    in which most moves are taken, one a slot; a shorter one is slowed down. Raises Rejected as the
+    scenes' readers do; what is wrong with a scene that is read later is said then."""
     path = Path(scene.name)
     suffix = path.suffix.lower()
     if scene.name.startswith("builtin:"):

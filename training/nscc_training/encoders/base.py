@@ -30,6 +30,7 @@ class Encoder(nn.Module, ABC):
     Parameters
     ----------
     spec : ShutterSpec
+        Class, number of slots and tile.
     relaxation : str
         One of `nscc_training.code_choices.RELAXATIONS`.
     """
@@ -62,11 +63,27 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def load_codes(self, codes: Mapping[str, NDArray[np.int64]]) -> None:
-        """Set the parameters to these codes. ValueError for wrong names, shapes or values."""
+        """Set the parameters to codes.
+
+        Parameters
+        ----------
+        codes : mapping of str to array of int64
+            Values (rows, cols) of each field on the tile.
+
+        Raises
+        ------
+        ValueError
+            For wrong names, shapes or values.
+        """
 
     @abstractmethod
     def start_random(self, generator: np.random.Generator) -> None:
-        """Set independent codes, uniform over the legal codes of the class."""
+        """Set independent codes, uniform over the legal codes of the class.
+
+        Parameters
+        ----------
+        generator : numpy.random.Generator
+        """
 
     @abstractmethod
     def start_uniform(self) -> None:
@@ -78,21 +95,61 @@ class Encoder(nn.Module, ABC):
 
     @abstractmethod
     def shutters(self, generator: torch.Generator | None, soft: bool) -> Tensor:
-        """Return shutters (N, rows, cols): those for training if `soft`, else the hard ones."""
+        """Return the shutters of the current parameters.
+
+        Parameters
+        ----------
+        generator : torch.Generator or None
+            Adds noise to the parameters.
+        soft : bool
+            Return the shutters for training instead of the hard ones.
+
+        Returns
+        -------
+        Tensor
+            (N, rows, cols), values 0..1.
+        """
 
     @abstractmethod
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Return a trial: shutters for codes moved to either side, with independent draws in every
-        pixel."""
+        """Return shutters for codes moved to either side, with independent draws in every pixel.
+
+        Parameters
+        ----------
+        over : Over
+            Shape of the batch that the trial covers.
+        generator : torch.Generator
+
+        Returns
+        -------
+        CodeTrial
+        """
 
     def forward(self, generator: torch.Generator | None = None) -> Tensor:
-        """Return the shutters of a step; with a `generator` the parameters get noise."""
+        """Return the shutters of a training step.
+
+        Parameters
+        ----------
+        generator : torch.Generator, optional
+            Adds noise to the parameters.
+
+        Returns
+        -------
+        Tensor
+            (N, rows, cols), values 0..1.
+        """
         if self.relaxation in ("tried", "search"):
             return self.hard()
         return self.shutters(generator, soft=self.relaxation != "straight-through")
 
     def hard(self) -> Tensor:
-        """Return the shutters of the current codes, exactly 0 and 1, without gradient or noise."""
+        """Return the shutters of the current codes, without gradient or noise.
+
+        Returns
+        -------
+        Tensor
+            (N, rows, cols), exactly 0 and 1.
+        """
         with torch.no_grad():
             return self.shutters(None, soft=False)
 
@@ -103,22 +160,41 @@ class Encoder(nn.Module, ABC):
             parameter.clamp_(low, high)
 
     def ranges(self) -> list[tuple[Tensor, tuple[float, float]]]:
-        """Return the parameters with their legal ranges."""
+        """Return the parameters with their legal ranges.
+
+        Returns
+        -------
+        list of (Tensor, (float, float))
+        """
         return []
 
     def dead_share(self) -> float:
-        """Return the fraction of parameters whose gradient is exactly 0 after a backward pass,
-        0..1.
+        """Return the fraction of parameters whose gradient is exactly 0 after a backward pass.
 
-        Such a code cannot learn from this batch: all its pixels are saturated, dark or unused. 1 if
-        no gradient arrived at all, 0 for a class without parameters.
+        Such a code cannot learn from this batch: all its pixels are saturated, dark or unused.
+
+        Returns
+        -------
+        float
+            0..1; 1 if no gradient arrived, 0 for a class without parameters.
         """
         learned = list(self.parameters())
         dead = sum(p.numel() if p.grad is None else int((p.grad == 0).sum()) for p in learned)
         return dead / sum(p.numel() for p in learned) if learned else 0.0
 
     def noisy(self, parameter: Tensor, generator: torch.Generator | None) -> Tensor:
-        """Return the parameter, with noise if there is a generator."""
+        """Add noise of the standard deviation `noise` to a parameter.
+
+        Parameters
+        ----------
+        parameter : Tensor
+        generator : torch.Generator or None
+            No noise if None.
+
+        Returns
+        -------
+        Tensor
+        """
         if generator is None or self.noise == 0:
             return parameter
         return parameter + self.noise * normal(parameter, generator)
@@ -126,9 +202,24 @@ class Encoder(nn.Module, ABC):
     def checked(
         self, codes: Mapping[str, NDArray[np.int64]], limits: Mapping[str, tuple[int, int]]
     ) -> list[Tensor]:
-        """Return the fields in the order of `limits` as float64 tensors.
+        """Check codes and return them as tensors.
 
-        Raises ValueError for a missing field, another shape or values outside the limits.
+        Parameters
+        ----------
+        codes : mapping of str to array of int64
+            Values (rows, cols) by field.
+        limits : mapping of str to (int, int)
+            Smallest and largest value by field.
+
+        Returns
+        -------
+        list of Tensor
+            Float64, in the order of `limits`.
+
+        Raises
+        ------
+        ValueError
+            For a missing field, another shape or values outside the limits.
         """
         tensors = []
         for name, (low, high) in limits.items():
@@ -143,7 +234,13 @@ class Encoder(nn.Module, ABC):
         return tensors
 
     def quad_ranks(self) -> NDArray[np.int64]:
-        """Return the rank 0..3 of every place in the 2 x 2 pattern, longest exposure first."""
+        """Return the rank of every place in the 2 x 2 pattern.
+
+        Returns
+        -------
+        array of int64
+            0..3, (rows, cols), longest exposure first.
+        """
         rows, cols = self.spec.tile
         y, x = np.mgrid[:rows, :cols]
         return np.asarray((y % 2) * 2 + x % 2, np.int64)

@@ -23,11 +23,8 @@ _REACH = 0
 
 
 class LooksEncoder(Encoder):
-    """Class looks: a tile (1, looks) of boundaries and levels, in steps of IN.
-
-    `spec.levels` is the largest step. Parameters are real: the logarithm (base 2) of the boundary,
-    and the step.
-    """
+    """Class looks: a tile (1, looks) of boundaries and levels, in steps of IN. `spec.levels` is the
+    largest step. Parameters are real: the logarithm (base 2) of the boundary, and the step."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -51,9 +48,7 @@ class LooksEncoder(Encoder):
 
     def hardened(self, fields: Tensor) -> Tensor:
         """Return increasing whole boundaries and whole levels of real fields (2 looks, rows, cols).
-
-        The gradient passes straight through.
-        """
+        The gradient passes straight through."""
         moments, levels = fields.chunk(2)
         at = 2.0**moments
         looks, slots = len(at), self.spec.slots

@@ -1,8 +1,6 @@
-"""Tiles of bumps with staggered starts: initial codes for clips, of every class.
-
-A pixel measures the light of its bump, and its neighbours the light of other bumps. The 2 x 2
-pattern has edges at three moments within the frame; these tiles have edges at more moments.
-"""
+"""Tiles of bumps with staggered starts: initial codes for clips, of every class. A pixel measures
+the light of its bump, and its neighbours the light of other bumps. The 2 x 2 pattern has edges at
+three moments within the frame; these tiles have edges at more moments."""
 
 from __future__ import annotations
 

@@ -21,11 +21,9 @@ numbers."""
 _LEAST_TRIED = 0.25
 """Minimum standard deviation of trials; with less, undecided digits never change."""
 _REACH = 1
-"""Radius in pixels within which losses are credited to a trial.
-
-With N digits tried per pixel, a larger radius only adds the effects of other trials (no benefit was
-measured for clips of 16 slots).
-"""
+"""Radius in pixels within which losses are credited to a trial. With N digits tried per pixel, a
+larger radius only adds the effects of other trials (no benefit was measured for clips of 16
+slots)."""
 
 
 class _Digits(Encoder):
@@ -91,11 +89,9 @@ class Bits(_Digits):
 
 
 class Codebook(_Digits):
-    """K shapes of N digits, and for every pixel of the tile a choice of shape.
-
-    With as many shapes as places the codebook is as free as class e, at any N. The choice is the
-    largest of K scores of the pixel.
-    """
+    """K shapes of N digits, and for every pixel of the tile a choice of shape. With as many shapes
+    as places the codebook is as free as class e, at any N. The choice is the largest of K scores of
+    the pixel."""
 
     def __init__(self, spec: ShutterSpec, relaxation: str = "straight-through") -> None:
         super().__init__(spec, relaxation)
@@ -123,11 +119,9 @@ class Codebook(_Digits):
         return replaced(likely, hard)
 
     def trial(self, over: Over, generator: torch.Generator) -> CodeTrial:
-        """Try other digits of each pixel's shape, and one other shape as a whole.
-
-        The last field is the score by which a pixel prefers its shape to the other shape, which is
-        drawn uniformly.
-        """
+        """Try other digits of each pixel's shape, and one other shape as a whole. The last field
+        is the score by which a pixel prefers its shape to the other shape, which is drawn
+        uniformly."""
         scores = over(self.choice.movedim(-1, 0))
         with torch.no_grad():
             current = scores.argmax(dim=0, keepdim=True)

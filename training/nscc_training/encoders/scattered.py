@@ -1,8 +1,6 @@
-"""Tiles in which equal exposures keep away from each other: starts for classes of one field.
-
-The starts of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel Exposures for
-Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges.
-"""
+"""Tiles in which equal exposures keep away from each other: starts for classes of one field. The
+starts of L-SVPE (Nguyen, Martel and Wetzstein, "Learning Spatially Varying Pixel Exposures for
+Motion Deblurring", ICCP 2022). Tiles repeat, so neighbourhoods wrap around edges."""
 
 from __future__ import annotations
 
@@ -23,11 +21,9 @@ def scattered(
 
 
 def _poisson_disc(count: int, tile: tuple[int, int], generator: np.random.Generator) -> Tile:
-    """Assign levels at points that keep a distance from each other.
-
-    Each level in turn takes its share of free places, nearest to the points of a Poisson-disc
-    sampler. The remaining places go to the level whose own places are farthest away.
-    """
+    """Assign levels at points that keep a distance from each other. Each level in turn takes its
+    share of free places, nearest to the points of a Poisson-disc sampler. The remaining places go
+    to the level whose own places are farthest away."""
     from scipy.stats.qmc import PoissonDisk
 
     rows, cols = tile

@@ -50,10 +50,8 @@ def decided(
     margins: Tensor, spread: Tensor, generator: torch.Generator, share: float
 ) -> tuple[Tensor, Tensor, Tensor]:
     """Return decisions for margins above 0, tried by a share of pixels with noise of a spread.
-
     Returns the decisions of both sides, and the displacement of the first side averaged over all
-    draws with that decision: 0 where both sides decide alike.
-    """
+    draws with that decision: 0 where both sides decide alike."""
     noise = spread * drawn(margins, generator, share)
     first, second = margins + noise > 0, margins - noise > 0
     beyond = margins.abs() / spread

@@ -1,1 +1,1 @@
-"""Numbers under a protocol, with everything that says what they mean."""
+"""Evaluation under protocols, with all metadata of a result."""

@@ -1,4 +1,4 @@
-"""The rows of protocols that need no training: fixed codes, and a decoder for them."""
+"""Baselines of protocols that need no training: fixed codes, and a decoder for them."""
 
 from __future__ import annotations
 
@@ -42,17 +42,17 @@ _CLASSES = {
     "codes-v1": ("c", "d", "e"),
     "deblur-v1": ("b", "c", "d", "e"),
 }
-"""Classes of codes that `codes` may name, by protocol."""
+"""Classes that `codes` may name, by protocol."""
 
 
 @dataclass(frozen=True)
 class Baseline:
-    """A row of a protocol: the `start` of its codes, CLASS:START on a tile of that side or a number
-    of open slots, and its method.
+    """A baseline of a protocol.
 
-    `takes_codes`: other codes may be named instead. `best_in`: of several uniform exposures the one
-    that is best in this metric, in hindsight. `tiles` makes shutters of several frames; with
-    `alone` each of these is decoded by itself.
+    `start` of its codes is CLASS:START on a tile of `side` x `side`, or a number of open slots.
+    `takes_codes`: other codes may be named. `best_in`: of several uniform exposures the best in
+    this metric, in hindsight. `tiles` returns shutters of several frames; with `alone` each frame
+    is decoded alone.
     """
 
     method: Method
@@ -76,13 +76,14 @@ def _pixel_wise(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
 
 
 def _two_bucket(protocol: Protocol, seed: int) -> NDArray[np.bool_]:
-    """Random bits of each pixel, and what they leave out in a second frame."""
+    """Random bits of each pixel, and their complement in a second frame."""
     first = _pixel_wise(protocol, seed)
     return np.concatenate([first, ~first])
 
 
 def _film(protocol: Protocol, *, staggered: bool) -> NDArray[np.bool_]:
-    """Frames of a film: shutters within a frame, or `staggered` past its end into the next one."""
+    """Return shutters of a film: within a frame each, or `staggered` across the end into the next
+    frame."""
     film, length = int(protocol["film"]), int(protocol["length"])
     slots = int(protocol["frames"]) // film
     rows, cols = protocol["tile"]
@@ -141,11 +142,9 @@ BASELINES: dict[str, dict[str, Baseline]] = {
 def evaluate_baseline(
     protocol: Protocol, name: str, folder: Path, seed: int = 0, codes: str = ""
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a baseline on a folder of scenes, and its arrays by name.
-
-    `codes` names other shutters, CLASS:START or a run, see `named_codes`. A scene's noise is its
-    own, whatever else is evaluated.
-    """
+    """Return the result of a baseline on a folder of scenes, and its arrays by name. `codes` names
+    other shutters, CLASS:START or a run (`named_codes`). The noise of a scene depends on the scene
+    alone."""
     from nscc_training.sensor_model import SensorModel
 
     baseline, model = BASELINES[protocol.name][name], SensorModel.of_protocol(protocol)
@@ -179,7 +178,7 @@ def evaluate_baseline(
 def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
     if not baseline.alone:
         return baseline.method.decode(frames)
-    # A frame tells nothing of slots that it has not seen.
+    # A frame carries no information on slots outside of it.
     count = len(frames.codes)
     return np.concatenate([baseline.method.decode(frames.frame(k)) for k in range(count)])
 
@@ -187,7 +186,7 @@ def _decoded(baseline: Baseline, frames: CapturedScene) -> Light:
 def _choices(
     baseline: Baseline, protocol: Protocol, name: str, seed: int, codes: str
 ) -> list[tuple[Tensor, dict[str, Any]]]:
-    """Return the shutters that a baseline chooses from, one unless it takes the best of several."""
+    """Return the candidate shutters of a baseline: one, unless it takes the best of several."""
     import torch
 
     from nscc_training.encoders import ShutterSpec, make_encoder
@@ -221,11 +220,9 @@ def _choices(
 
 
 def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, Any]:
-    """Return the class on its tile and the start of `CLASS[:START]`, or the encoder of a run.
-
-    A class alone starts at random. Rejected (NS0840) if `name` takes no other codes, or the text
-    names none of the protocol's.
-    """
+    """Return the spec and the start of `CLASS[:START]`, or those of a run's encoder. A class alone
+    starts at random. Rejected (NS0840) if `name` takes no other codes, or for codes that the
+    protocol does not have."""
     from nscc_training.encoders import ShutterSpec, make_encoder
     from nscc_training.run_files import CONFIG, run_path
     from nscc_training.run_folder import run_codes
@@ -263,10 +260,8 @@ def named_codes(text: str, protocol: Protocol, name: str) -> tuple[ShutterSpec, 
 def evaluate_sci8(
     paths: Sequence[Path], method: str, iterations: int, weight: float
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a method on the benchmark's clips, and its clips as arrays by name.
-
-    Rejected: NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method.
-    """
+    """Return the result of a method on the clips of the benchmark, and its clips by name. Rejected:
+    NS0809 for a file that is not a clip of the benchmark, NS0810 for an unknown method."""
     protocol, chosen = load_protocol("sci8"), methods.CLIPS.get(method)
     if chosen is None:
         raise rejected(

@@ -1,4 +1,4 @@
-"""Coded frames of a scene, with all that a decoder without training may know of them."""
+"""Coded frames of a scene, as decoders without training take them."""
 
 from __future__ import annotations
 
@@ -24,11 +24,9 @@ Frames = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class CapturedScene:
-    """Frames of one scene: `codes` (frames, rows, cols) above the converter's offset.
-
-    `tile` (frames, slots, r, c) are the shutters, which repeat over the array; `saturated` (frames,
-    rows, cols) says which codes are. `model` is the sensor, None for exact measurements.
-    """
+    """Frames of one scene: `codes` (frames, rows, cols) above the converter's offset. `tile`
+    (frames, slots, r, c) are the shutters, which repeat over the array; `saturated` (frames, rows,
+    cols) says which codes are. `model` is the sensor, None for exact measurements."""
 
     scene: ProtocolScene
     codes: Frames
@@ -38,7 +36,7 @@ class CapturedScene:
 
     @classmethod
     def of_benchmark(cls, clip: SciClip) -> CapturedScene:
-        """The measurement that a benchmark clip brings with it."""
+        """Return the measurement of a benchmark clip."""
         codes = clip.measurement[None]
         return cls(clip, codes, clip.mask[None], np.zeros(codes.shape, np.bool_), None)
 
@@ -54,39 +52,38 @@ class CapturedScene:
 
     @cached_property
     def share(self) -> NDArray[np.float64]:
-        """The part of the first frame that each pixel was open for, (rows, cols)."""
+        """Open fraction of the first frame of each pixel, (rows, cols)."""
         return self._over_frame(self.tile[0].mean(axis=0, dtype=np.float64))
 
     @property
     def code_e(self) -> float:
-        """Electrons of one code."""
+        """Electrons per code."""
         return 1.0 if self.model is None else self.model.electrons_per_lsb
 
     @property
     def white_e(self) -> float:
-        """Electrons a slot of the source's white: the unit that total variation is weighed for."""
+        """Electrons per slot of the white of the source: the unit of the weight of total
+        variation."""
         scene, slots = self.scene, self.tile.shape[1]
         scale_e = scene.scale_e if isinstance(scene, ClipWindow) else 1.0
         return float(scale_e * len(scene.light_e) / slots)
 
-    def measured(self) -> Measured:
-        """Return the frames as the decoder for any code takes them, all in electrons."""
-        import torch
-
+    def measured(self) -> Measured[Tensor]:
+        """Return the frames in the form of the decoder for any code, in electrons."""
         from nscc_training.measured import Measured
 
         if self.model is None:
-            return Measured.exact(*map(torch.from_numpy, (self.codes, self.tile)))
+            return Measured.exact(self.codes, self.tile).tensors()
         masks = self.share[None, None].astype(np.float32) if self.is_still else self.masks
-        return Measured.read(self.codes, masks, self.model)
+        return Measured.read(self.codes, masks, self.model).tensors()
 
     def corner(self, size: int) -> CapturedScene:
-        """Return the upper left corner of the same frames."""
+        """Return the upper left corner, `size` x `size`, of the frames."""
         region = np.s_[..., :size, :size]
         return replace(self, codes=self.codes[region], saturated=self.saturated[region])
 
     def frame(self, number: int) -> CapturedScene:
-        """Return one frame, with the slots that it has seen."""
+        """Return one frame, with the slots that it exposes."""
         slots = np.flatnonzero(self.tile[number].any(axis=(1, 2)))
         frame_slice = slice(number, number + 1)
         tile = self.tile[frame_slice, slots[0] : slots[-1] + 1]

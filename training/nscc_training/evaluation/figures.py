@@ -1,8 +1,6 @@
-"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made again from the runs that come with nscc.
-
-A still and a clip are exposed by the emulated chip through a run's shutters and by pixels that are
-always open, and decoded by the run. Light is in electrons, over the frame or a slot.
-"""
+"""The pictures of the paper's Figs. 3, 5, 6, 7 and 8, made from the runs that come with nscc. The
+emulated chip exposes a still and a clip through a run's shutters and with always open pixels, and
+the run decodes them. Light is in electrons, over the frame or per slot."""
 
 from __future__ import annotations
 
@@ -41,17 +39,17 @@ from nscc_training.scene_files import CLIPS, files_in
 _BUILTIN = dict(zip((True, False), BUILTIN, strict=True))
 _SHOWN = re.compile(r"(?P<light>[a-z]+):(?P<curve>[a-z-]+)(@(?P<gain>[0-9.]+))?(#(?P<frame>\d+))?")
 _GREY = 0.18
-"""What the median of a still is, of white, at an exposure of 1."""
+"""Relative brightness of the median of a still at an exposure of 1."""
 _ZOOM = 16
-"""Pixels a side that a place of a tile is drawn with."""
+"""Side in pixels of a place of a tile in mosaics."""
 
 Field = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
 class _Shot:
-    """What came of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
-    `frames`, the coded one and that of always open pixels, as greys."""
+    """The images of a scene: `light` by name, (rows, cols) of a still or (T, rows, cols) of a clip;
+    `frames`, the coded frame and that of always open pixels, as greys."""
 
     name: str
     light: Mapping[str, Field]
@@ -88,13 +86,13 @@ class _Shot:
 
 
 def figures(data: Path | None = None, effects: str = "auto", seed: int = 0) -> dict[str, bytes]:
-    """Return PNG files by the names that `figures.toml` has for them.
+    """Return PNG files by the names of `figures.toml`.
 
-    `data` holds panoramas and clips, or folders `hdr` and `video` of them: of the first crop of
-    each panorama that one is shown whose brightest light is most above its median, and of the first
-    window of each clip that in which most moves, but of files that the run has seen none. Without
-    it, or where it has none of a kind, the scenes that are built in. `effects` as `nscc run` takes
-    them. Raises Rejected: NS0756 for effects that there are not, NS0811 for a folder of neither.
+    `data` holds panoramas and clips, or folders `hdr` and `video`. The figures show the first crop
+    with the largest ratio of brightest light to median, and the first window with most motion, of
+    files that the run has not seen. Without `data`, or without a suitable file, the built-in scenes
+    are shown. `effects` are those of `nscc run`. Raises Rejected: NS0756 for unknown effects,
+    NS0811 for a folder without scenes.
     """
     runs = {still: load_run(path) for still, path in RUNS.items()}
     scenes = {
@@ -132,7 +130,8 @@ def _shot_of(
     effects: str,
     seed: int,
 ) -> _Shot:
-    """A scene that was found, or the built-in one: a run's frame and what it makes of that."""
+    """Return the images of a scene, or of the built-in one: the frame of a run and its
+    reconstruction."""
     setup = folder.setup
     if found_scene is None:
         like = run_capture(folder.path)
@@ -163,7 +162,8 @@ def _shot_of(
 
 
 def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, ProtocolScene] | None:
-    """The scene that a figure shows of a folder, and its file's name; None without any."""
+    """Return the scene of a folder that a figure shows, and the name of its file; None
+    without any."""
     protocol = load_protocol("hdr-v1" if still else "video-v1")
     endings, name = (ENDINGS, "hdr") if still else (CLIPS, "video")
     size = (folder.setup.target.rows, folder.setup.target.cols)
@@ -184,7 +184,7 @@ def _scene_of(folder: RunFolder, data: Path, still: bool) -> tuple[str, Protocol
 
 
 def _worth(light_e: Field) -> float:
-    """How much a scene has to show: the range of a still, the motion of a clip."""
+    """Return the visual interest of a scene: the range of a still, the motion of a clip."""
     if light_e.ndim == 3:
         return float(np.abs(np.diff(light_e, axis=0)).mean() / max(light_e.mean(), 1e-9))
     return float(np.percentile(light_e, 99.9) / max(float(np.median(light_e)), 1e-9))

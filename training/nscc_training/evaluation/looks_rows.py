@@ -1,8 +1,8 @@
-"""The rows of hdr-v1 whose pixels look at the light: no decoder, an exposure over its own time.
+"""The rows of hdr-v1 whose pixels look at the light: no decoder, each exposure over its open time.
 
 The programs are compiled, and their words run on the emulator: with the protocol's noise and a
-comparator's, or with other effects. Of `designed` rows each crop has a program of its own, made for
-the light that it has (`nscc design`).
+comparator's, or with other effects. The `designed` rows have a program per crop, designed for its
+light (`nscc design`).
 """
 
 from __future__ import annotations
@@ -44,23 +44,23 @@ from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol, load_protocol
 
 SLOTS = 256
-"""Of hdr-v1."""
+"""Slots of hdr-v1."""
 ROWS: dict[str, tuple[tuple[int, ...], float]] = {
     "looks-2": ((16,), 6.25),
     "looks-5": ((1, 4, 16, 64), 22.0),
     "looks-9": ((1, 2, 4, 8, 16, 32, 64, 128), 45.0),
 }
-"""The boundaries of SLOTS at which each row's pixels look, the last exposure being the frame's end,
-and the percentage of a full well above which they close."""
+"""The boundaries at which the pixels of each row look, and the percentage of a full well above
+which they close. The last exposure ends with the frame."""
 DESIGNED = {"designed-2": 2, "designed-5": 5}
-"""Exposures of the rows that are designed."""
+"""Numbers of exposures of the designed rows."""
 LOOKING = (*ROWS, *DESIGNED)
 
 _EFFECTS = "full_well,shot,adc_noise,comparator_noise"
 
 
 def row_of(name: str, target: Target) -> Schedule:
-    """Return where the pixels of a row look, and at which step of IN, on a chip."""
+    """Return the boundaries and steps of IN at which the pixels of a row look, on a chip."""
     at, percent = ROWS[name]
     return Schedule(at, (level_steps(percent, "%", target),) * len(at))
 
@@ -68,11 +68,9 @@ def row_of(name: str, target: Target) -> Schedule:
 def evaluate_looks(
     name: str, folder: Path, seed: int = 0, effects: str = "", changes: Sequence[str] = ()
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of one of LOOKING on a folder of panoramas, and its arrays by name.
-
-    `effects` are others than the protocol's noise and a comparator's, `changes` numbers of the
-    sensor, as `nscc run` takes them; programs are designed for the sensor without these.
-    """
+    """Return the result of a row of LOOKING on a folder of panoramas, and its arrays by name.
+    `effects` replace the protocol's noise and a comparator's; `changes` are sensor values, as `nscc
+    run` takes them. Programs are designed for the sensor without these changes."""
     protocol = load_protocol("hdr-v1")
     files = files_of(protocol, folder)
     usable, left_out = usable_scenes(scenes_in(files, protocol), protocol)
@@ -99,10 +97,8 @@ def looked_light(
     container: Container, light_e: NDArray[Any], sensor: Sensor, effects: Selection | str,
     seeds: tuple[int, int],
 ) -> NDArray[np.float64]:  # fmt: skip
-    """Return the light over the frame, in electrons, that pixels tell which look at `light_e`.
-
-    `seeds` are those of noise and of the chip.
-    """
+    """Return the light over the frame, in electrons, measured by pixels that look at `light_e`.
+    `seeds` are those of noise and of the chip."""
     slot_s = container.slot_s
     frame_s = float(slot_s.sum())
     light = Light.of_still((light_e / frame_s).astype(np.float32), slot_s)
@@ -129,7 +125,7 @@ def _target(protocol: Protocol) -> Target:
 
 
 def _programs(name: str, target: Target, sensor: Sensor) -> Callable[[ProtocolScene], Container]:
-    """Return what gives the words for a crop: those of a row, or a crop's own."""
+    """Return a function that gives the program of a crop: that of a row, or a crop's own."""
     if name in ROWS:
         words = _compiled(row_of(name, target), target)
         return lambda _: words

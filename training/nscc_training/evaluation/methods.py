@@ -21,9 +21,11 @@ Light = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Method:
-    """A decoder. `decode` gives electrons over the frame (rows, cols), or a slot (slots, rows,
-    cols); its options are those of `settings`. `sees` says whether it decodes the capture or, as a
-    yardstick, is shown the truth. `settings` are what a tradeoff compares, by their names there.
+    """A decoder without training.
+
+    `decode` returns electrons over the frame (rows, cols), or per slot (slots, rows, cols); its
+    options are those of `settings`. `sees`: it decodes the capture or, as a yardstick, gets the
+    truth. `settings` are the settings that a tradeoff compares, by name.
     """
 
     decode: Callable[..., Light]
@@ -73,7 +75,7 @@ def _any(captured: CapturedScene, **options: Any) -> Light:
 
 
 def _read_out(captured: CapturedScene) -> Light:
-    """Return what each pixel read, over the part of the frame that it was open for."""
+    """Return the measurement of each pixel over its open fraction of the frame."""
     return np.asarray(captured.codes[0].astype(np.float64) * captured.code_e / captured.share)
 
 
@@ -96,7 +98,7 @@ STILLS: Mapping[str, Method] = {
 
 
 def load(method: str, slots: int) -> None:
-    """Compile or learn what a method needs, so that it is no part of a scene's time."""
+    """Compile or learn everything that a method needs, so that scene times exclude it."""
     if method in ("gap-tv", "admm-tv", "any"):
         denoise.load()
     if method == "dictionary":

@@ -1,9 +1,10 @@
-"""Pages of results: templates in Markdown whose numbers are computed from what was evaluated.
+"""Pages of results: Markdown templates whose numbers are computed from results.
 
-`{{WORD ARGUMENTS}}` in a template is a method of `Page`, with arguments as a shell splits them.
-Results are named as their files in a folder, without .json; * in a name takes several, which are
+`{{WORD ARGUMENTS}}` in a template is a method of `Page`, with arguments split as in a shell.
+Results are named after their files, without .json; * in a name matches several results, which are
 seeds. A metric may end in /source (files count once, however many items they have), in /interval
-(with the 95 % interval from drawing scenes) or in @SHARE (at that share of saturated pixels).
+(with the 95 % interval of a bootstrap over scenes) or in @SHARE (at that fraction of saturated
+pixels).
 """
 
 from __future__ import annotations
@@ -33,11 +34,9 @@ _SETTINGS = {
 
 
 class Page:
-    """What a template's words stand for, of the results in a folder.
-
-    Rows of runs whose folder, in `runs` beside the results, has no weights are marked with a
-    dagger. `rows` are those of the paper's tables that were filled, as JSON values.
-    """
+    """The words of a template, computed from the results in a folder. Rows of runs whose folder, in
+    `runs` beside the results, has no weights are marked with a dagger. `rows` are the filled rows
+    of the paper's tables, as JSON values."""
 
     def __init__(self, results: Path) -> None:
         self.results = results
@@ -49,7 +48,7 @@ class Page:
         return re.sub(r"\{\{(.*?)\}\}", lambda match: self._word(*shlex.split(match[1])), template)
 
     def mean(self, name: str, metric: str) -> str:
-        """Over items, then seeds: dB with two digits, others with three."""
+        """Return the mean over items, then seeds: dB with two digits, other metrics with three."""
         results = self._results_of(name)
         metric, _, share = metric.partition("@")
         metric, _, way = metric.partition("/")
@@ -71,10 +70,9 @@ class Page:
         return "{} ({} to {})".format(text, *(_digits(end, metric) for end in ends))
 
     def gain(self, first: str, second: str, metric: str) -> str:
-        """How much better the second is in pairs of items, with its interval from scenes.
-
-        A result of one seed is compared with all of the other's. By source: the difference alone.
-        """
+        """Return the gain of the second result in pairs of items, with its interval over scenes.
+        A result of one seed is compared with all seeds of the other. By source: the difference
+        alone."""
         first_results, second_results = self._results_of(first), self._results_of(second)
         if not (first_results and second_results):
             return _MISSING
@@ -100,7 +98,8 @@ class Page:
         return f"{comparison['gain_db']:+.2f}{between}"
 
     def value(self, name: str, key: str) -> str:
-        """What a result says of its subject: moved, steps, words, stops, parameters, items."""
+        """Return a property of a result's subject: moved, steps, words, stops,
+        parameters, items."""
         results = self._results_of(name)
         if not results:
             return _MISSING
@@ -113,8 +112,8 @@ class Page:
         return ", ".join(_SETTINGS[key](result["settings"]) for result in results)
 
     def row(self, label: str, name: str, *cells: str) -> str:
-        """Return a row of a table: cells are metrics, keys of `value`, NAME:METRIC, the gain over
-        that result, and = for none."""
+        """Return a row of a table. Cells are metrics, keys of `value`, NAME:METRIC for the gain
+        over that result, and = for an empty cell."""
         texts = [f"{label} {self._mark(name)}".strip()]
         for cell in cells:
             base_name, _, metric = cell.rpartition(":")
@@ -137,8 +136,8 @@ class Page:
         return f"| {f'{label} {mark}'.strip()} | {' | '.join(gains)} |"
 
     def columns(self, label: str, metrics: str, *names: str) -> str:
-        """Return a row whose columns are results, each NAME[@SHARE], with the same metrics, +
-        between them."""
+        """Return a row whose columns are results, each NAME[@SHARE], with the metrics
+        joined by +."""
         cells = []
         for name, at, share in (name.partition("@") for name in names):
             means = (self.mean(name, f"{metric}{at}{share}") for metric in metrics.split("+"))
@@ -148,7 +147,7 @@ class Page:
     def paper(
         self, table: str, label: str, psnr_db: str, ssim: str, name: str, remark: str = ""
     ) -> str:
-        """Return a row of the paper's tables, - for what it does not report, and our own."""
+        """Return a row of the paper's tables, with - for missing values, beside our results."""
         results = self._results_of(name)
         settings = [result["settings"] for result in results]
         moved = [self.value(name, "moved")] if any(s.get("moved") for s in settings) else []
@@ -205,11 +204,9 @@ class Page:
 def page_of(
     results: Path | None = None, template: Path | None = None
 ) -> tuple[list[dict[str, Any]], str]:
-    """Return the rows of the paper's tables on a page, and its text.
-
-    Without `results`, of what comes with nscc; without a `template`, the paper's Tables 2 to 4.
-    Rejected (NS0807) for a folder that does not exist.
-    """
+    """Return the rows of the paper's tables on a page, and its text. By default the results that
+    come with nscc, and the paper's Tables 2 to 4. Rejected (NS0807) for a folder that does not
+    exist."""
     folder = shipped_evaluations() if results is None else results
     if not folder.is_dir():
         hint = "`nscc sweep GRID.toml --out DIR` makes one"

@@ -1,4 +1,4 @@
-"""Results of `nscc evaluate` as people read them, and as they are kept."""
+"""Results of `nscc evaluate` as text and as files."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from nscc_training.evaluation.results import mean_of
 
 
 def result_json(result: Any) -> str:
-    """A result as it is printed and written."""
+    """Return a result as JSON text."""
     return json.dumps(result, indent=2, allow_nan=False) + "\n"
 
 
 def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Product]:
-    """The files of `--save`: one NAME.npy in `folder`, which is made, for each array."""
+    """Return the files of `--save`: one NAME.npy per array in `folder`, which is created."""
     folder.mkdir(parents=True, exist_ok=True)
     products: dict[Path, Product] = {}
     for name, values in arrays.items():
@@ -33,7 +33,7 @@ def arrays_in(folder: Path, arrays: Mapping[str, NDArray[Any]]) -> dict[Path, Pr
 
 
 def result_text(result: dict[str, Any]) -> str:
-    """A result of `nscc_training.evaluation.results` as a few lines."""
+    """Return a result of `nscc_training.evaluation.results` as a few lines."""
     lines = [
         f"{result['method']}, protocol {result['protocol']} ({result['protocol_sha256'][:12]})"
     ]
@@ -72,7 +72,7 @@ def result_text(result: dict[str, Any]) -> str:
 
 
 def comparison_text(comparison: Mapping[str, Any], metric: str) -> str:
-    """What `nscc_training.evaluation.results.compare` found, in a line."""
+    """Return a comparison of `nscc_training.evaluation.results.compare` as a line."""
     gain, interval = comparison["gain_db"], comparison["ci95"]
     if gain is None:
         return "no pair of items has finite scores"

@@ -24,14 +24,14 @@ from nscc_training.statistics import paired, summary
 
 SCHEMA = "nscc-result-1"
 _MEANS = ("psnr_db", "ssim", "mu_psnr_db", "pu21_psnr_db")
-"""Metrics of hdr-v1 that are reported at other shares of saturated pixels, too."""
+"""Metrics of hdr-v1 that are also reported at other fractions of saturated pixels."""
 _MOST_REASONS = 5
 
 Array = NDArray[Any]
 
 
 class Scored(NamedTuple):
-    """A scene with its items, its reconstruction as it is scored, and the seconds of decoding."""
+    """A scene, its items, its reconstruction in scored form, and the decoding time in seconds."""
 
     scene: ProtocolScene
     items: list[Item]
@@ -42,11 +42,9 @@ class Scored(NamedTuple):
 def usable_scenes(
     candidates: Iterable[ProtocolScene | Unusable], protocol: Protocol
 ) -> tuple[list[ProtocolScene | None], list[dict[str, Any]]]:
-    """Return the scenes that can be used, and what a result says of the others.
-
-    A scene's noise follows from its number: under hdr-v1 only scenes that can be used count, under
-    the other protocols None stands in the place of those that cannot.
-    """
+    """Return the usable scenes, and the entries of a result for the others. The noise of a scene
+    follows from its number. Under hdr-v1 only usable scenes are counted; under the other protocols
+    None stands in for the unusable ones."""
     scenes: list[ProtocolScene | None] = []
     left_out = []
     for scene in candidates:
@@ -63,11 +61,9 @@ def scored(
     scenes: Iterable[ProtocolScene | Unusable | None],
     decode: Callable[[ProtocolScene, int], tuple[Array, float]],
 ) -> Iterator[Scored]:
-    """Decode and score every scene; `decode` gives electrons and seconds.
-
-    It is told the scene's number, for noise of its own. Rejected (NS0804) for a reconstruction
-    with values that are not finite.
-    """
+    """Decode and score every scene; `decode` returns electrons and seconds. It gets the number of
+    the scene, which seeds its noise. Rejected (NS0804) for a reconstruction with values that are
+    not finite."""
     for index, scene in enumerate(scenes):
         if isinstance(scene, ProtocolScene):
             result_e, seconds = decode(scene, index)
@@ -87,7 +83,8 @@ def also_saturated(
     protocol: Protocol,
     decoded: Callable[[list[ProtocolScene | None]], list[Scored]],
 ) -> dict[str, Any]:
-    """Return means at the other shares of saturated pixels that hdr-v1 has; else nothing."""
+    """Return means at the other fractions of saturated pixels of hdr-v1; nothing for other
+    protocols."""
     rows = []
     for fraction in protocol.values.get("also_saturated", ()):
         usable, left_out = usable_scenes(scenes_in(files, protocol, fraction), protocol)
@@ -101,7 +98,7 @@ def also_saturated(
 
 
 def check_finite(result: Array, name: str) -> None:
-    """Rejected (NS0804) for a reconstruction with values that are not finite: it has no score."""
+    """Raise Rejected (NS0804) for a reconstruction with values that are not finite."""
     bad_count = int(np.count_nonzero(~np.isfinite(result)))
     if bad_count:
         raise rejected(
@@ -115,7 +112,7 @@ def check_finite(result: Array, name: str) -> None:
 
 @dataclass(frozen=True)
 class ResultSubject:
-    """What was evaluated, with hard shutters: a method's name and settings, and what it costs."""
+    """The evaluated method: name, settings, and costs; shutters are hard."""
 
     method: str
     settings: dict[str, Any]
@@ -134,11 +131,9 @@ def result(
     left_out: Sequence[Mapping[str, Any]] = (),
     **extra_keys: Any,
 ) -> dict[str, Any]:
-    """The result of these items as JSON values; `more` are further keys.
-
-    `left_out` are items that the protocol cannot use, each with its `file` and the `reason`.
-    Rejected (NS0811) where there is no other.
-    """
+    """Return the result of items as JSON values; `extra_keys` are further keys. `left_out` are
+    items that the protocol cannot use, each with `file` and `reason`. Rejected (NS0811) without
+    items."""
     if not items:
         reasons = dict.fromkeys(f"{entry['file']}: {entry['reason']}" for entry in left_out)
         raise rejected(
@@ -178,8 +173,8 @@ def with_arrays(
     left_out: Sequence[Mapping[str, Any]],
     **extra_keys: Any,
 ) -> tuple[dict[str, Any], dict[str, Array]]:
-    """The same of what was scored, and what `--save` writes of every item, by name: the
-    reconstruction, an `image` or a `video`, and the truth."""
+    """Return the result of scored scenes, and the arrays of `--save` by name. These are the
+    reconstruction of each item, an `image` or a `video`, and the truth."""
     items = [item for entry in scored_scenes for item in entry.items]
     report = result(protocol, subject, files, items, left_out, **extra_keys)
     called, arrays = labels(files), {}
@@ -194,7 +189,7 @@ def with_arrays(
 
 
 def read_result(path: Path) -> dict[str, Any]:
-    """A result that `nscc evaluate` wrote; Rejected (NS0807) for another file."""
+    """Read a result of `nscc evaluate`; Rejected (NS0807) for another file."""
     try:
         document = json.loads(read_whole(path))
         if isinstance(document, dict) and document.get("schema") == SCHEMA:
@@ -222,9 +217,9 @@ def read_result(path: Path) -> dict[str, Any]:
 def mean_of(
     results: Sequence[Mapping[str, Any]], metric: str, *, by_source: bool = False
 ) -> float | None:
-    """The mean of a metric over the items of each result, then over the results, which are seeds;
-    items that are infinite are left out. `by_source`: over the means of the files, each of which
-    counts once, however many items it has. None without a finite item."""
+    """Return the mean of a metric over the items of each result, then over the results, which are
+    seeds. Infinite items are left out. `by_source`: average the means of files, so that each file
+    counts once. None without a finite item."""
     means = []
     for result_values in results:
         values: dict[str, list[float]] = {}
@@ -240,16 +235,14 @@ def mean_of(
 def compare(
     pairs: Sequence[tuple[dict[str, Any], dict[str, Any]]], metric: str = "psnr_db"
 ) -> dict[str, Any]:
-    """How much better second results are than first ones in a metric of dB, item by item.
-
-    Each pair is a seed; the bootstrap draws scenes, with their items of all seeds. Rejected
-    (NS0808) across protocols, without common items, or where the metric is missing.
-    """
+    """Return the gain of second results over first ones in a metric of dB, item by item. Each pair
+    is a seed; the bootstrap draws scenes, with their items of all seeds. Rejected (NS0808) for
+    different protocols, without common items, or without the metric."""
     scores: tuple[dict[str, float], dict[str, float]] = ({}, {})
     scenes: dict[str, str] = {}
     for seed, pair in enumerate(pairs):
         _check_alike(pairs[0][0], *pair)
-        # By what they are in other results too: file, corner of the crop, first frame.
+        # Items are matched by file, corner of the crop and first frame.
         items = [
             {
                 f"{entry['file']} {entry['crop']} {entry['frame']}": entry

@@ -39,7 +39,7 @@ from nscc_training.run_folder import RunFolder
 
 DecodeScene = Callable[[ProtocolScene, int], tuple[NDArray[Any], float]]
 _SIZE = (256, 256)
-"""Rows and columns of what protocols expose."""
+"""Rows and columns of the scenes of protocols."""
 
 
 def evaluate_run(
@@ -52,15 +52,16 @@ def evaluate_run(
     effects: str = "",
     changes: Sequence[str] = (),
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run, with its hard shutters, and the arrays it made, by name.
+    """Return the result of a run with its hard shutters, and its arrays by name.
 
     With `skip_seen`, files that the run has seen are left out, and the result says so. With
-    `effects`, as `nscc run --effects` takes them, scenes are exposed by the emulated chip, another
-    one for each `seed`, instead of the sensor that the protocol fixes; `changes` are numbers of
-    its sensor, as `nscc run --sensor-set` takes them. Raises Rejected: NS0756 for effects that do
-    not exist, NS0841 under sci8, whose measurements no chip made, NS0820 if the run has seen a file
-    of `data`, or with `skip_seen` all of them, NS0821 if it was trained for something else than the
-    protocol exposes, NS0811 for a folder without data.
+    `effects`, as `nscc run --effects` takes them, the emulated chip exposes the scenes, a different
+    chip for each `seed`, instead of the sensor that the protocol fixes; `changes` are values of its
+    sensor, as `nscc run --sensor-set` takes them.
+
+    Raises Rejected: NS0756 for unknown effects, NS0841 under sci8, whose measurements come from its
+    files, NS0820 if the run has seen a file of `data`, or with `skip_seen` all of them, NS0821 if
+    it was trained for something else than the protocol exposes, NS0811 for a folder without data.
     """
     _check_kind(folder, protocol)
     files = files_of(protocol, data)
@@ -97,11 +98,9 @@ def evaluate_run(
 
 
 def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:
-    """Return the result of a run on the scenes that it was chosen by, with the run's own effects.
-
-    Its mean is the PSNR of the step whose state the run has kept, in `metrics.csv`. Rejected
-    (NS0811) if the scenes of its configuration are not there, or are others.
-    """
+    """Return the result of a run on its validation scenes, with the run's effects. Its mean is the
+    PSNR in `metrics.csv` of the step that the run kept. Rejected (NS0811) if the scenes of its
+    configuration are missing or have changed."""
     settings = folder.setup.settings
     scenes = load_scenes(settings.data, folder.setup.still, folder.setup.slots, settings.train.seed)
     if not {scene.sha256 for scene in scenes.val} <= folder.seen_digests:
@@ -120,7 +119,8 @@ def evaluate_validation(folder: RunFolder) -> tuple[dict[str, Any], dict[str, ND
 
 
 def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) -> DecodeScene:
-    """Return what captures a scene as the run was trained, or by the emulated chip, and decodes."""
+    """Return a function that captures a scene as in training, or by the emulated chip, and decodes
+    it."""
     file = folder.path / SENSOR_FILE
     sensor_file = file if folder.setup.settings.sensor.file and file.is_file() else None
     sensor = load_sensor(folder.setup.target, sensor_file, changes) if changes else None
@@ -132,11 +132,9 @@ def _by_run(folder: RunFolder, seed: int, effects: str, changes: Sequence[str]) 
 
 
 def _by_mask(folder: RunFolder) -> DecodeScene:
-    """Return what decodes a benchmark clip behind its own mask, without noise or quantisation.
-
-    As in training a full well is the 99th percentile of what an always open pixel would gather: of
-    a measurement, the light of open slots scaled up to all of them.
-    """
+    """Return a function that decodes a benchmark clip behind its own mask, without noise or
+    quantisation. As in training a full well is the 99th percentile of the light of an always open
+    pixel: of a measurement, the light of open slots scaled to all slots."""
     setup = folder.setup
 
     @torch.no_grad()
@@ -157,7 +155,7 @@ def _by_mask(folder: RunFolder) -> DecodeScene:
 def _subject(
     folder: RunFolder, scored_scenes: Sequence[Scored], seed: int, effects: str
 ) -> ResultSubject:
-    """What a result says of the run."""
+    """Return the description of a run in a result."""
     setup, settings = folder.setup, folder.setup.settings
     decoder_s = [entry.seconds for entry in scored_scenes]
     return ResultSubject(
@@ -222,12 +220,12 @@ def _check_kind(folder: RunFolder, protocol: Protocol) -> None:
 
 
 def seen_of(folder: RunFolder, files: list[Path]) -> list[Path]:
-    """Those of the files that the run learned from or was chosen by."""
+    """Return the files that the run was trained or validated on."""
     return [path for path in files if file_sha256(path) in folder.seen_digests]
 
 
 def check_unseen(folder: RunFolder, files: list[Path]) -> None:
-    """Rejected (NS0820) where the run has seen one of these files."""
+    """Raise Rejected (NS0820) if the run has seen one of the files."""
     shared = [path.name for path in seen_of(folder, files)]
     if shared:
         other_files = counted(len(files) - len(shared), "other file")

@@ -1,4 +1,4 @@
-"""`nscc evaluate NAME --data DIR --protocol P`: who can be evaluated under which protocol."""
+"""`nscc evaluate NAME --data DIR --protocol P`: the subjects of each protocol."""
 
 from __future__ import annotations
 
@@ -23,14 +23,15 @@ def evaluate(
     trust_code: bool = False, skip_seen: bool = False, codes: str = "",
     effects: str = "", changes: Sequence[str] = (),
 ) -> tuple[dict[str, Any], dict[str, NDArray[Any]]]:  # fmt: skip
-    """Return the result of a baseline or of a run, and the arrays it made, by name.
+    """Return the result of a baseline or of a run, and its arrays by name.
 
-    A run is a folder or the name of one that comes with nscc. Of it, `trust_code` is as
-    `load_run`'s, `skip_seen` as `evaluate_run`'s; `effects` and `changes` are of a run or of pixels
-    that look; of a baseline `codes` names other shutters than its own, see `named_codes`.
-    Raises Rejected: NS0806 for the protocol, NS0810 for a subject that it does not know, NS0840
-    for codes that it does not take, NS0841 for effects of what has none, NS0811 for a folder
-    without its data, and what `load_run` and `evaluate_run` raise.
+    A run is a folder or the name of a run that comes with nscc. `trust_code` is as in `load_run`,
+    `skip_seen` as in `evaluate_run`; `effects` and `changes` apply to runs and to pixels that look;
+    `codes` names other shutters of a baseline (`named_codes`).
+
+    Raises Rejected: NS0806 for the protocol, NS0810 for an unknown subject, NS0840 for codes that
+    it does not take, NS0841 for effects that it does not have, NS0811 for a folder without its
+    data, and as `load_run` and `evaluate_run`.
     """
     chosen = load_protocol(protocol)
     known = (*BASELINES.get(chosen.name, ()), *(LOOKING if chosen.still else ()))
@@ -63,6 +64,6 @@ def evaluate(
 
 
 def _refuse_codes(codes: str, subject: str) -> None:
-    """NS0840 for other codes of a subject that has its own."""
+    """Raise Rejected (NS0840) for other codes of a subject that has its own."""
     if codes:
         raise rejected("NS0840", f"{subject} has codes of its own", helps=("leave --shutter out",))

@@ -46,10 +46,8 @@ _CHANGES: tuple[tuple[str, dict[str, float], float], ...] = (
 def artifacts(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], scenes: Scenes, step: int
 ) -> dict[str, bytes]:
-    """Return the files of a run by name; the setup is in its best state, reached at `step`.
-
-    All scores are the protocol's, of the validation scenes `shown`.
-    """
+    """Return the files of a run by name; the setup is in its best state, reached at `step`. All
+    scores are the protocol's, of the validation scenes `shown`."""
     from safetensors.torch import save
 
     build = compiled(program_of(setup.encoder, setup.chip), setup.chip)
@@ -122,7 +120,8 @@ def split_digest(scenes: Scenes) -> str:
 
 
 def capture_toml(setup: TrainingSetup) -> str:
-    """Return the text of capture.toml: the conditions of capture that the decoder was trained for."""
+    """Return the text of capture.toml, the conditions of capture that the decoder was
+    trained for."""
     model, slots = setup.model, "" if setup.still else " / slots in a slot"
     values = {
         "sensor_sha256": sensor_sha256(setup.sensor),
@@ -156,7 +155,7 @@ def _exposure(setup: TrainingSetup) -> str:
 def _stages(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], container: Container
 ) -> dict[str, Any]:
-    """Return the PSNR with soft, hard, compiled and emulated shutters on the same scenes, without
+    """Return the PSNR with soft, hard, compiled and emulated shutters of the same scenes, without
     noise."""
     ideal, kind = setup.model.noiseless(), setup.encoder.spec.kind
     hard = setup.encoder.hard().cpu()
@@ -191,7 +190,7 @@ def _stages(
 def _headline(
     setup: TrainingSetup, shown: Sequence[ProtocolScene], trained: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return the scores on the sensor of training; with effects, also the scores without them."""
+    """Return the scores on the sensor of training; with effects also the scores without them."""
     effects = setup.settings.sensor.effects
     headline = {"effects": effects, **{key: trained[key] for key in ("psnr_db", "ssim")}}
     if effects:
@@ -217,10 +216,7 @@ def _robustness(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> list[di
 
 def _codes_report(setup: TrainingSetup, shown: Sequence[ProtocolScene]) -> dict[str, Any]:
     """Report on the codes: number, rank and condition of the shutters, moved places, and the score
-    of the start.
-
-    Moved places are those whose shutter differs from the start of the run.
-    """
+    of the start. Moved places are those whose shutter differs from the start of the run."""
     chosen = setup.settings.shutter
     start = started_encoder(chosen, setup.chip, setup.target, setup.settings.train.seed)
     if setup.encoder.spec.kind == LOOKS:

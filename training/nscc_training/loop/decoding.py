@@ -27,10 +27,8 @@ from nscc_training.loop.setup import TrainingSetup
 from nscc_training.sensor_model import SensorModel, filled, frame_of, laid, read_out, shared_out
 
 _BLOCK, _MARGIN = 256, 32
-"""Side in pixels of the blocks in which large frames are decoded, and their margin.
-
-The margin is larger than the receptive field of decoders.
-"""
+"""Side in pixels of the blocks in which large frames are decoded, and their margin. The margin is
+larger than the receptive field of decoders."""
 
 Arrays = NDArray[Any]
 
@@ -50,10 +48,8 @@ def scene_by_model(
     model: SensorModel | None = None,
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
     """Return the light of a scene captured by the sensor model, and the decoding time in seconds.
-
     Light is in electrons, over the frame or per slot. `tile` replaces the run's hard shutters;
-    `model` replaces the sensor model of training.
-    """
+    `model` replaces the sensor model of training."""
     tile = setup.encoder.hard().cpu() if tile is None else tile.cpu()
     model = setup.model if model is None else model
     if setup.encoder.spec.kind == LOOKS:
@@ -77,11 +73,8 @@ def scene_by_chip(
     seeds: tuple[int, int],
 ) -> tuple[NDArray[np.float64], float]:  # fmt: skip
     """Return the same for a frame of the emulated chip, as `nscc run` and `nscc reconstruct` make
-    it.
-
-    `seeds` are those of noise and of the chip. A scene smaller than the array is continued by its
-    edge; of a larger scene the upper left part is exposed.
-    """
+    it. `seeds` are those of noise and of the chip. A scene smaller than the array is continued by
+    its edge; of a larger scene the upper left part is exposed."""
     array = (container.target.rows, container.target.cols)
     size = tuple(min(pair) for pair in zip(light_e.shape[-2:], array, strict=True))
     visible = light_e[..., : size[0], : size[1]].astype(np.float32)

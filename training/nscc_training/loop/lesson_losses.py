@@ -13,7 +13,7 @@ from nscc_training.any_code.lessons import Lesson, measured_lesson, noisy
 from nscc_training.any_code.network import SEEN
 from nscc_training.any_code.stages import schedule, stage
 from nscc_training.any_code.stills import coded_light, started_still, still_schedule, still_stage
-from nscc_training.baselines.tensor_tv import gap_tv_of
+from nscc_training.baselines.gap_tv import gap_tv_of
 from nscc_training.curves import MU, srgb
 from nscc_training.data.exposures import quantiles
 from nscc_training.loop.setup import TrainingSetup
@@ -83,10 +83,8 @@ def _difference(clip: Tensor, truth: Tensor, shown: Tensor | None) -> Tensor:
 
 
 def _still_loss(light: Tensor, truth: Tensor) -> Tensor:
-    """Return the errors of light and of its logarithm, relative to the 99.9 % quantile.
-
-    This is close to the scores of protocol hdr-v1.
-    """
+    """Return the errors of light and of its logarithm, relative to the 99.9 % quantile. This is
+    close to the scores of protocol hdr-v1."""
     peak = quantiles(truth.flatten(1), 0.999).to(truth).clamp(min=1e-6).reshape(-1, 1, 1)
     relative, relative_truth = ((values / peak).clamp(0, 1) for values in (light, truth))
     linear = (relative - relative_truth).square().mean(dim=(1, 2)).add(1e-6).sqrt()

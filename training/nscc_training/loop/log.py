@@ -61,10 +61,8 @@ class Log:
             self._events.close()
 
     def _writer(self) -> Any:
-        """Return the writer of event files, made at first use; None without its package.
-
-        Event files contain times and the host name, so they are not products.
-        """
+        """Return the writer of event files, made at first use; None without its package. Event
+        files contain times and the host name, so they are not products."""
         if self._events is None and find_spec("tensorboard") is not None:
             from torch.utils.tensorboard import SummaryWriter
 

@@ -17,10 +17,8 @@ _MUON_RATE = 4.0
 
 
 class Muon(torch.optim.Muon):
-    """`torch.optim.Muon` for weights of convolutions (out, ...).
-
-    Every weight is viewed as a matrix with one row per output, in the same memory.
-    """
+    """`torch.optim.Muon` for weights of convolutions (out, ...). Every weight is viewed as a matrix
+    with one row per output, in the same memory."""
 
     def __init__(self, weights: Iterable[Tensor], lr: float) -> None:
         self.weights = list(weights)

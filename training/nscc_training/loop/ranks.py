@@ -56,10 +56,7 @@ class Ranks:
             distributed.barrier()
 
     def close(self) -> None:
-        """Leave the process group, if it was joined here.
-
-        Its gloo threads end with it. They may hold gradients of the last step; if the interpreter
-        exits before them, it aborts.
-        """
+        """Leave the process group, if it was joined here. Its gloo threads end with it. They may
+        hold gradients of the last step; if the interpreter exits before them, it aborts."""
         if self._ours:
             distributed.destroy_process_group()

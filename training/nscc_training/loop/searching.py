@@ -1,8 +1,6 @@
-"""A step of a search: moved codes, and the decoder's loss for the most promising of them.
-
-The decoder is not trained during the search, so that it favours no code that was tried earlier; the
-remaining steps (`settle`) train it for the result.
-"""
+"""A step of a search: moved codes, and the decoder's loss for the most promising of them. The
+decoder is not trained during the search, so that it favours no code that was tried earlier; the
+remaining steps (`settle`) train it for the result."""
 
 from __future__ import annotations
 
@@ -27,17 +25,12 @@ from nscc_training.settings import ShutterSettings
 _SPEEDS = (2.0, 8.0, 24.0, 64.0)
 """Speeds in pixels per frame: from hands and heads over a few frames of film to passing objects."""
 _MEAN_LIGHT = 0.1
-"""Mean light in full wells of the closed form.
-
-Films have three times as much, but a display shows noise where they are dark; with this value the
-closed form ranks codes as the decoder for any code does.
-"""
+"""Mean light in full wells of the closed form. Films have three times as much, but a display shows
+noise where they are dark; with this value the closed form ranks codes as the decoder for any code
+does."""
 _FEWER = 0.9
-"""Factor on the words in a step in which codes exceed their limit.
-
-A move or two reduce the words by a tenth; random bits reach four words per slot after some twenty
-steps.
-"""
+"""Factor on the words in a step in which codes exceed their limit. A move or two reduce the words
+by a tenth; random bits reach four words per slot after some twenty steps."""
 
 
 def search(setup: TrainingSetup, batch: Batch, step: int) -> float:

@@ -43,11 +43,9 @@ _STARTS = (*STARTS, "learned")
 
 @dataclass(frozen=True, eq=False)
 class TrainingSetup:
-    """The objects of a training run.
-
-    `still`: scenes are stills, not clips. `files` are the user's chip and sensor files, by their
-    names in a run folder. `chips` is the number of chips that `emulated` measures.
-    """
+    """The objects of a training run. `still`: scenes are stills, not clips. `files` are the user's
+    chip and sensor files, by their names in a run folder. `chips` is the number of chips that
+    `emulated` measures."""
 
     settings: RunSettings
     protocol: Protocol
@@ -80,10 +78,8 @@ class TrainingSetup:
 
     @cached_property
     def emulated(self) -> EmulatedSensor | None:
-        """The emulated sensor of the initial shutters, if `[sensor] effects` asks for it.
-
-        Places keep it while their codes learn. It takes seconds, once, on the device of the run.
-        """
+        """The emulated sensor of the initial shutters, if `[sensor] effects` asks for it. Places
+        keep it while their codes learn. It takes seconds, once, on the device of the run."""
         if not self.settings.sensor.effects:
             return None
         seed = self.settings.train.seed
@@ -98,11 +94,9 @@ class TrainingSetup:
 
 
 def make_setup(settings: RunSettings, seed: int | None = None) -> TrainingSetup:
-    """Build the objects of a configuration in their initial state.
-
-    Raises Rejected: NS0815 for settings that do not go together, NS0812 for import paths, and the
-    compiler's own errors where the shutters cannot be compiled for the chip.
-    """
+    """Build the objects of a configuration in their initial state. Raises Rejected: NS0815 for
+    settings that do not go together, NS0812 for import paths, and the compiler's own errors where
+    the shutters cannot be compiled for the chip."""
     seed = settings.train.seed if seed is None else seed
     chosen = settings.shutter
     files: dict[str, bytes] = {}
@@ -230,10 +224,8 @@ def started_encoder(chosen: ShutterSettings, chip: Chip, target: Target, seed: i
 
 
 def _begin_as(encoder: Encoder, path: Path, chip: Chip) -> None:
-    """Set an encoder to the shutters of a program.
-
-    Raises ValueError, or Rejected as the compiler, for a program that the encoder cannot represent.
-    """
+    """Set an encoder to the shutters of a program. Raises ValueError, or Rejected as the compiler,
+    for a program that the encoder cannot represent."""
     start = begun_with(path, encoder.spec, chip)
     encoder.load_codes(start.codes)
     if start.opened is None:

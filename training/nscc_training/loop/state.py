@@ -28,10 +28,8 @@ _KEPT = {False: {"step", "exp_avg", "exp_avg_sq"}, True: {"momentum_buffer"}}
 
 @dataclass
 class TrainingProgress:
-    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss.
-
-    `best` holds the tensors of encoder and decoder at that validation.
-    """
+    """Progress of a run: `step` updates are done; `best_loss` is the lowest validation loss. `best`
+    holds the tensors of encoder and decoder at that validation."""
 
     step: int = 0
     best_loss: float = float("inf")
@@ -60,8 +58,8 @@ class TrainingState:
         return tensors
 
     def set(self, tensors: dict[str, Tensor]) -> None:
-        """Load the tensors of `tensors()`; KeyError, RuntimeError or ValueError if they belong to
-        another network."""
+        """Load the tensors of `tensors`; KeyError, RuntimeError or ValueError for another
+        network's."""
         set_tensors(self.setup, tensors)
         if self.average is not None:
             self.average.load_state_dict(_below("average.", tensors))
@@ -70,7 +68,7 @@ class TrainingState:
 
 
 def _other_settings_digest(settings: RunSettings) -> str:
-    """Return the digest of all settings except `train.steps`, which may be increased."""
+    """Return the digest of all settings except `train.steps`, which may increase."""
     return config_digest(replace(settings, train=replace(settings.train, steps=1)))
 
 
@@ -84,7 +82,7 @@ def tensors_of(setup: TrainingSetup) -> dict[str, Tensor]:
 
 
 def set_tensors(setup: TrainingSetup, tensors: dict[str, Tensor]) -> None:
-    """Load the tensors of `tensors_of`; KeyError or RuntimeError if they belong to another network."""
+    """Load the tensors of `tensors_of`; KeyError or RuntimeError for another network's."""
     setup.encoder.load_state_dict(_below("encoder.", tensors))
     setup.decoder.load_state_dict(_below("decoder.", tensors))
 
@@ -110,11 +108,9 @@ def packed(state: TrainingState, scenes: Scenes, progress: TrainingProgress) -> 
 
 
 def unpack(path: Path, state: TrainingState, scenes: Scenes) -> TrainingProgress:
-    """Load a checkpoint into `state`, and return its progress.
-
-    The run may have more steps than the checkpoint. Rejected (NS0816) for a checkpoint that is
-    damaged, or of another configuration or other scenes.
-    """
+    """Load a checkpoint into `state`, and return its progress. The run may have more steps than the
+    checkpoint. Rejected (NS0816) for a checkpoint that is damaged, or of another configuration or
+    other scenes."""
     from safetensors import safe_open
 
     try:

@@ -28,10 +28,8 @@ def decoded(
     setup: TrainingSetup, light: Tensor, shutters: Tensor, model: SensorModel,
     generator: torch.Generator | None,
 ) -> Tensor:  # fmt: skip
-    """Decode a capture of `light` with `shutters`, a repeating tile, of the first bucket.
-
-    A model without noise has no other effects either.
-    """
+    """Decode a capture of `light` with `shutters`, a repeating tile, of the first bucket. A model
+    without noise has no other effects either."""
     if setup.encoder.spec.kind == LOOKS:
         return _decoded_looks(setup, light, shutters, model, generator)
     with torch.autocast(setup.device.type, enabled=False):
@@ -82,20 +80,16 @@ def changes_of(shutters: Tensor) -> Tensor:
 
 
 def compared(prediction: Tensor, batch: Batch) -> tuple[Tensor, Tensor]:
-    """Return prediction and truth relative to the peak, as losses take them.
-
-    As in metrics, light above the peak counts as the peak wherever the truth exceeds it.
-    """
+    """Return prediction and truth relative to the peak, as losses take them. As in metrics, light
+    above the peak counts as the peak wherever the truth exceeds it."""
     relative = prediction / batch.peak.reshape(-1, *([1] * (prediction.ndim - 1)))
     return torch.minimum(relative, batch.most), batch.goal
 
 
 def finite_norm(loss: Tensor, setup: TrainingSetup, names: tuple[str, ...], step: int) -> Tensor:
-    """Return the norm of all gradients of the decoder.
-
-    Raises Rejected (NS0817, status 3), before the update, if the loss or a gradient (of the codes
-    too) is not finite. The message names the batch, so that its scenes can be examined.
-    """
+    """Return the norm of all gradients of the decoder. Raises Rejected (NS0817, status 3), before
+    the update, if the loss or a gradient (of the codes too) is not finite. The message names the
+    batch, so that its scenes can be examined."""
     decoder, codes = (
         {key: p.grad for key, p in module.named_parameters() if p.grad is not None}
         for module in (setup.decoder, setup.encoder)

@@ -288,10 +288,8 @@ def _learn(run: TrainingRun, loss: Tensor, names: tuple[str, ...], step: int) ->
 
 
 class StepLoss(nn.Module):
-    """The loss of a batch in a step: shutters, capture, decoder, and a trial of codes.
-
-    It is a module so that gradients of several processes are averaged.
-    """
+    """The loss of a batch in a step: shutters, capture, decoder, and a trial of codes. It is a
+    module so that gradients of several processes are averaged."""
 
     def __init__(self, setup: TrainingSetup, ranks: Ranks) -> None:
         super().__init__()
@@ -340,10 +338,8 @@ def anneal(setup: TrainingSetup, step: int) -> None:
 
 
 def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> None:
-    """Score the hard shutters, log, and keep the best state whose shutters compile.
-
-    With a moving average of the decoder, the average is scored and kept.
-    """
+    """Score the hard shutters, log, and keep the best state whose shutters compile. With a moving
+    average of the decoder, the average is scored and kept."""
     setup, step = run.setup, run.progress.step
     settings = setup.settings
     dead = setup.encoder.dead_share() if codes_learn(settings, step - 1) else None
@@ -373,11 +369,8 @@ def _validate(run: TrainingRun, loss: float, report: Callable[[str], None]) -> N
 
 
 def take_best(run: TrainingRun) -> None:
-    """Restore the best validated state.
-
-    Raises Rejected without such a state: as the compiler, or NS0850 if no code within
-    `shutter.most_words` was found.
-    """
+    """Restore the best validated state. Raises Rejected without such a state: as the compiler, or
+    NS0850 if no code within `shutter.most_words` was found."""
     setup, most = run.setup, run.setup.settings.shutter.most_words
     if run.progress.best is not None:
         set_tensors(setup, run.progress.best)

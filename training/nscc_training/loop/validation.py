@@ -17,7 +17,7 @@ from nscc_training.data import Scenes
 from nscc_training.loop.decoding import container_of, scene_by_chip, scene_by_model
 from nscc_training.loop.setup import TrainingSetup
 from nscc_training.measures import number
-from nscc_training.protocol_scenes.made import exposed_arrays
+from nscc_training.protocol_scenes.given_scenes import exposed_arrays
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene
 from nscc_training.protocols import Protocol
 from nscc_training.sensor_model import SensorModel
@@ -38,10 +38,8 @@ class Validation:
 
 
 def validation_scenes(setup: TrainingSetup, scenes: Scenes) -> list[ProtocolScene]:
-    """Return at most `val_items` validation scenes, exposed by the run's protocol.
-
-    Clips have as many frames as the run has slots. Rejected (NS0811) if no scene can be exposed.
-    """
+    """Return at most `val_items` validation scenes, exposed by the run's protocol. Clips have as
+    many frames as the run has slots. Rejected (NS0811) if no scene can be exposed."""
     protocol: Protocol = setup.protocol
     key = "crop_size" if setup.still else "size"
     side = min(int(protocol[key]), setup.target.rows, setup.target.cols)
@@ -66,10 +64,8 @@ def validated(
     exposure: float = 1.0,
 ) -> Validation:
     """Score the decoder on scenes; by default under the effects of training (`as_trained`).
-
     `exposure` is a factor on the light that the decoder does not know; the result is divided by it.
-    The scores equal those of `nscc evaluate`.
-    """
+    The scores equal those of `nscc evaluate`."""
     decode = decode or as_trained(setup)
     losses, scores, similar = [], [], []
     for index, scene in enumerate(shown):
@@ -85,10 +81,7 @@ def validated(
 
 def as_trained(setup: TrainingSetup, sensor: Sensor | None = None, seed: int = 0) -> Decode:
     """Return a function that captures and decodes under the run's effects: by the chip, or else by
-    the model.
-
-    `sensor` is the chip's, by default the run's.
-    """
+    the model. `sensor` is the chip's, by default the run's."""
     effects = setup.settings.sensor.effects
     return by_chip(setup, effects, sensor, seed) if effects else by_model(setup, seed=seed)
 

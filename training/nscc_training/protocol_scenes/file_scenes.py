@@ -9,8 +9,8 @@ from typing import Any, Literal
 
 from nscc.diagnostics.rejection import rejected
 from nscc_training.protocol_scenes.deblur import moments
+from nscc_training.protocol_scenes.given_scenes import made_scene
 from nscc_training.protocol_scenes.hdr import ENDINGS, crops
-from nscc_training.protocol_scenes.made import made_scene
 from nscc_training.protocol_scenes.protocol_scene import ProtocolScene, Unusable
 from nscc_training.protocol_scenes.sci import sci_scenes
 from nscc_training.protocol_scenes.video import windows
@@ -30,9 +30,7 @@ _WANTED: dict[str, tuple[Sequence[str], str, str]] = {
 
 def files_of(protocol: Protocol, folder: Path) -> list[Path]:
     """Return the files of a folder that a protocol uses, by name; Rejected (NS0811) without any.
-
-    For sci8 `folder` may be one file.
-    """
+    For sci8 `folder` may be one file."""
     if protocol.name == "sci8" and folder.is_file():
         return [folder]
     return protocol_files(folder, *_WANTED[protocol.name], protocol.name)
@@ -51,10 +49,8 @@ def scenes_in(
 
 
 def protocol_of(kind: Kind, size: int, frames: int, full_well_e: float | None = None) -> Protocol:
-    """Return video-v1 or hdr-v1 with other sizes of scenes, clips and full well.
-
-    The digest is that of the file, but scores under such a protocol are not the protocol's.
-    """
+    """Return video-v1 or hdr-v1 with other sizes of scenes, clips and full well. The digest is that
+    of the file, but scores under such a protocol are not the protocol's."""
     changed: dict[str, Any] = {} if full_well_e is None else {"full_well_e": full_well_e}
     if kind == "clips":
         return load_protocol("video-v1").changed(size=size, frames=frames, **changed)
@@ -80,9 +76,7 @@ def some_scenes(
     protocol: Protocol, data: Path | None, count: int, seed: int = 0
 ) -> list[ProtocolScene]:
     """Return at most `count` scenes, equally many per file; procedural scenes without `data`.
-
-    Rejected (NS0811) if no scene can be exposed as the protocol says.
-    """
+    Rejected (NS0811) if no scene can be exposed as the protocol says."""
     if data is None:
         candidates = [made_scene(index, protocol, seed) for index in range(count)]
     else:

@@ -33,9 +33,7 @@ class Item:
 @dataclass(frozen=True, eq=False)
 class ProtocolScene(ABC):
     """A scene: `light_e` in electrons, over the frame (rows, cols) or per slot (slots, rows, cols).
-
-    `crop` is its corner in a picture, `frame` its first frame in a clip.
-    """
+    `crop` is its corner in a picture, `frame` its first frame in a clip."""
 
     file: Path
     crop: tuple[int, int] | None

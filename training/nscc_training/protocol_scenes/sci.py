@@ -23,11 +23,9 @@ Clip = NDArray[np.float32]
 
 @dataclass(frozen=True, eq=False)
 class SciClip(ProtocolScene):
-    """A clip of the benchmark on 0..1 (8, rows, cols), whose frames are scored one by one.
-
-    `mask` (8, rows, cols) and `measurement` (rows, cols), in units of the full scale of one frame,
-    come from the file.
-    """
+    """A clip of the benchmark on 0..1 (8, rows, cols), whose frames are scored one by one. `mask`
+    (8, rows, cols) and `measurement` (rows, cols), in units of the full scale of one frame, come
+    from the file."""
 
     mask: Clip
     measurement: Clip

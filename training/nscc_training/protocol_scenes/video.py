@@ -24,10 +24,8 @@ Clip = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ClipWindow(ProtocolScene):
-    """A window of a clip: `scale_e` electrons per slot are 1 in the light of the source.
-
-    `srgb`: errors are measured in display encoding.
-    """
+    """A window of a clip: `scale_e` electrons per slot are 1 in the light of the source. `srgb`:
+    errors are measured in display encoding."""
 
     scale_e: float
     srgb: bool

@@ -1,8 +1,6 @@
-"""Choose a code for clips by the motion of the scene, within a limit of words per slot.
-
-No code is best for all scenes: still parts need long exposures, fast parts short exposures at many
-moments. The information in a frame is computed in closed form (`nscc_training.search`).
-"""
+"""Choose a code for clips by the motion of the scene, within a limit of words per slot. No code is
+best for all scenes: still parts need long exposures, fast parts short exposures at many moments.
+The information in a frame is computed in closed form (`nscc_training.search`)."""
 
 from __future__ import annotations
 

@@ -29,12 +29,9 @@ Values = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Motion:
-    """Moving light.
-
-    `speeds` in pixels over the whole frame, equally likely; `length` L in pixels; `contrast`,
-    standard deviation over mean. `noise` is the variance of a frame's value and `counts` its
-    increase per unit of light, both over the square of the mean light of all slots.
-    """
+    """Moving light. `speeds` in pixels over the whole frame, equally likely; `length` L in pixels;
+    `contrast`, standard deviation over mean. `noise` is the variance of a frame's value and
+    `counts` its increase per unit of light, both over the square of the mean light of all slots."""
 
     speeds: tuple[float, ...]
     length: float = 12.0
@@ -44,11 +41,9 @@ class Motion:
 
 
 def told_db(opened: Opened, motion: Motion) -> float:
-    """Return the mean decibels by which a frame reduces the uncertainty of the light.
-
-    `opened` is a tile of shutters (N, rows, cols), 0..1. Compared are the error of a slot's light
-    at a place and its variance.
-    """
+    """Return the mean decibels by which a frame reduces the uncertainty of the light. `opened` is a
+    tile of shutters (N, rows, cols), 0..1. Compared are the error of a slot's light at a place and
+    its variance."""
     windows = _windows(_in_parts(np.asarray(opened, np.float64)))
     decibels = []
     for speed in motion.speeds:
@@ -75,9 +70,7 @@ def _unknown_share(opened: Values, alike: Values, motion: Motion) -> float:
 @cache
 def _alike(slots: int, speed: float, length: float) -> Values:
     """Return the correlation (N, N, places, places) of light at two slots and places of a window.
-
-    It is the mean over directions of a motion of `speed` pixels per frame.
-    """
+    It is the mean over directions of a motion of `speed` pixels per frame."""
     lag = np.subtract.outer(np.arange(slots), np.arange(slots))[:, :, None, None] / slots
     y, x = np.divmod(np.arange(_WINDOW**2), _WINDOW)
     away_y, away_x = np.subtract.outer(y, y), np.subtract.outer(x, x)

@@ -76,10 +76,8 @@ def _from_beside(codes: Codes, places: Where, generator: Generator, *, exchange:
 
 def repeated(spec: ShutterSpec, codes: Codes, generator: Generator) -> Codes:
     """Return the tile as copies of one of its blocks, each later than those above and to the left.
-
     From one place this makes shutters that open in sequence, from a pattern its phases: tiles that
-    small steps do not reach.
-    """
+    small steps do not reach."""
     high, wide = (int(generator.choice([p for p in _PERIODS if p <= side])) for side in spec.tile)
     first_row, first_col = (int(generator.integers(side)) for side in spec.tile)
     down, right = (int(value) for value in generator.integers(0, spec.slots, 2))
@@ -149,9 +147,7 @@ def _rows(spec: ShutterSpec, codes: Codes, places: Where, generator: Generator) 
 
 def _reshaped(opened: NDArray[np.bool_], generator: Generator) -> NDArray[np.bool_]:
     """Shift shutters (N, rows, cols) around the frame, lengthen or shorten them, or flip one slot.
-
-    Shutters that would never open stay unchanged.
-    """
+    Shutters that would never open stay unchanged."""
     kind = generator.integers(4)
     beside = np.roll(opened, int(generator.choice((-1, 1))), axis=0)
     if kind == 0:

@@ -21,9 +21,7 @@ _SHARES = (0.1, 0.3, 0.5, 0.7, 0.9)
 
 def speeds_of(clip: Clip) -> tuple[float, ...]:
     """Return five speeds, in pixels over the whole clip (T, rows, cols), that represent its blocks.
-
-    They are measured by phase correlation. Zeros for one frame, or without contrast.
-    """
+    They are measured by phase correlation. Zeros for one frame, or without contrast."""
     import cv2
 
     _, rows, cols = clip.shape
@@ -59,9 +57,7 @@ def texture_of(picture: NDArray[np.floating]) -> tuple[float, float]:
 
 def _speed(cv2: Any, block: NDArray[np.float64], window: NDArray[Any]) -> float:
     """Return the speed of a block (T, rows, cols) in pixels per frame: the median over its frames.
-
-    For slow motion, frames further apart are compared.
-    """
+    For slow motion, frames further apart are compared."""
 
     def median(gap: int) -> float:
         shifts = [

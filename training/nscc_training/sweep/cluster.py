@@ -62,10 +62,8 @@ def local_workers(workers: int, threads: int) -> Iterator[Executor]:
 
 @contextmanager
 def scheduler_workers(scheduler: str) -> Iterator[Executor]:
-    """Use the workers of a scheduler, which must see the same files under the same paths.
-
-    Raises Rejected (NS0835) if it does not answer.
-    """
+    """Use the workers of a scheduler, which must see the same files under the same paths. Raises
+    Rejected (NS0835) if it does not answer."""
     from distributed import Client
 
     try:
@@ -114,11 +112,8 @@ def _computed(client: Client, tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def _finished(future: Future, task: PointTask) -> Done:
-    """Return the result of a task, or a failure if its worker died.
-
-    Raises ModuleNotFoundError if a package is missing, because other points of the kind would fail
-    too.
-    """
+    """Return the result of a task, or a failure if its worker died. Raises ModuleNotFoundError if a
+    package is missing, because other points of the kind would fail too."""
     if future.status == "finished":
         result: Done = future.result()
         return result

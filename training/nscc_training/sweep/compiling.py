@@ -1,4 +1,4 @@
-"""Points of kind compile, the costs of a program, and of kind limits, the largest size of a class."""
+"""Points of kind compile (costs of a program) and limits (largest size of a class)."""
 
 from __future__ import annotations
 

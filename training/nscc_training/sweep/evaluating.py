@@ -74,10 +74,8 @@ def _evaluate(values: Values, place: Place) -> Figures:
 
 
 def means_of(items: Sequence[Mapping[str, Any]]) -> dict[str, float | None]:
-    """Return the mean of each score over the items that have it.
-
-    Some items lack a score: a crop without dark pixels has no score of dark pixels.
-    """
+    """Return the mean of each score over the items that have it. Some items lack a score: a crop
+    without dark pixels has no score of dark pixels."""
     from nscc_training.statistics import summary
 
     means = {}

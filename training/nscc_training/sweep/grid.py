@@ -71,11 +71,8 @@ class Plot:
 
 @dataclass(frozen=True)
 class Grid:
-    """A grid read from a file `name` in a `folder`.
-
-    `columns` are the keys that any part names, in the order of the file; `axes` are those with
-    several values in a part. `text` is the file's.
-    """
+    """A grid read from a file `name` in a `folder`. `columns` are the keys that any part names, in
+    the order of the file; `axes` are those with several values in a part. `text` is the file's."""
 
     name: str
     folder: Path
@@ -87,11 +84,8 @@ class Grid:
 
 
 def read_grid(path: Path) -> Grid:
-    """Read the grid in a file.
-
-    Raises Rejected, status 2, with all mistakes at once: NS0830 for a file that cannot be read or
-    is not TOML, NS0831 for unknown keys, NS0832 for wrong values.
-    """
+    """Read the grid in a file. Raises Rejected, status 2, with all mistakes at once: NS0830 for a
+    file that cannot be read or is not TOML, NS0831 for unknown keys, NS0832 for wrong values."""
     head = _schema({})
     tables, source = file_table(head, file_bytes(head, path), str(path))
     grid_parts: dict[str, dict[str, Any]] = {}
@@ -133,10 +127,7 @@ def read_grid(path: Path) -> Grid:
 
 def of_parts(grid: Grid, grid_parts: Sequence[str]) -> Grid:
     """Return the grid with the points of `grid_parts` alone, by default all, and the runs that they
-    name.
-
-    Rejected (NS0832) for a part that the grid does not have.
-    """
+    name. Rejected (NS0832) for a part that the grid does not have."""
     known_parts = tuple(dict.fromkeys(point.grid_part for point in grid.points))
     for grid_part in grid_parts:
         if grid_part not in known_parts:
@@ -287,11 +278,9 @@ def _points(
 def _linked(
     points: Sequence[GridPoint], schema: Schema[Key], source: Source
 ) -> tuple[GridPoint, ...]:
-    """Return the points, each with the points whose runs its values name: `run:NAME`.
-
-    Rejected (NS0832) unless one point of kind train has the name, and for points that name each
-    other in a circle.
-    """
+    """Return the points, each with the points whose runs its values name: `run:NAME`. Rejected
+    (NS0832) unless one point of kind train has the name, and for points that name each other in a
+    circle."""
     trained = [point for point in points if point.kind == "train"]
     runs = {point.name: point for point in trained}
     count = Counter(point.name for point in trained)

@@ -21,10 +21,8 @@ def looks_table(
     data: Path, out: Path, seed: int = 0, track: Progress = unseen
 ) -> tuple[list[dict[str, Any]], str]:
     """Return the results of hdr-v1's pixels that look under all conditions, and their table.
-
     `out` is the folder of a sweep, which continues where it ended. Rejected (NS0811) without
-    panoramas.
-    """
+    panoramas."""
     files_of(load_protocol("hdr-v1"), data)
     package = files("nscc_training.sweep")
     text = (package / "looks.toml").read_text(encoding="utf-8")

@@ -30,7 +30,8 @@ class PointFault:
 
 @dataclass(frozen=True)
 class Place:
-    """Paths and resources of a point: its files begin with the path `files`; it may use `threads`."""
+    """Paths and resources of a point. Its files begin with the path `files`; it may use `threads`
+    threads."""
 
     files: Path
     threads: int
@@ -73,11 +74,8 @@ class PointKind:
 
 @dataclass(frozen=True)
 class GridPoint:
-    """One combination of a part's values.
-
-    `name` is unique in the grid. `after` are the points whose runs the values name: `run:NAME`
-    stands for the folder of a run.
-    """
+    """One combination of a part's values. `name` is unique in the grid. `after` are the points
+    whose runs the values name: `run:NAME` stands for the folder of a run."""
 
     grid_part: str
     kind: str

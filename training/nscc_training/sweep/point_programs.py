@@ -79,10 +79,8 @@ def program_keys() -> tuple[Key, ...]:
 
 
 def program_fault(values: Values, named: Collection[str]) -> PointFault | None:
-    """Return the fault of a combination of values of `program_keys`, or None.
-
-    `named` are the keys that the grid names.
-    """
+    """Return the fault of a combination of values of `program_keys`, or None. `named` are the keys
+    that the grid names."""
     sources = [name for name in SOURCES if name in values]
     if len(sources) != 1:
         have = " and ".join(sources) or "none of them"
@@ -106,10 +104,8 @@ def target_fault(values: Values) -> PointFault | None:
 
 
 def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> PointFault | None:
-    """Return the fault of naming a key that does not apply to a point, or None.
-
-    Points that differ only in such a key would be identical.
-    """
+    """Return the fault of naming a key that does not apply to a point, or None. Points that differ
+    only in such a key would be identical."""
     name = next((key for key in keys if key in named), None)
     if name is None:
         return None
@@ -119,7 +115,7 @@ def silent(named: Collection[str], keys: Sequence[str], point_text: str) -> Poin
 
 
 def program_files(values: Values) -> Sequence[Path]:
-    """Return the files that determine a program: its text, the files that it names, and its chip's."""
+    """Return the files that determine a program: its text, files that it names, its chip's."""
     files: list[Path] = []
     if "program" in values:
         files += text_files(Path(values["program"]))
@@ -129,7 +125,7 @@ def program_files(values: Values) -> Sequence[Path]:
 
 
 def text_files(path: Path) -> list[Path]:
-    """Return a program's file and all files that it names; Rejected if it cannot be read."""
+    """Return a program's file and the files that it names; Rejected for unreadable files."""
     named = re.findall(r'"([^"\n]{1,255})"', read_source(path).text)
     return [path, *(path.parent / name for name in named)]
 
@@ -145,8 +141,8 @@ def target_of(values: Values) -> Target | None:
 
 
 def compiled_of(values: Values) -> Compiled:
-    """Compile and prove a point's program, without the cache of searches; Rejected if it is wrong
-    or does not fit."""
+    """Compile and prove a point's program, without the cache of searches. Raises Rejected for a
+    program that is wrong or does not fit."""
     options = Options(
         level=values["level"], codes=values["codes"], lowering=values["lowering"],
         target=target_of(values), cache=False, max_words_per_slot=values["max_words"],

@@ -33,11 +33,8 @@ _NAMED = {"train": "runs", "evaluate": "results", "design": "programs"}
 
 @dataclass(frozen=True)
 class How:
-    """Where points are computed.
-
-    `workers` processes of `threads` threads each on this machine (0: in this process), or those of
-    a `scheduler`. `again` recomputes points that failed.
-    """
+    """Where points are computed. `workers` processes of `threads` threads each on this machine (0:
+    in this process), or those of a `scheduler`. `again` recomputes points that failed."""
 
     workers: int = 0
     threads: int = 1
@@ -207,10 +204,8 @@ def _compute(
 def _shared(
     store: ExperimentStore, tasks: Sequence[PointTask], execute: Callable[..., Iterator[Done]]
 ) -> Iterator[Done]:
-    """Yield the results of tasks, waiting for tasks that another process computes.
-
-    A task whose process ended without a result is taken over.
-    """
+    """Yield the results of tasks, waiting for tasks that another process computes. A task whose
+    process ended without a result is taken over."""
     waiting = [*tasks]
     while waiting:
         claimed_tasks: list[PointTask] = []

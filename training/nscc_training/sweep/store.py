@@ -16,10 +16,8 @@ POINTS = "points"
 
 
 def store_in(folder: Path) -> ExperimentStore:
-    """Return the store of a folder, which is made.
-
-    Rejected (NS0784) if the folder cannot be written, and as `ExperimentStore`.
-    """
+    """Return the store of a folder, which is made. Rejected (NS0784) if the folder cannot be
+    written, and as `ExperimentStore`."""
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:

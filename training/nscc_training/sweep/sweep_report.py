@@ -45,10 +45,8 @@ def report_html(grid: Grid, table: Table, diagram: bytes | None) -> str:
 
 
 def diagram_of(grid: Grid, table: Table) -> bytes | None:
-    """Return the diagram that the grid asks for, or a suitable one.
-
-    None for a single point, or without numbers. Rejected (NS0832) for unknown columns.
-    """
+    """Return the diagram that the grid asks for, or a suitable one. None for a single point, or
+    without numbers. Rejected (NS0832) for unknown columns."""
     from nscc_runtime.pictures.sheet import png_of
 
     if not table.figures:
@@ -97,11 +95,8 @@ def _drawn(grid: Grid, table: Table) -> list[str]:
 def _lines(
     table: Table, x: str, figure: str, lines: Sequence[str], chosen: dict[str, Any]
 ) -> dict[str, list[tuple[Any, float]]]:
-    """Return the points of each line of a panel.
-
-    Against an axis they are sorted, and averaged where several have the same position; against a
-    figure they follow the order of the table.
-    """
+    """Return the points of each line of a panel. Against an axis they are sorted, and averaged
+    where several have the same position; against a figure they follow the order of the table."""
     columns = table.columns
     points_by_line: dict[str, list[tuple[Any, float]]] = {}
     for index in range(len(table)):

@@ -29,10 +29,8 @@ def _keys() -> tuple[Key, ...]:
 
 
 def _settings(values: Values) -> RunSettings:
-    """Return the settings of the configuration, or the defaults, as the point changes them.
-
-    Raises Rejected as `load_config`.
-    """
+    """Return the settings of the configuration, or the defaults, as the point changes them. Raises
+    Rejected as `load_config`."""
     changes = [
         f"{key.path} = {written(key.kind.plain(values[key.path]))}"
         for key in SCHEMA.keys

@@ -29,9 +29,7 @@ threads computes one point at a time."""
 @dataclass(frozen=True)
 class PointTask:
     """A point to compute: its paths are relative to `folder`, and its output begins with `files`.
-
-    `runs` are the run folders that its values name, by value.
-    """
+    `runs` are the run folders that its values name, by value."""
 
     point: GridPoint
     key: str
@@ -43,10 +41,8 @@ class PointTask:
 
 @dataclass(frozen=True)
 class Done:
-    """The row of a task, its time and worker.
-
-    `failed`: it may be tried again. `other_key`: the key computed by the worker, if it differs.
-    """
+    """The row of a task, its time and worker. `failed`: it may be tried again. `other_key`: the key
+    computed by the worker, if it differs."""
 
     task: PointTask
     row: PointRow
@@ -64,10 +60,8 @@ def serially(tasks: Iterable[PointTask]) -> Iterator[Done]:
 
 
 def work(task: PointTask) -> Done:
-    """Compute a task in this process.
-
-    Errors become part of the row, except ModuleNotFoundError for a missing package.
-    """
+    """Compute a task in this process. Errors become part of the row, except ModuleNotFoundError for
+    a missing package."""
     with _ONE, chdir(task.folder), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # what compilers and scenes say of a point
         current_key = key_of(task.point, task.threads)

@@ -61,11 +61,9 @@ class Settings:
 
 @dataclass(frozen=True, eq=False)
 class Way:
-    """A decoder with its settings; `run` gives electrons, over the frame or a slot.
-
-    `device`: where that is not the processor. `loads` tells settings apart that do not load and
-    compile the same things.
-    """
+    """A decoder with its settings; `run` gives electrons, over the frame or a slot. `device`: where
+    that is not the processor. `loads` tells settings apart that do not load and compile the same
+    things."""
 
     method: str
     setting: str
@@ -123,11 +121,9 @@ def cases(runs: Sequence[RunFolder], settings: Settings) -> list[Case]:
 def measure(
     todo: Sequence[Case], settings: Settings, progress: Progress = iter, rows: Rows | None = None
 ) -> tuple[list[Point], int]:
-    """Return two points for each decoder of each case, and how often everything was timed.
-
-    A time is that of one scene, the mean over the scenes; the repeats go round all decoders. What
-    `rows` knows is not decoded again.
-    """
+    """Return two points for each decoder of each case, and how often everything was timed. A time
+    is that of one scene, the mean over the scenes; the repeats go round all decoders. What `rows`
+    knows is not decoded again."""
     rows = rows or Rows()
     watch = Stopwatch()
     turns = [(case, way) for case in todo for way in case.ways]
@@ -166,10 +162,8 @@ def _timed(watch: Stopwatch, case: Case, way: Way, *, scores: bool) -> dict[str,
 
 
 def scored(case: Case, lights: Sequence[Light]) -> tuple[float, float]:
-    """Return PSNR in dB and SSIM, means over the scenes, as the protocol counts them.
-
-    Scenes without any error count for SSIM alone, unless all are such.
-    """
+    """Return PSNR in dB and SSIM, means over the scenes, as the protocol counts them. Scenes
+    without any error count for SSIM alone, unless all are such."""
     pairs = zip(case.captures, lights, strict=True)
     found = [frames.scene.scores(light) for frames, light in pairs]
     psnr_db = finite_mean(number(scores["psnr_db"]) for scores in found)

@@ -39,11 +39,9 @@ class _Way(NamedTuple):
 
 
 def decoding(bench: Bench) -> Found:
-    """Decoders by iterations, stages and precision: seconds for a frame with every effect.
-
-    Pictures where all shutters open with the frame or pixels look, clips else, as `nscc
-    reconstruct any` makes them. Raises ModuleNotFoundError without torch where one is needed.
-    """
+    """Decoders by iterations, stages and precision: seconds for a frame with every effect. Pictures
+    where all shutters open with the frame or pixels look, clips else, as `nscc reconstruct any`
+    makes them. Raises ModuleNotFoundError without torch where one is needed."""
     taken = bench.taken
     container = bench.container
     notes: list[str] = []
@@ -90,7 +88,7 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
     if coded.is_still:
         truth = np.asarray(light.total_e())[None]
         yield _Way("merged", "neighbours", partial(_merged, bench, taken), truth)
-        still = coded.still()
+        still = coded.still().tensors()
         yield _Way("any", _stages(STILL_STAGES), lambda: decoded_still(still).numpy(), truth)
         yield from _of_run(bench, taken, truth)
         return
@@ -100,7 +98,7 @@ def _of_codes(bench: Bench, taken: Simulated, notes: list[str]) -> Iterator[_Way
         notes.append(f"clips were decoded on the middle {rows} x {cols} pixels")
     part, clip = coded.part(*middle), np.asarray(light.part(*middle).dense())
     slots = (part.slot_us / part.slot_us.mean()).astype(np.float32)[:, None, None]
-    measured = part.clip()
+    measured = part.clip().tensors()
     if len(container.buckets) == 1 and np.all(part.slot_us == part.slot_us[0]):
         for count in TV_ITERATIONS:
             run = partial(_by_tv, measured, count)

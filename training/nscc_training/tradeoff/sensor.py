@@ -86,10 +86,8 @@ class Settings:
 
 @dataclass(frozen=True)
 class Configuration:
-    """One shutter, one way to compile it; `exposures` are those of a pixel that looks.
-
-    Programs of pixels that look have one code and one lowering.
-    """
+    """One shutter, one way to compile it; `exposures` are those of a pixel that looks. Programs of
+    pixels that look have one code and one lowering."""
 
     kind: Kind
     shutters: str
@@ -142,11 +140,9 @@ def configurations(settings: Settings) -> list[Configuration]:
 
 
 def measure(settings: Settings, progress: Progress = iter, rows: Rows | None = None) -> Measured:
-    """Compile each configuration, and capture and decode the scenes with its words.
-
-    The time of a point is the shortest slot. What `rows` knows is not measured again. Raises
-    Rejected for data that does not serve, and for a target that does not exist.
-    """
+    """Compile each configuration, and capture and decode the scenes with its words. The time of a
+    point is the shortest slot. What `rows` knows is not measured again. Raises Rejected for data
+    that does not serve, and for a target that does not exist."""
     target = load_target(settings.target, Path())
     todo = configurations(settings)
     benches = {kind: Bench.of(kind, target, settings) for kind in {each.kind for each in todo}}
@@ -181,10 +177,8 @@ def _row(each: Configuration, bench: Bench) -> dict[str, Any]:
 def compiled_for(
     each: Configuration, shutters: Encoder | Schedule, bench: Bench
 ) -> Compiled | Diagnostic:
-    """Return the configuration compiled for the slots that it is captured with, or why not.
-
-    Words do not depend on the slot's length but for refresh, which shorter slots need less of.
-    """
+    """Return the configuration compiled for the slots that it is captured with, or why not. Words
+    do not depend on the slot's length but for refresh, which shorter slots need less of."""
     settings = bench.settings
 
     def compiled(slot_us: float) -> Compiled | Diagnostic:

@@ -1,4 +1,4 @@
-"""What can go wrong with a device, as messages with a way out."""
+"""Errors of devices as messages with remedies."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from nscc_runtime.device.port import PortTrouble
 
 FAILED = 3
 TOO_LONG, NO_BREATH, FADES = 7, 8, 9
-"""What may be wrong with a schedule's times: details of the fault SCHEDULE."""
+"""Details of the fault SCHEDULE: invalid times of a schedule."""
 _UNTIMED = {
     TOO_LONG: "they last longer than its clock counts",
     NO_BREATH: "they keep it from its other work for more than two seconds",
@@ -33,7 +33,7 @@ def rejected(code: str, message: str, *helps: str, **options: Any) -> Rejected:
 
 
 def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
-    """NS0760, or NS0761 for a port that is in use."""
+    """Return NS0760, or NS0761 for a port that is in use."""
     shown = port[:200]
     if trouble.kind == "busy":
         return rejected(
@@ -54,7 +54,7 @@ def port_trouble(port: str, trouble: PortTrouble) -> Rejected:
 
 
 def port_lost(port: str, seconds: float) -> Rejected:
-    """NS0766 for a port that went away and did not come back."""
+    """Return NS0766 for a port that was lost and did not return."""
     return rejected(
         "NS0766",
         f"the device at '{port[:200]}' was lost, and did not come back within {seconds:g} s",
@@ -65,7 +65,7 @@ def port_lost(port: str, seconds: float) -> Rejected:
 
 @contextmanager
 def explained(port: str, patience_s: float) -> Iterator[None]:
-    """Turn what a host's task raises into messages about the device at `port`."""
+    """Turn exceptions of a host's task into messages about the device at `port`."""
     try:
         yield
     except Silent as silent:
@@ -161,7 +161,7 @@ def _refused(port: str, refused: RequestRefused) -> Rejected:
 
 
 def no_program(port: str) -> Rejected:
-    """NS0771: there is nothing to expose with."""
+    """Return NS0771: the device has no program."""
     return rejected(
         "NS0771",
         f"the device at '{port[:200]}' holds no program",
@@ -170,7 +170,7 @@ def no_program(port: str) -> Rejected:
 
 
 def states_lost(port: str) -> Rejected:
-    """NS0774: a frame does not go on from the one before it."""
+    """Return NS0774: the states of the previous frame were lost."""
     return rejected(
         "NS0774",
         f"the device at '{port[:200]}' lost what its pixels keep from frame to frame",
@@ -180,7 +180,7 @@ def states_lost(port: str) -> Rejected:
 
 
 def wrong_target(port: str, target: Target, info: Info) -> Rejected:
-    """NS0764: the program is for another chip than the loader's."""
+    """Return NS0764: the program is for another chip."""
     at = f"the device at '{port[:200]}'"
     theirs, ours = info.target_name, target.name
     if theirs != ours:
@@ -201,7 +201,7 @@ def wrong_target(port: str, target: Target, info: Info) -> Rejected:
 
 
 def check_fits(port: str, upload: Upload, target: Target, info: Info, channels: int) -> None:
-    """Refuse what the loader would refuse, before anything is sent: NS0764, NS0765, NS0767."""
+    """Refuse programs that the loader would refuse, before sending: NS0764, NS0765, NS0767."""
     if target_digest(target) != info.target:
         raise wrong_target(port, target, info)
     pixels = info.rows * info.cols

@@ -34,11 +34,9 @@ def made_scene(index: int, protocol: Protocol, seed: int) -> ProtocolScene | Unu
 def exposed_arrays(
     lights: Iterable[tuple[str, NDArray[Any]]], srgb: bool, protocol: Protocol, count: int
 ) -> list[ProtocolScene]:
-    """Return at most `count` scenes of the given light, taking the arrays in turn.
-
-    `lights` are (rows, cols) of stills, (T, rows, cols) of clips; `srgb` selects the encoding in
-    which errors of clips are measured.
-    """
+    """Return at most `count` scenes of the given light, taking the arrays in turn. `lights` are
+    (rows, cols) of stills, (T, rows, cols) of clips; `srgb` selects the encoding in which errors of
+    clips are measured."""
     scenes_by_array = [_of_array(Path(name), light, srgb, protocol) for name, light in lights]
     turns = (scene for turn in zip_longest(*scenes_by_array) for scene in turn)
     scenes: list[ProtocolScene] = []

@@ -1,4 +1,4 @@
-"""Colours of pictures: on white paper, and on a dark screen."""
+"""Colours of pictures: light and dark."""
 
 from __future__ import annotations
 
@@ -9,19 +9,16 @@ from dataclasses import dataclass
 from typing import Any
 
 MARKERS = "osD^vP"
-"""As many as have no divisor in common with a look's series: 42 series differ in one of both."""
+"""Markers, coprime in number with the series colours: 42 series differ in colour or marker."""
 _LEGIBLE = 4.5
-"""The least contrast of small type (Web Content Accessibility Guidelines 2.2, 1.4.3)."""
+"""Minimum contrast of small type (Web Content Accessibility Guidelines 2.2, 1.4.3)."""
 
 
 @dataclass(frozen=True)
 class Look:
-    """The colours of a picture, all as `#rrggbb`.
-
-    `paper` is below everything, `ink` and `faint` are its type, `grid` its thinnest lines, `closed`
-    its areas that say nothing, `bar` its bars that stand behind marks. `series` are seven that the
-    colour-blind tell apart.
-    """
+    """The colours of a picture, all as `#rrggbb`. `paper` is the background, `ink` and `faint` are
+    its type, `grid` its thinnest lines, `closed` its empty areas, `bar` its bars behind marks.
+    `series` are seven colours that the colour-blind can distinguish."""
 
     paper: str
     ink: str
@@ -32,19 +29,19 @@ class Look:
     series: tuple[str, ...]
 
     def of(self, number: int) -> dict[str, Any]:
-        """The colour and marker of a series."""
+        """Return the colour and the marker of a series."""
         return {
             "color": self.series[number % len(self.series)],
             "marker": MARKERS[number % len(MARKERS)],
         }
 
     def type_in(self, colour: str) -> str:
-        """The colour, as near to the ink as small type in it must be to be read on the paper."""
+        """Return the colour, mixed with ink until small type in it is legible on the paper."""
         mixed = (_mix(colour, self.ink, step / 20) for step in range(21))
         return next((shade for shade in mixed if contrast(shade, self.paper) >= _LEGIBLE), self.ink)
 
     def on(self, colour: str) -> str:
-        """The type that shows best on an area of this colour: ink, or paper left free."""
+        """Return the more legible type colour, ink or paper, on an area of a colour."""
         return max(self.ink, self.paper, key=lambda type_: contrast(type_, colour))
 
 
@@ -65,13 +62,13 @@ _current: ContextVar[Look] = ContextVar("look", default=LIGHT)
 
 
 def look() -> Look:
-    """That of the pictures being drawn."""
+    """Return the colours of the pictures being drawn."""
     return _current.get()
 
 
 @contextmanager
 def looking(chosen: Look) -> Iterator[None]:
-    """Pictures within are drawn and saved in this look."""
+    """Draw and save the pictures of this block in these colours."""
     before = _current.set(chosen)
     try:
         yield
@@ -80,7 +77,7 @@ def looking(chosen: Look) -> Iterator[None]:
 
 
 def contrast(colour: str, other_colour: str) -> float:
-    """The ratio of two colours' luminances, 1 to 21, as the WCAG define it."""
+    """Return the contrast of two colours, 1 to 21, as the WCAG defines it."""
     dark, light = sorted((_luminance(colour), _luminance(other_colour)))
     return (light + 0.05) / (dark + 0.05)
 

@@ -1,4 +1,4 @@
-"""Finished runs in Python: what was learned, how, and what it makes of frames."""
+"""Finished runs in Python: learned shutters, training curves, captures and reconstructions."""
 
 from __future__ import annotations
 
@@ -38,18 +38,24 @@ _CURVES = "metrics.csv"
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Run:
-    """A run that `nscc train` finished: `folder` holds its parts, loaded."""
+    """A finished training run.
+
+    Parameters
+    ----------
+    folder : RunFolder
+        The loaded parts of the run.
+    """
 
     folder: RunFolder
 
     @property
     def path(self) -> Path:
-        """Its folder."""
+        """The folder of the run."""
         return self.folder.path
 
     @property
     def still(self) -> bool:
-        """Whether it reconstructs pictures, and not clips."""
+        """Whether the run reconstructs pictures instead of clips."""
         return self.folder.setup.still
 
     @property
@@ -64,17 +70,17 @@ class Run:
 
     @property
     def result(self) -> dict[str, Any]:
-        """What it is worth: `result.json`."""
+        """The scores of the run: `result.json`."""
         return self.folder.result
 
     @cached_property
     def program(self) -> ShutterProgram:
-        """The learned shutters as a program, `shutter.nsl`, compiled as `nscc run` does it."""
+        """The learned shutters as a program, `shutter.nsl`, compiled as by `nscc run`."""
         return compile(self.path / "shutter.nsl", target=self.folder.setup.chip.file)
 
     @cached_property
     def curves(self) -> dict[str, NDArray[np.float64]]:
-        """The columns of `metrics.csv`, NaN where nothing is said; `split` is 1 where it is val."""
+        """The columns of `metrics.csv`, NaN for empty cells; `split` is 1 for validation rows."""
         with open(self.path / _CURVES, encoding="utf-8", newline="") as file:
             rows = [*csv.DictReader(file)]
 
@@ -87,10 +93,20 @@ class Run:
         return {name: np.array([number(name, row[name]) for row in rows]) for name in names}
 
     def capture(self, light: LightLike, **options: Any) -> Capture:
-        """A frame as the decoder knows them: of the run's program, on its sensor; a scene that does
-        not say how bright it is gets the run's exposure, as with `nscc run --like`.
+        """Capture a scene with the program and sensor of the run.
 
-        `light` and `options` as of `nscc_runtime.capture`.
+        A scene without exposure gets that of the run, as with `nscc run --like`.
+
+        Parameters
+        ----------
+        light : array, Light, Scene or str
+            As for `nscc_runtime.capture`.
+        **options
+            Further arguments of `nscc_runtime.capture`.
+
+        Returns
+        -------
+        Capture
         """
         like = run_capture(self.path)
         if isinstance(light, str | os.PathLike):
@@ -110,15 +126,29 @@ class Run:
         force: bool = False,
         dark: Capture | str | os.PathLike[str] | None = None,
     ) -> NDArray[np.float32]:
-        """What the decoder makes of a frame: electrons over the frame (rows, cols), or of a clip
-        electrons a slot (T, rows, cols): the unit of `Capture.truth_e`. Of a frame in colours red,
-        green and blue are an axis at the end.
+        """Decode a frame.
 
-        `frame`: a capture, a frame file, or codes of the converter (rows, cols), of two buckets (2,
-        rows, cols), of which nothing is known and which are believed. `dark` is a capture or file
-        without light, of many repeats, whose mean is taken from a capture or file. Raises Rejected
-        (NS0819) for a frame of another program or sensor, or a dark one of another program or with
-        light, which with `force` is a warning; WrongArgument for what is no frame.
+        Parameters
+        ----------
+        frame : Capture, str, PathLike or array of int
+            A capture, a frame file, or codes of the converter, (rows, cols) or of two buckets (2,
+            rows, cols). Codes are not checked against program and sensor.
+        force : bool
+            Warn instead of refusing a frame of another program or sensor.
+        dark : Capture, str or PathLike, optional
+            A capture without light, with many repeats. Its mean is subtracted.
+
+        Returns
+        -------
+        array of float32
+            Electrons over the frame (rows, cols), or electrons per slot (T, rows, cols) of a clip,
+            the unit of `Capture.truth_e`. Colours are the last axis.
+
+        Raises
+        ------
+        Rejected
+            NS0819 for a frame of another program or sensor, or a dark frame of another program or
+            with light; NS0789 for other arguments.
         """
         if isinstance(frame, str | os.PathLike):
             read, name = read_frame(Path(frame)), str(frame)
@@ -171,7 +201,7 @@ class Run:
         return f", {scores_db[-1]:.2f} dB" if scores_db else ""
 
     def _shutters(self) -> html.Html:
-        """The chart of the distinct shutters of the tile, with the first code of each."""
+        """Return the chart of the distinct shutters of the tile, with the first code of each."""
         spec, codes = self.encoder.spec, self.encoder.codes()
         if spec.kind == LOOKS:
             return html.Html()  # when a pixel is open hangs on the light
@@ -188,7 +218,7 @@ class Run:
         return shutter_chart(np.stack([rows, ~rows], axis=1), labels, slot_us, ("first", "second"))
 
     def _dark(self, dark: Capture | str | os.PathLike[str]) -> Dark:
-        """A frame without light."""
+        """Return a frame without light."""
         if not isinstance(dark, Capture):
             return read_dark(Path(dark), self.folder.setup.buckets)
         codes = dark.frame.reshape(-1, *dark.frame.shape[-3:])
@@ -197,7 +227,7 @@ class Run:
         return Dark("the dark capture", offset, dark.meta, dark.container.slot_us, full)
 
     def _codes(self, frame: object) -> NDArray[np.uint8]:
-        """Codes that were given as an array."""
+        """Return codes from an array."""
         target = self.folder.setup.target
         size: tuple[int, ...] = (target.rows, target.cols)
         if self.folder.setup.buckets > 1:
@@ -218,12 +248,23 @@ class Run:
 
 
 def load_run(path: str | os.PathLike[str], *, trust_code: bool = False) -> Run:
-    """The run in a folder, or the one that comes with nscc under that name: hdr, clip.
+    """Load a finished run.
 
-    Raises Rejected (NS0818) where there is none, or it did not finish.
+    Parameters
+    ----------
+    path : str or PathLike
+        A folder, or the name of a shipped run: hdr, clip.
+    trust_code : bool
+        Allow a run that names Python code of its own, which loading executes.
 
-    A run that names Python code of its maker's is loaded only with `trust_code` (NS0823): loading
-    it runs that code.
+    Returns
+    -------
+    Run
+
+    Raises
+    ------
+    Rejected
+        NS0818 if the folder contains no finished run, NS0823 if the run needs `trust_code`.
     """
     if not isinstance(path, str | os.PathLike):
         raise wrong_argument(f"load_run takes the folder of a run, not {shown(path)}")

@@ -1,0 +1,142 @@
+"""What a compiled loop is given under a name, and what is checked of it (see
+`nscc_runtime.loop`)."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, get_args, get_origin, get_type_hints
+
+import numpy as np
+
+WRITTEN = object()
+"""The note of an array that a loop writes."""
+
+_DATA = object.__basicsize__
+"""Where an array keeps the address of its numbers: numpy's C interface has it first of all, after
+what every object begins with. Other ways there take four times as long."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """What a loop is given under a name: a record, or an array of numbers or of records.
+
+    `axes` are the name and the surplus of each axis, None where any shape will do: an axis is as
+    long as the field of that name in a record, one of its `lengths`, and as in the other arrays.
+    """
+
+    name: str
+    kind: np.dtype[Any]
+    record: type[ctypes.Structure] | None = None
+    written: bool = False
+    axes: tuple[tuple[str, int], ...] | None = None
+    lengths: tuple[str, ...] = ()
+
+    @classmethod
+    def of(cls, name: str, hint: Any) -> Parameter:
+        """A parameter from its annotation."""
+        hint, *notes = get_args(hint) if get_origin(hint) is Annotated else (hint,)
+        if not get_origin(hint):
+            return cls(name, np.dtype(hint), hint)
+        records = [note for note in notes if isinstance(note, type)]
+        axes = [tuple(map(_axis, note.split())) for note in notes if isinstance(note, str)]
+        return cls(
+            name,
+            np.dtype(records[0] if records else get_args(get_args(hint)[1])[0]),
+            written=WRITTEN in notes,
+            axes=axes[0] if axes else None,
+        )
+
+    @property
+    def parts(self) -> tuple[Parameter, ...]:
+        """Itself: what has an address of its own."""
+        return (self,)
+
+    def sized(self, axes: set[str]) -> Parameter:
+        """The same; of its record's fields those that are named there are lengths of axes."""
+        return replace(self, lengths=tuple(n for n in self.kind.names or () if n in axes))
+
+    def addresses(self, value: Any, axes: dict[str, int]) -> tuple[int]:
+        """Where a value begins; raises TypeError for one that is not as declared.
+
+        `axes` are the lengths that are known, and are added to.
+        """
+        return (self._address(value, axes),)
+
+    def _address(self, value: Any, axes: dict[str, int]) -> int:
+        if self.record is not None:
+            if type(value) is not self.record:
+                raise TypeError(f"{self.name} is {_kind(value)}, not {self.record.__name__}")
+            for name in self.lengths:
+                length = getattr(value, name)
+                if axes.setdefault(name, length) != length:
+                    raise self._unequal(name, length, axes)
+            return ctypes.addressof(value)
+        if not isinstance(value, np.ndarray) or value.dtype != self.kind:
+            raise TypeError(f"{self.name} is {_kind(value)}, not an array of {self.kind}")
+        flags = value.flags
+        if not (flags.c_contiguous and flags.aligned):
+            raise TypeError(f"{self.name} does not lie in one piece, row after row")
+        if self.written and not flags.writeable:
+            raise TypeError(f"{self.name} is to be written, and is read-only")
+        if self.axes is not None:
+            shape = value.shape
+            if len(shape) != len(self.axes):
+                raise TypeError(f"{self.name} has {len(shape)} axes, not {len(self.axes)}")
+            for length, (axis, more) in zip(shape, self.axes):  # noqa: B905  # as long: checked
+                if axes.setdefault(axis, length - more) != length - more:
+                    raise self._unequal(axis, length - more, axes)
+        return ctypes.c_void_p.from_address(id(value) + _DATA).value or 0
+
+    def _unequal(self, axis: str, length: int, axes: dict[str, int]) -> TypeError:
+        return TypeError(f"{self.name} has {length} {axis}, others have {axes[axis]}")
+
+
+@dataclass(frozen=True)
+class Together:
+    """Arrays that a loop is given as one, a NamedTuple. To machine code its fields come one by one:
+    so LLVM passes a tuple's members."""
+
+    name: str
+    kind: type[tuple[Any, ...]]
+    parts: tuple[Parameter, ...]
+
+    def sized(self, _axes: set[str]) -> Together:
+        """See `Parameter.sized`: arrays have no lengths to tell."""
+        return self
+
+    def addresses(self, value: Any, axes: dict[str, int]) -> list[int]:
+        """See `Parameter.addresses`."""
+        if type(value) is not self.kind:
+            raise TypeError(f"{self.name} is {_kind(value)}, not {self.kind.__name__}")
+        return [
+            address
+            for part, each in zip(self.parts, value, strict=True)
+            for address in part.addresses(each, axes)
+        ]
+
+
+def parameter_of(name: str, hint: Any) -> Parameter | Together:
+    """A parameter from its annotation."""
+    if not (isinstance(hint, type) and issubclass(hint, tuple)):
+        return Parameter.of(name, hint)
+    fields = get_type_hints(hint, include_extras=True).items()
+    return Together(name, hint, tuple(Parameter.of(f"{name}.{n}", each) for n, each in fields))
+
+
+def told(
+    parameter: Parameter | Together,
+) -> tuple[type | None, list[tuple[np.dtype[Any], bool]]]:
+    """What numba is told of a parameter; see `nscc_runtime.loop_types.signature`."""
+    together = parameter.kind if isinstance(parameter, Together) else None
+    return together, [(part.kind, part.record is not None) for part in parameter.parts]
+
+
+def _axis(text: str) -> tuple[str, int]:
+    """An axis as declared: `slots`, or `slots+1`."""
+    name, _, more = text.partition("+")
+    return name, int(more or 0)
+
+
+def _kind(value: Any) -> str:
+    return f"an array of {value.dtype}" if isinstance(value, np.ndarray) else type(value).__name__

@@ -1,0 +1,106 @@
+"""What digital words do to the registers of pixels, or of lanes that stand for many of them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from math import inf
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.operations import Effect, Op, Phase
+
+Bits = NDArray[np.int8]
+"""0, 1 or UNKNOWN."""
+UNKNOWN = np.int8(2)
+
+
+class Digital:
+    """The `bits` (pixels,) of registers while words run, SELECT and the bus among them.
+
+    A register reads 0 where no word wrote it for more than `retention_us`; what the mask keeps a
+    word from is not written.
+    """
+
+    def __init__(
+        self, target: Target, bits: Mapping[str, NDArray[Any]], retention_us: float
+    ) -> None:
+        self.bits: dict[str, Bits] = {name: each.astype(np.int8) for name, each in bits.items()}
+        nothing = np.zeros_like(self.bits["FLAG"])
+        self.bits |= {"SELECT": nothing, "bus": nothing}
+        self.mask, self.masked = target.mask_register, target.masked_register
+        self.written_us: dict[str, Any] = dict.fromkeys(self.bits, 0.0)
+        self.retention_us, self.now_us = retention_us, 0.0
+
+    @property
+    def pixels(self) -> int:
+        """How many there are by now."""
+        return len(self.bits["FLAG"])
+
+    def read(self, name: str) -> Bits:
+        """A register, 0 where it has decayed."""
+        if self.retention_us == inf:
+            return self.bits[name]
+        kept = self.now_us - self.written_us[name] <= self.retention_us
+        return np.where(kept, self.bits[name], np.int8(0))
+
+    def write(self, name: str, value: NDArray[Any]) -> None:
+        """A register is set."""
+        self.bits[name], self.written_us[name] = value.astype(np.int8), self.now_us
+
+    def run(self, op: Op) -> None:
+        """One word that neither is analog nor compares."""
+        match op.operation.effect:
+            case Effect.FLAG_ALL:
+                self.write("FLAG", np.ones_like(self.bits["FLAG"]))
+            case Effect.FLAG_DIGITAL:
+                self.write("FLAG", self._some(op))
+            case Effect.DIGITAL:
+                self._digital(op)
+
+    def _digital(self, op: Op) -> None:
+        row = op.operation
+        if row.phase is not Phase.WRITE:
+            some = self._some(op)
+            inverted = np.where(some == UNKNOWN, UNKNOWN, 1 - some)
+            self.bits["bus"] = inverted if row.inverted else some
+        if row.phase is Phase.READ:
+            return
+        # What guards the masked register is the mask as it was before this word.
+        guard = None if self.mask is None else self.read(self.mask)
+        for name in op.destinations:
+            if name == self.masked and guard is not None:
+                self._write_where(name, guard)
+            else:
+                self.write(name, self.bits["bus"])
+
+    def _write_where(self, name: str, guard: Bits) -> None:
+        old, new, before_us = self.read(name), self.bits["bus"], self.written_us[name]
+        unsure = np.where(old == new, old, UNKNOWN)
+        self.write(name, np.where(guard == 1, new, np.where(guard == 0, old, unsure)))
+        if self.retention_us < inf:
+            self.written_us[name] = np.where(guard == 0, before_us, self.now_us)
+
+    def _some(self, op: Op) -> Bits:
+        found = np.zeros_like(self.bits["FLAG"])
+        for name in op.sources:
+            value = self.read(name)
+            found = np.where((found == 1) | (value == 1), np.int8(1), np.maximum(found, value))
+        return found
+
+    def choose(self, pixels: NDArray[np.intp]) -> None:
+        """Go on with these pixels."""
+        self.bits = {name: each[pixels] for name, each in self.bits.items()}
+        for name, each in self.written_us.items():
+            if isinstance(each, np.ndarray):
+                self.written_us[name] = each[pixels]
+
+    def merge(self) -> NDArray[np.intp]:
+        """Make one pixel of all that are alike; which one each has become."""
+        times = [each for each in self.written_us.values() if isinstance(each, np.ndarray)]
+        rows = np.stack([*self.bits.values(), *times])
+        _, first, group = np.unique(rows, axis=1, return_index=True, return_inverse=True)
+        self.choose(first)
+        return np.asarray(group.reshape(-1))

@@ -1,0 +1,191 @@
+"""What analog words do to some pixels, in float64 with the effects that are on."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.chips.target import Target
+from nscc.operations import OPERATIONS, Effect
+from nscc.words.container import Container
+from nscc_runtime.effects import Selection
+from nscc_runtime.effects.parts import Errors
+from nscc_runtime.effects.sensor import Sensor
+from nscc_runtime.effects.views import Pixels, Word
+from nscc_runtime.frame_file import Frame, converted
+from nscc_runtime.interface import Exposure
+from nscc_runtime.noise import key, uniforms
+from nscc_runtime.pool import in_strips, threads_of
+from nscc_runtime.reference.charge import Fallen
+from nscc_runtime.reference.marks import Marks
+from nscc_runtime.reference.resets import Resets
+from nscc_runtime.reference.trace import RunningWord
+from nscc_runtime.reference.weights import error_sign
+
+Values = NDArray[np.float64]
+Bits = NDArray[np.bool_]
+Marked = tuple[Values, NDArray[np.uint8]]
+"""Exposures (buckets, pixels), and what cut them off (`nscc_runtime.effects.marks`)."""
+
+CELLS = 1 << 21
+"""Most slots x pixels in work at once: some ten arrays of that size are alive then."""
+START = 0
+"""The stream of what registers hold when a frame starts; effects have streams from 1."""
+
+
+def readout_waits_s(container: Container) -> NDArray[np.float64]:
+    """How long values of buckets (buckets,) wait for their readouts, one after the other."""
+    order = {readout.bucket: i for i, readout in enumerate(container.readouts)}
+    readout_us = container.target.readout_us
+    return np.array([order[b] * readout_us * 1e-6 for b in container.buckets], np.float64)
+
+
+def most_destinations(target: Target) -> int:
+    """By how much the numbers of the draws of two words differ: at least what a word writes.
+
+    Draws of errors are numbered word by word, destination by destination; by a power of two, so
+    that few words of a target's own change the draws of the others.
+    """
+    rows = (*OPERATIONS, *target.words)
+    most = max(row.destinations[1] or 0 for row in rows if row.effect is Effect.BUS)
+    return 1 << (most - 1).bit_length()
+
+
+def in_rows(
+    fall: Callable[[range], Fallen],
+    run: Callable[[range, Fallen], Marked],
+    rows: range,
+    shape: tuple[int, int, int],
+    threads: int | None,
+) -> Exposure:
+    """Consecutive rows of a frame, strip by strip: `run` makes exposures of a strip of what `fall`
+    lets fall on it. `shape`: buckets, cols, and the slots or intervals that are in work at once."""
+    buckets, cols, slots = shape
+    exposure = np.empty((buckets, len(rows), cols))
+    saturated_by = np.empty(exposure.shape, np.uint8)
+    valid = np.empty((len(rows), cols), np.bool_)
+
+    def fill(part: range) -> None:
+        fallen = fall(part)
+        found, marked = run(part, fallen)
+        chunk = slice(part.start - rows.start, part.stop - rows.start)
+        exposure[:, chunk] = found.reshape(-1, len(part), cols)
+        saturated_by[:, chunk] = marked.reshape(-1, len(part), cols)
+        valid[chunk] = fallen.valid
+
+    in_strips(fill, rows, CELLS // (slots * cols), threads_of(threads))
+    return Exposure(exposure, np.isfinite(exposure) & valid, saturated_by)
+
+
+def converted_frames(
+    expose: Callable[[int], Exposure],
+    container: Container,
+    sensor: Sensor,
+    effects: Selection,
+    seeds: tuple[int, int],
+    count: int,
+) -> Iterator[Frame]:
+    """Frames 0 .. `count` - 1, read out; `seeds` are those of their noise and of the device."""
+    for number in range(count):
+        yield converted(expose(number), container.target, sensor, effects, seeds, number)
+
+
+@dataclass(eq=False, kw_only=True)
+class WordPixels(Pixels):
+    """Some pixels while the words of one frame run. All arrays are (pixels,)."""
+
+    container: Container
+    effects: Selection
+
+    def __post_init__(self) -> None:
+        self.at, self.target = self.effects.at, self.container.target
+        self.most = most_destinations(self.target)
+        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
+        names = ("PIX", *self.target.analog_registers)
+        start = {name: self.arbitrary(i) for i, name in enumerate(names)}
+        # Well inside the range, so that a program that reads what it has not written is far off.
+        self.charge = start.pop("PIX") * self.sensor.full_well_e / 2
+        self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
+        self.resets = Resets(self.effects, len(self.places))
+        self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
+
+    def arbitrary(self, group: int) -> Values:
+        """Uniform numbers, fixed by the device, of which a register's first value is made."""
+        return uniforms(key(self.device_seed, START, group=group), self.places)
+
+    @abstractmethod
+    def draw(self, name: str, number: int) -> Values:
+        """The unit normal error of an effect in a draw of its words."""
+
+    def error(self, name: str, word: Word, destination: int = 0) -> Values:
+        number = word.number
+        if self.errors_at.get(name) == "words":
+            number = number * self.most + destination
+        return self.draw(name, number)
+
+    def fall(self, charge: Values) -> None:
+        """Charge falls on PIX."""
+        self.charge = self.marks.fallen(self, self.charge + charge)
+
+    def hold(self, seconds: float) -> None:
+        """Registers hold their values for so long."""
+        for held in self.at("hold"):
+            kept = held(self, seconds)
+            self.register = {name: value * kept for name, value in self.register.items()}
+
+    def reset(self, word: RunningWord, here: Bits) -> None:
+        """PIX is emptied there."""
+        self.charge = np.where(here, 0.0, self.charge)
+        self.marks.empty(here)
+        self.resets.reset(self, here, word, word.boundary)
+
+    def total(self, word: RunningWord) -> Values:
+        """The sum of a word's sources."""
+        total = np.zeros(len(self.places))
+        for name in word.op.sources:
+            if name == "IN":
+                total += word.in_e
+            elif name == "PIX":
+                level = self.resets.found(self, self.charge, word, word.boundary)
+                for found in self.at("reads"):
+                    level = found(self, level, word)
+                total += level
+            else:
+                total += self.source(name)
+        return total
+
+    def source(self, name: str) -> Values:
+        """What a word reads of an analog register."""
+        return self.register[name]
+
+    def bus(self, word: RunningWord, here: Bits) -> None:
+        """The destinations of a word get the sum of its sources there."""
+        result, at = self.total(word) / -word.op.operation.divisor, word.boundary
+        full, lost = self.marks.gathered(word.op, self.resets.unseen(at), self.resets.lit(at))
+        for index, name in enumerate(word.op.destinations):
+            value = result
+            for written in self.at("words"):
+                value = written(self, value, word, index, error_sign(name, self.container))
+            value, lost_here = self.marks.held(self, value, lost)
+            self.register[name] = np.where(here, value, self.register[name])
+            self.marks.write(name, here, full, lost_here)
+
+    def read_out(self) -> Marked:
+        """The exposures of the frame, and what cut them off."""
+        exposures = np.empty((len(self.container.buckets), len(self.places)))
+        marked = np.empty(exposures.shape, np.uint8)
+        stays = self.container.pictures is not None  # images are made of it before readout
+        for order, readout in enumerate(self.container.readouts):
+            value = self.register[readout.register] * readout.gain
+            for held in () if stays else self.at("hold"):
+                value = value * held(self, order * self.target.readout_us * 1e-6)
+            bucket = self.container.buckets.index(readout.bucket)
+            for leaves in () if stays else self.at("readout"):
+                value = leaves(self, value, bucket)
+            exposures[bucket] = value + 0.0  # -0 + 0 is +0
+            marked[bucket] = self.marks.read_out(readout.register, readout.gain)
+        return exposures, marked

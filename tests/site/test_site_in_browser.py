@@ -1,0 +1,151 @@
+"""The built site in Chromium: nothing scrolls sideways or is cut, at eight widths."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+SITE = Path(__file__).resolve().parents[2] / "build" / "site"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+BROWSER = next(filter(None, map(shutil.which, BROWSERS)), None)
+PAGES = (
+    "docs/index.html", "docs/start.html", "docs/language.html", "docs/emulator.html",
+    "docs/python.html", "docs/reference/python.html", "docs/generated/gallery.html",
+    "docs/generated/gallery/hdr_2x2.html", "docs/generated/commands.html",
+    "docs/generated/effects.html", "docs/tutorials/hdr_photo.html", "docs/tutorials/train.html",
+    "docs/tutorials/own_pictures.html", "README.html",
+)  # fmt: skip
+WIDTHS = (360, 390, 800, 1024, 1180, 1280, 1440, 1920)
+SCHEMES = ("light", "dark")
+
+pytestmark = [
+    pytest.mark.site,
+    pytest.mark.skipif(BROWSER is None, reason="no Chromium: `.ci/browser` installs it"),
+    pytest.mark.skipif(not SITE.is_dir(), reason="no site: `make docs` builds it"),
+]
+
+CUT = """() => {
+  const scrolls = e => e.parentElement.closest('pre, .table-wrapper, .output');
+  const box = e => e.getBoundingClientRect();
+  const article = document.querySelector('article');
+  return [...article.querySelectorAll('*')]
+    .filter(e => e.getClientRects().length && !scrolls(e) && !e.closest('svg'))
+    .filter(e => box(e).right > box(article).right + 1 || box(e).left < 0)
+    .map(e => `${e.tagName} ${e.className} ${e.textContent.trim().slice(0, 40)}`);
+}"""
+CODE = """() => [...document.querySelectorAll('article .highlight')]
+  .map(e => [e, e.parentElement.parentElement].map(each => each.getBoundingClientRect().right))
+  .filter(([box, text]) => box > text + 1)"""
+PICTURES = """() => [...document.querySelectorAll('article img')]
+  .filter(e => e.getClientRects().length)
+  .map(e => {
+    const dark = e.closest('.only-dark') || e.classList.contains('only-dark');
+    const light = e.closest('.only-light') || e.classList.contains('only-light');
+    return [e.getAttribute('src'), e.complete && e.naturalWidth > 0, Boolean(dark), Boolean(light),
+            getComputedStyle(e).backgroundColor];
+  })"""
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as run:
+        found = run.chromium.launch(executable_path=BROWSER, args=["--no-sandbox"])
+        yield found
+        found.close()
+
+
+@pytest.fixture
+def opened(browser: Any, request: pytest.FixtureRequest) -> Iterator[Any]:
+    """A page of the browser with the width and the scheme that the test names."""
+    width, scheme = request.param
+    context = browser.new_context(viewport={"width": width, "height": 900}, color_scheme=scheme)
+    yield context.new_page()
+    context.close()
+
+
+LOOKS = [pytest.param((w, s), id=f"{w}-{s}") for w in WIDTHS for s in SCHEMES]
+
+
+@pytest.mark.parametrize("opened", LOOKS, indirect=True)
+def test_nothing_scrolls_sideways_or_is_cut(opened: Any) -> None:
+    width = opened.viewport_size["width"]
+    wrong = []
+    for name in PAGES:
+        opened.goto((SITE / name).as_uri())
+        whole = opened.evaluate("document.documentElement.scrollWidth")
+        if whole > width:
+            wrong.append(f"{name}: {whole} pixels")
+        wrong += [f"{name}: {text}" for text in opened.evaluate(CUT)[:3]]
+        wrong += [f"{name}: code to {box}, text to {text}" for box, text in opened.evaluate(CODE)]
+    assert not wrong
+
+
+@pytest.mark.parametrize("opened", [(1280, "light"), (1280, "dark")], indirect=True)
+def test_pictures_are_there_and_legible(opened: Any) -> None:
+    """Those of one look alone have a white ground in the dark; of two, one is shown."""
+    is_dark = opened.evaluate("matchMedia('(prefers-color-scheme: dark)').matches")
+    count = 0
+    for name in PAGES:
+        opened.goto((SITE / name).as_uri())
+        for source, loaded, dark, light, ground in opened.evaluate(PICTURES):
+            count += 1
+            assert loaded, f"{name}: {source}"
+            assert not (light if is_dark else dark), f"{name}: {source}"
+            if is_dark and not dark:
+                assert ground == "rgb(255, 255, 255)", f"{name}: {source}"
+    assert count > 40
+
+
+@pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
+def test_what_is_copied_has_no_prompt(opened: Any) -> None:
+    """By the button, as the clipboard gets it."""
+    opened.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    opened.goto((SITE / "docs/start.html").as_uri())
+    opened.evaluate(
+        "() => { window.copied = [];"
+        "document.addEventListener('copy', () => copied.push(document.activeElement.value)); }"
+    )
+    buttons = opened.locator("button.copybtn")
+    assert buttons.count() > 5
+    for k in range(buttons.count()):
+        buttons.nth(k).click(force=True)
+    shown = opened.locator("div.highlight:has(button.copybtn) pre").all_inner_texts()
+    assert any(text.startswith("$ ") for text in shown)
+    copied = opened.evaluate("copied")
+    assert len(copied) == len(shown)
+    assert not any("$ " in text for text in copied)
+    assert "nscc check examples/hdr_2x2.nsl" in [text.strip() for text in copied]
+
+
+@pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
+def test_logo_icon_and_links_of_the_home_page(opened: Any) -> None:
+    opened.goto((SITE / "docs/index.html").as_uri())
+    assert opened.evaluate("document.querySelector('.sidebar-logo').naturalWidth") > 0
+    icon = opened.evaluate("document.querySelector('link[rel=icon]').href")
+    assert Path(icon.removeprefix("file://")).is_file()
+    links = opened.evaluate("[...document.querySelectorAll('article .card a')].map(e => e.href)")
+    assert len(links) >= 6
+    for link in links:
+        assert Path(link.removeprefix("file://").partition("#")[0]).is_file(), link
+    assert "10.1109/TPAMI.2020.2986944" in opened.content()
+
+
+@pytest.mark.parametrize("opened", [(1280, "light")], indirect=True)
+def test_gallery_and_notebooks(opened: Any) -> None:
+    """No page is endless; each example has a page of its own, each tutorial a notebook."""
+    examples = {path.stem for path in (SITE.parents[1] / "examples").glob("*.nsl")}
+    pages = {path.stem for path in (SITE / "docs/generated/gallery").glob("*.html")}
+    assert pages == examples
+    opened.goto((SITE / "docs/generated/gallery.html").as_uri())
+    assert opened.evaluate("document.documentElement.scrollHeight") < 8000
+    for name in ("train", "hdr_photo", "own_pictures"):
+        opened.goto((SITE / f"docs/tutorials/{name}.html").as_uri())
+        [link] = opened.evaluate("[...document.querySelectorAll('a.download')].map(e => e.href)")
+        assert link.endswith(f"{name}.ipynb")
+        assert Path(link.removeprefix("file://")).is_file()

@@ -1,0 +1,62 @@
+"""GAP-TV: clips from coded frames by total variation, for arrays of numpy and of torch."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from nscc_training.baselines.tv import tv_denoised_arrays
+from nscc_training.measured import Array, Measured, namespace
+
+START = 20
+"""Iterations of GAP-TV at the start of decoders."""
+WEIGHT, INNER, TIME = 0.1, 5, 0.3
+"""The weight of total variation, iterations of the denoiser, and the weight of differences between
+frames relative to those between pixels, because objects move."""
+_FAR = 1.0
+"""Standard deviation of the clip's error that GAP-TV assumes, so large that frames are fitted
+exactly."""
+
+
+def gap_tv_of(
+    measured: Measured[Array], iterations: int = START, *, weight: float = WEIGHT,
+    start: Array | None = None,
+) -> tuple[Array, Array]:  # fmt: skip
+    """Generalised alternating projection with total variation (Yuan 2016), accelerated.
+
+    The default start is a static clip, with each pixel's light spread over the frame: from a dark
+    start, slots that no pixel recorded would stay about a fifth too dark (64 slots).
+
+    Returns
+    -------
+    tuple
+        The clip (batch, N, rows, cols), and its target as `gap_step` takes it. Frames may have
+        several buckets, saturated and noisy pixels.
+    """
+    of, target = namespace(measured.value), measured.value
+    sigma: Array = of.full_like(measured.value[:, 0, 0, 0], _FAR)
+    if start is None:
+        mean = measured.mean()
+        start = of.stack([mean] * measured.mask.shape[2], 1)
+    clip: Array = start
+    for _ in range(iterations):
+        clip, target = gap_step(measured, clip, target, sigma)
+        clip = _denoised(clip, weight)
+    return clip, target
+
+
+def gap_step(
+    measured: Measured[Array], clip: Array, target: Array, sigma: Array
+) -> tuple[Array, Array]:
+    """Return the clip after a step towards the frames, and the updated target."""
+    predicted = measured.of(clip)
+    target = target + measured.missing(predicted, measured.value) * measured.trust(sigma)
+    return clip + measured.correction(measured.missing(predicted, target), sigma), target
+
+
+def _denoised(clip: Array, weight: float) -> Array:
+    if isinstance(clip, np.ndarray):
+        return tv_denoised_arrays(clip, weight, INNER, TIME)
+    from nscc_training.baselines.tensor_tv import tv_denoised
+
+    denoised: Array = tv_denoised(clip, weight, INNER, TIME).to(clip)
+    return denoised

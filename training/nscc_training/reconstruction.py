@@ -1,0 +1,56 @@
+"""What a decoder makes of a frame, and doubts about it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from nscc.diagnostics.diagnostic import Diagnostic, Severity
+from nscc_runtime.formats import Content
+
+_OVEREXPOSED = 0.25
+"""Fraction of saturated pixels above which a warning is given."""
+
+
+@dataclass(frozen=True, eq=False)
+class Reconstruction:
+    """A picture (rows, cols) in electrons over the frame, or a clip (T, rows, cols) in electrons
+    per slot, float32. With `colour` the last axis is red, green, blue. `messages` are warnings
+    about the frame; `decode_s` is the decoding time in seconds; `method` names the method of the
+    decoder for any code."""
+
+    light: NDArray[np.float32]
+    still: bool
+    colour: bool
+    messages: tuple[Diagnostic, ...]
+    decode_s: float
+    method: str = ""
+
+    @property
+    def content(self) -> Content:
+        """The reconstruction for every format that it can be written in."""
+        arrays = {"image" if self.still else "video": self.light}
+        if self.method:
+            arrays["method"] = np.array(self.method)
+        # Time is the last axis of clips in MATLAB.
+        turned = arrays if self.still else arrays | {"video": np.moveaxis(self.light, 0, -1)}
+        return Content(
+            arrays, self.light, not self.still, self.colour, benchmark=lambda: turned,
+            usual="log" if self.still else "srgb",
+        )  # fmt: skip
+
+
+def overexposed(name: str, saturated: NDArray[np.bool_]) -> Iterator[Diagnostic]:
+    """NS0844, a warning, where most of a frame's pixels are saturated."""
+    part = float(saturated.mean()) if saturated.size else 0.0
+    if part > _OVEREXPOSED:
+        yield Diagnostic(
+            "NS0844",
+            f"{100 * part:.3g} % of the pixels of '{name}' are saturated",
+            severity=Severity.WARNING,
+            notes=("of these a decoder knows only that there was so much light or more",),
+            helps=("expose the scene for less light, or with shutters some of which close early",),
+        )  # fmt: skip
