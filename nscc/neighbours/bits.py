@@ -10,6 +10,9 @@ from nscc.words import pictures as p
 
 _OF_STEP = {step: name for name, step in STEERING.items()}
 Offset = tuple[int, int]
+Kept = tuple[str, str | None]
+"""A register that holds a bit, and the plane whose register it is; None for one that only whoever
+has it reads."""
 
 
 class BitWords:
@@ -36,13 +39,12 @@ class BitWords:
 
     def declare(self, name: str, node: p.Condition) -> None:
         """Computes a plane, and keeps it while it is read."""
-        register, mine = self.bit(node)
-        if not mine:
-            copy = self.take()
-            self.lowering.word(op("MOV", [copy], [register]))
-            register = copy
+        register, owner = self.bit(node)
+        if owner is not None:
+            register = self._made("MOV", [register], [(register, owner)])
         self.planes[name] = register
-        self._release(name)
+        self.uses[name] = self.uses.get(name, 0) + 1
+        self.give((register, name))
 
     def take(self) -> str:
         """A register that is free."""
@@ -51,54 +53,49 @@ class BitWords:
             raise Refused("planes", self.lowering.now, count + 1, count)
         return self.free.pop(0)
 
-    def give(self, register: str, mine: bool) -> None:
-        """A register whose bit nobody reads any more."""
-        if mine:
+    def give(self, *bits: Kept) -> None:
+        """Bits have been read; their registers are free where nothing else reads them."""
+        for register, owner in bits:
+            if owner is not None:
+                self.uses[owner] -= 1
+                if self.uses[owner]:
+                    continue
+                del self.planes[owner]
             self.free.append(register)
             self.free.sort(key=self.available.index)
 
-    def _release(self, name: str) -> None:
-        if not self.uses.get(name):
-            self.give(self.planes.pop(name), True)
-
     def to_flag(self, node: p.Condition) -> None:
         """FLAG is 1 where a condition is."""
-        register, mine = self.bit(node)
-        self.lowering.word(op("WHERE", [], [register]))
-        self.give(register, mine)
+        bit = self.bit(node)
+        self.lowering.word(op("WHERE", [], [bit[0]]))
+        self.give(bit)
 
-    def bit(self, node: p.Condition) -> tuple[str, bool]:
-        """The register of a condition, and whether nobody else reads it."""
+    def bit(self, node: p.Condition) -> Kept:
+        """Where a condition is."""
         match node:
             case p.Bit():
-                self.uses[node.name] -= 1
-                register = self.planes[node.name]
-                if self.uses[node.name]:
-                    return register, False
-                del self.planes[node.name]
-                return register, True
+                return self.planes[node.name], node.name
             case p.Constant():
                 register = self.take()
                 self.lowering.word(op("SET" if node.bit else "CLR", [register]))
-                return register, True
+                return register, None
             case p.Above():
-                return self._above(node), True
+                return self._above(node), None
             case p.Inverse():
-                register, mine = self.bit(node.condition)
-                return self._made("NOT", [register], [(register, mine)]), True
+                inner = self.bit(node.condition)
+                return self._made("NOT", [inner[0]], [inner]), None
             case p.Joined():
-                return self._joined(node), True
+                return self._joined(node), None
             case p.At():
-                return self._at(node), True
+                return self._at(node), None
             case p.Near():
-                return self._near(node), True
+                return self._near(node), None
 
-    def _made(self, name: str, sources: Sequence[str], used: Sequence[tuple[str, bool]]) -> str:
+    def _made(self, name: str, sources: Sequence[str], used: Sequence[Kept]) -> str:
         """A register that a word fills; the bits that were `used` are then given back."""
         target = self.take()
         self.lowering.word(op(name, [target], sources))
-        for register, mine in used:
-            self.give(register, mine)
+        self.give(*used)
         return target
 
     def _above(self, node: p.Above) -> str:
@@ -121,26 +118,24 @@ class BitWords:
         left, right = self.bit(node.left), self.bit(node.right)
         a, b = left[0], right[0]
         if a == b:
-            made = self._made("CLR" if node.op == "xor" else "MOV",
-                              [] if node.op == "xor" else [a], [left])  # fmt: skip
-            return made
+            name, sources = ("CLR", []) if node.op == "xor" else ("MOV", [a])
+            return self._made(name, sources, [left, right])
         if node.op == "or":
             return self._made("OR", [a, b], [left, right])
         not_a = self._made("NOT", [a], [])
         not_b = self._made("NOT", [b], [])
-        both = self._made("NOR", [not_a, not_b], [(not_a, True), (not_b, True)])
+        both = self._made("NOR", [not_a, not_b], [(not_a, None), (not_b, None)])
         if node.op == "and":
-            self.give(*left)
-            self.give(*right)
+            self.give(left, right)
             return both
         neither = self._made("NOR", [a, b], [left, right])
-        return self._made("NOR", [both, neither], [(both, True), (neither, True)])
+        return self._made("NOR", [both, neither], [(both, None), (neither, None)])
 
     # --- neighbours
 
-    def _steer(self, step: Offset | None, steps: frozenset[Offset] = frozenset()) -> None:
+    def _steer(self, steps: frozenset[Offset]) -> None:
         """R1..R4 choose these neighbours, in all pixels."""
-        wanted = frozenset(_OF_STEP[each] for each in (steps or {step} if step else steps))
+        wanted = frozenset(_OF_STEP[each] for each in steps)
         if wanted == self.steered:
             return
         self.lowering.word(op("CLR", list(STEERING)))
@@ -149,41 +144,40 @@ class BitWords:
 
     def _look(self, register: str, outside: int, steps: frozenset[Offset]) -> str:
         """The OR of the bits of these neighbours."""
-        self._steer(None, steps)
+        self._steer(steps)
         return self._made("DNEWS1" if outside else "DNEWS0", [register], [])
 
-    def _moved(self, register: str, outside: int, at: Offset) -> tuple[str, bool]:
-        """The bit of the pixel so far away, one step at a time."""
+    def _moved(self, register: str, outside: int, at: Offset) -> str:
+        """The bit of the pixel so far away, one step at a time; a register of its own."""
         x, y = at
         steps = [(1 if x > 0 else -1, 0)] * abs(x) + [(0, 1 if y > 0 else -1)] * abs(y)
-        mine = False
+        moved = None
         for step in steps:
-            moved = self._look(register, outside, frozenset({step}))
-            self.give(register, mine)
-            register, mine = moved, True
-        return register, mine
+            seen = self._look(moved or register, outside, frozenset({step}))
+            if moved is not None:
+                self.give((moved, None))
+            moved = seen
+        return moved or self._made("MOV", [register], [])
 
     def _at(self, node: p.At) -> str:
-        register, mine = self.bit(node.condition)
+        bit = self.bit(node.condition)
         outside = self.lowering.pictures.outside or 0
-        moved, own = self._moved(register, outside, (node.right, node.down))
-        if not own:
-            moved = self._made("MOV", [register], [])
-        self.give(register, mine)
+        moved = self._moved(bit[0], outside, (node.right, node.down))
+        self.give(bit)
         return moved
 
     def _near(self, node: p.Near) -> str:
         """`any`: the OR of neighbours; `all`: the inverse of any of the inverse."""
         offsets = set(self.lowering.weights[node.kernel].taps)
         outside = self.lowering.pictures.outside or 0
-        register, mine = self.bit(node.condition)
+        bit = self.bit(node.condition)
         if node.kind == "all":
-            register, mine = self._made("NOT", [register], [(register, mine)]), True
+            bit = self._made("NOT", [bit[0]], [bit]), None
             outside = 1 - outside
-        found = self._any(register, outside, offsets)
-        self.give(register, mine)
+        found = self._any(bit[0], outside, offsets)
+        self.give(bit)
         if node.kind == "all":
-            return self._made("NOT", [found], [(found, True)])
+            return self._made("NOT", [found], [(found, None)])
         return found
 
     def _any(self, register: str, outside: int, offsets: set[Offset]) -> str:
@@ -192,7 +186,7 @@ class BitWords:
         if len(rows) > 1 and len(cols) > 1 and len(offsets) == len(rows) * len(cols):
             line = self._line(register, outside, {(x, 0) for x in cols})
             found = self._line(line, outside, {(0, y) for y in rows})
-            self.give(line, True)
+            self.give((line, None))
             return found
         return self._line(register, outside, offsets)
 
@@ -202,21 +196,19 @@ class BitWords:
         near = frozenset(offsets & set(_OF_STEP))
         parts = [self._look(register, outside, near)] if near else []
         for at in sorted(offsets - near - {(0, 0)}):
-            parts.append(self._moved(register, outside, at)[0])
-        total = parts.pop(0) if parts else None
-        for part in parts:
+            parts.append(self._moved(register, outside, at))
+        if not parts:
+            return self._made("MOV", [register], [])
+        total, *others = parts
+        for part in others:
             total = self._or(total, part)
         if (0, 0) in offsets:
-            if total is None:
-                return self._made("MOV", [register], [])
-            return self._made("OR", [total, register], [(total, True)])
-        assert total is not None
+            return self._made("OR", [total, register], [(total, None)])
         return total
 
-    def _or(self, first: str | None, second: str) -> str:
+    def _or(self, first: str, second: str) -> str:
         """The OR of two bits of ours, in the place of the first."""
-        assert first is not None
         for word in pair("OR", first, [first, second]):
             self.lowering.word(word)
-        self.give(second, True)
+        self.give((second, None))
         return first

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
@@ -59,99 +58,97 @@ def reaches(pictures: p.Pictures) -> dict[str, Reach]:
 
 
 class Meaning:
-    """The images and planes of a text on the array of `forms`, by name."""
+    """The images and planes of a text on the array of `forms`.
+
+    Images are also defined beyond the array, where they depend on light there: a kernel may reach
+    over the border and another one back. Bits beyond it are the text's `outside`.
+    """
 
     def __init__(self, pictures: p.Pictures, forms: Forms) -> None:
-        self.pictures, self.forms, self.weights = pictures, forms, pictures.weights_by_name
-        self.images: dict[str, Fields] = {}
-        self.planes: dict[str, Bits] = {}
-        for bucket in pictures.limits_e:
-            self.images[bucket] = {
-                place: forms.exposure(bucket, *place) for place in forms.places()
-            }
-        for item in pictures.items:
-            if isinstance(item.node, p.Condition):
-                self.planes[item.name] = self.bits(item.node)
-            else:
-                self.images[item.name] = self.fields(item.node)
+        self.forms, self.weights = forms, pictures.weights_by_name
+        self.nodes = {item.name: item.node for item in pictures.items}
+        diagrams = forms.diagrams
+        self.outside = diagrams.one if pictures.outside else diagrams.zero
+        self._images: dict[tuple[int, Place], Form] = {}
+        self._bits: dict[tuple[int, Place], int] = {}
 
-    def fields(self, value: p.Value) -> Fields:
-        """An image of every pixel."""
-        forms = self.forms
+    def value(self, name: str, at: Place) -> Form | int:
+        """What an image, a plane or a bucket is at a pixel of the array."""
+        node = self.nodes.get(name)
+        if node is None:
+            return self.forms.exposure(name, *at)
+        return self.bit(node, at) if isinstance(node, p.Condition) else self.image(node, at)
+
+    def image(self, value: p.Value, at: Place) -> Form:
+        """An image at a place."""
+        found = self._images.get((id(value), at))
+        if found is None:
+            found = self._images[id(value), at] = self._image(value, at)
+        return found
+
+    def _image(self, value: p.Value, at: Place) -> Form:
+        forms, (x, y) = self.forms, at
         match value:
             case p.Source():
-                return self.images[value.name]
+                node = self.nodes.get(value.name)
+                if node is not None:
+                    assert not isinstance(node, p.Condition)
+                    return self.image(node, at)
+                return forms.exposure(value.name, x, y) if forms.inside(x, y) else forms.beyond()
             case p.Sum():
-                parts = [(factor, self.fields(part)) for factor, part in value.terms]
-                return {
-                    at: forms.sum(*((factor, part[at]) for factor, part in parts))
-                    for at in forms.places()
-                }
+                return forms.sum(*((factor, self.image(part, at)) for factor, part in value.terms))
             case p.Filtered():
-                return self._filtered(self.weights[value.kernel].taps, self.fields(value.value))
+                taps = self.weights[value.kernel].taps.items()
+                return forms.sum(
+                    *((w, self.image(value.value, (x + dx, y + dy))) for (dx, dy), w in taps)
+                )
             case p.Absolute():
-                inner = self.fields(value.value)
-                return {
-                    at: forms.chosen(
-                        forms.positive(form, at), form, forms.sum((Fraction(-1), form))
-                    )
-                    for at, form in inner.items()
-                }  # fmt: skip
+                form = self.image(value.value, at)
+                return forms.chosen(forms.positive(form, at), form, forms.sum((Fraction(-1), form)))
             case p.Chosen():
-                bits = self.bits(value.condition)
-                then, otherwise = self.fields(value.then), self.fields(value.otherwise)
-                return {at: forms.chosen(bits[at], then[at], otherwise[at]) for at in bits}
+                if not forms.inside(x, y):
+                    return forms.beyond()
+                bit = self.bit(value.condition, at)
+                return forms.chosen(
+                    bit, self.image(value.then, at), self.image(value.otherwise, at)
+                )
         assert_never(value)
 
-    def _filtered(self, taps: Mapping[Place, Fraction], inner: Fields) -> Fields:
-        forms = self.forms
-        found = {}
-        for x, y in forms.places():
-            near = ((weight, (x + right, y + down)) for (right, down), weight in taps.items())
-            terms = [(weight, inner[at] if at in inner else forms.beyond()) for weight, at in near]
-            found[x, y] = forms.sum(*terms)
+    def bit(self, condition: p.Condition, at: Place) -> int:
+        """A plane at a place."""
+        if not self.forms.inside(*at):
+            return self.outside
+        found = self._bits.get((id(condition), at))
+        if found is None:
+            found = self._bits[id(condition), at] = self._bit(condition, at)
         return found
 
-    def bits(self, condition: p.Condition) -> Bits:
-        """A plane of every pixel."""
-        forms, diagrams = self.forms, self.forms.diagrams
+    def _bit(self, condition: p.Condition, at: Place) -> int:
+        forms, diagrams, (x, y) = self.forms, self.forms.diagrams, at
         match condition:
             case p.Bit():
-                return self.planes[condition.name]
+                node = self.nodes[condition.name]
+                assert isinstance(node, p.Condition)
+                return self.bit(node, at)
             case p.Constant():
-                leaf = diagrams.one if condition.bit else diagrams.zero
-                return dict.fromkeys(forms.places(), leaf)
+                return diagrams.one if condition.bit else diagrams.zero
             case p.Above():
                 level = {IN: diagrams.leaf(Fraction(-condition.steps))} if condition.steps else {}
-                return {
-                    at: forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
-                    for at, form in self.fields(condition.value).items()
-                }
+                form = self.image(condition.value, at)
+                return forms.positive(forms.sum((Fraction(1), form), (Fraction(1), level)), at)
             case p.Inverse():
-                inner = self.bits(condition.condition)
-                return {at: diagrams.inverse(bit) for at, bit in inner.items()}
+                return diagrams.inverse(self.bit(condition.condition, at))
             case p.Joined():
                 join = {"and": diagrams.times, "or": diagrams.either, "xor": diagrams.differs}
-                left, right = self.bits(condition.left), self.bits(condition.right)
-                return {at: join[condition.op](left[at], right[at]) for at in left}
+                left, right = self.bit(condition.left, at), self.bit(condition.right, at)
+                return join[condition.op](left, right)
             case p.At():
-                inner = self.bits(condition.condition)
-                return self._near(inner, [(condition.right, condition.down)], every=False)
+                return self.bit(condition.condition, (x + condition.right, y + condition.down))
             case p.Near():
-                inner = self.bits(condition.condition)
-                taps = list(self.weights[condition.kernel].taps)
-                return self._near(inner, taps, every=condition.kind == "all")
+                every = condition.kind == "all"
+                found = diagrams.one if every else diagrams.zero
+                for dx, dy in self.weights[condition.kernel].taps:
+                    near = self.bit(condition.condition, (x + dx, y + dy))
+                    found = diagrams.times(found, near) if every else diagrams.either(found, near)
+                return found
         assert_never(condition)
-
-    def _near(self, inner: Bits, offsets: list[Place], *, every: bool) -> Bits:
-        """Whether every, or any, of a pixel's neighbours at these places has a 1."""
-        diagrams = self.forms.diagrams
-        outside = diagrams.one if self.pictures.outside else diagrams.zero
-        found = {}
-        for x, y in self.forms.places():
-            bit = diagrams.one if every else diagrams.zero
-            for right, down in offsets:
-                near = inner.get((x + right, y + down), outside)
-                bit = diagrams.times(bit, near) if every else diagrams.either(bit, near)
-            found[x, y] = bit
-        return found

@@ -21,6 +21,7 @@ from nscc.prove.forms import IN, Form, Forms
 from nscc.prove.meaning import Bits, Fields, Meaning, Reach, reaches
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
+from nscc.words.pictures import Condition
 
 
 class Wrong(Exception):
@@ -63,16 +64,15 @@ def _difference(
     for name in pictures.wanted:
         register = pictures.registers.get(name, "")
         held: Fields | Bits | None = replay.analog.get(register)
-        meant: Fields | Bits | None = meaning.images.get(name)
-        if name in meaning.planes:
-            held, meant = replay.digital.get(register), meaning.planes[name]
-        if held is None or meant is None:
+        if isinstance(meaning.nodes.get(name), Condition):
+            held = replay.digital.get(register)
+        if held is None:
             return f"no register holds `{name}`"
         for at in forms.places():
             if forms.depends_beyond(held[at]):
                 if at == middle:
                     return f"`{name}` depends on what is beyond every array"
-            elif held[at] != meant[at]:
+            elif held[at] != meaning.value(name, at):
                 return f"`{name}` is not what the text says"
     written = {r for op, _ in picture_words(container) for r in op.destinations}
     spoilt = written & {*container.code_registers}
