@@ -10,9 +10,10 @@ from nscc.editing.document import Document
 from nscc.source import Span
 
 Kind = Literal["name", "bucket"]
-"""Buckets have names of their own; all else that a program declares shares one set of names."""
+"""Until version 3 buckets have names of their own; all else that a program declares shares one set
+of names."""
 
-DECLARES = ("let", "code", "shutters", "sense", "state")
+DECLARES = ("let", "code", "shutters", "sense", "state", "kernel", "image", "plane")
 """After these words a statement's own name comes, which expressions may read."""
 
 
@@ -32,10 +33,10 @@ def mentions(document: Document) -> list[Mention]:
     found = []
     for index, kind in enumerate(kinds):
         before = kinds[index - 1] if index else ""
-        if kind != "NAME" or before == "key":
+        if kind not in ("NAME", "FUNCTION") or before == "key":
             continue
         kept = before == "kept" and kinds[index - 2 : index - 1] == ["state"]
-        bucket = before in ("bucket", "exposure")
+        bucket = before in ("bucket", "exposure") and tokens.version < 3
         declares = kept or before in DECLARES or before == "bucket"
         name = tokens.text(index)
         found.append(Mention(name, tokens.span(index), "bucket" if bucket else "name", declares))
