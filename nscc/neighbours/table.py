@@ -1,4 +1,4 @@
-"""Short programs of one input that a search found (`docs/kernel_programs.py`), as text.
+"""Short programs of one input, as text: found by a search (`docs/kernel_programs.py`) or by hand.
 
 `nscc.neighbours.programs.program_from_text` reads them. A row says no kernel: what it computes is
 worked out from its words.
