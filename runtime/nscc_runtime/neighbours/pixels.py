@@ -45,22 +45,22 @@ class ArrayPixels(WordPixels):
     tainted: dict[str, Bits] = field(init=False)
 
     def __post_init__(self) -> None:
-        self._arbitrary = super().arbitrary(0)
-        super().__post_init__()
-        self.register |= self.exposed
+        # Registers without an exposure hold whatever it has left: the same in all of them.
+        arbitrary = self.arbitrary(0)
+        self.begin()
+        left = arbitrary * (self.sensor.register_max_e / 2)
+        self.register = {**dict.fromkeys(self.target.analog_registers, left), **self.exposed}
         registers = (*self.target.digital_registers, "FLAG")
-        bits = {**dict.fromkeys(registers, self._arbitrary < 0.5), **self.code}
+        bits = {**dict.fromkeys(registers, arbitrary < 0.5), **self.code}
         self.digital = Digital(self.target, bits, retention_us(self.effects, self.sensor))
         self.number, self.after_us, self.in_e = 0, 0.0, 0.0
+        self._rooms: list[Values] = []
+        self._own: set[int] = set()
         pixels = len(self.places)
         self._uncut, untainted = np.zeros(pixels, np.uint8), np.zeros(pixels, np.bool_)
         cut = {name: by for name, by in self.exposed_by.items() if by.any()}
         self.cut_by = {**dict.fromkeys((*self.register, "IN"), self._uncut), **cut}
         self.tainted = dict.fromkeys((*self.register, *self.digital.bits, "IN"), untainted)
-
-    def arbitrary(self, group: int) -> Values:
-        """The same for all registers: an exposure has left them whatever it has."""
-        return self._arbitrary
 
     def draw(self, name: str, number: int) -> Values:
         effect = next(each for each in self.effects.effects if each.name == name)
@@ -122,10 +122,31 @@ class ArrayPixels(WordPixels):
                 found = found | self.tainted[name]
             self.tainted[name] = found
 
-    def source(self, name: str) -> Values:
-        if name in NEIGHBOURS:
-            return self.moved(self.register["NEWS"], *STEPS[name], beyond=0.0)
-        return self.register[name]
+    def _room(self) -> Values:
+        """An array of ours that nothing holds: new ones cost more than what is computed in them."""
+        if self._rooms:
+            return self._rooms.pop()
+        found = np.empty(len(self.places))
+        self._own.add(id(found))
+        return found
+
+    def _leave(self, values: Values) -> None:
+        """Takes an array of ours back."""
+        if id(values) in self._own:
+            self._rooms.append(values)
+
+    def total(self, word: RunningWord) -> Values:
+        found = self._room()
+        found[:] = 0.0
+        for name in word.op.sources:
+            if name in NEIGHBOURS:
+                (right, down), news = STEPS[name], self.register["NEWS"].reshape(self.shape)
+                rows, cols = self.shape
+                here = _overlap(rows, -down), _overlap(cols, -right)
+                found.reshape(self.shape)[here] += news[_overlap(rows, down), _overlap(cols, right)]
+            else:
+                found += word.in_e if name == "IN" else self.register[name]
+        return found
 
     def _bus_on_array(self, word: RunningWord) -> None:
         result = self.total(word)
@@ -136,6 +157,9 @@ class ArrayPixels(WordPixels):
             by = self._with_range(cut, value)
             for bends in self.at("registers"):
                 value = bends(self, value)
+            if index > 0 and value is result:
+                value = self._room()
+                value[:] = result
             self._store(name, value, by, taint)
 
     def _cut(self, op: Op) -> NDArray[np.uint8]:
@@ -161,18 +185,22 @@ class ArrayPixels(WordPixels):
         """A register takes a value with its marks, where FLAG is 1."""
         if name in NEIGHBOURS:
             right, down = STEPS[name]
-            value = self.moved(value, -right, -down, beyond=0.0)
+            moved = self.moved(value, -right, -down, beyond=0.0, into=self._room())
+            self._leave(value)
+            value = moved
             if by is not self._uncut:
                 by = self.moved(by, -right, -down, beyond=np.uint8(0))
             tainted = self.moved(tainted, -right, -down, beyond=True)
             name = "NEWS"
         here, doubt = self.digital.read("FLAG") == 1, self.tainted["FLAG"]
+        old = self.register[name]
         if not here.all() or doubt.any():
-            value = np.where(here, value, self.register[name])
+            np.copyto(value, old, where=~here)
             if by is not self._uncut or self.cut_by[name] is not self._uncut:
                 by = np.where(here, by, self.cut_by[name])
             tainted = np.where(here, tainted, self.tainted[name]) | doubt
         self.register[name], self.cut_by[name], self.tainted[name] = value, by, tainted
+        self._leave(old)
 
     def _written(self, result: Values, word: RunningWord, index: int, name: str) -> Values:
         """What a word writes of its exact result."""
@@ -198,10 +226,14 @@ class ArrayPixels(WordPixels):
         digital.write(op.destinations[0], found)
         self.tainted[op.destinations[0]] = tainted
 
-    def moved(self, values: NDArray[Any], right: int, down: int, *, beyond: object) -> NDArray[Any]:
+    def moved(
+        self, values: NDArray[Any], right: int, down: int, *, beyond: Any,
+        into: NDArray[Any] | None = None,
+    ) -> NDArray[Any]:  # fmt: skip
         """What the pixels so far to the right and down hold."""
         rows, cols = self.shape
-        found = np.full(self.shape, beyond, values.dtype)
+        found = (np.empty(self.shape, values.dtype) if into is None else into).reshape(self.shape)
+        found[:] = beyond
         there, here = _overlap(cols, right), _overlap(cols, -right)
         found[_overlap(rows, -down), here] = values.reshape(self.shape)[_overlap(rows, down), there]
         return found.reshape(-1)

@@ -102,9 +102,7 @@ class WordPixels(Pixels):
     effects: Selection
 
     def __post_init__(self) -> None:
-        self.at, self.target = self.effects.at, self.container.target
-        self.most = most_destinations(self.target)
-        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
+        self.begin()
         names = ("PIX", *self.target.analog_registers)
         start = {name: self.arbitrary(i) for i, name in enumerate(names)}
         # Well inside the range, so that a program that reads what it has not written is far off.
@@ -112,6 +110,12 @@ class WordPixels(Pixels):
         self.register = {name: u * self.sensor.register_max_e / 2 for name, u in start.items()}
         self.resets = Resets(self.effects, len(self.places))
         self.marks = Marks(self.effects, self.sensor, (*names, "IN"), len(self.places))
+
+    def begin(self) -> None:
+        """Looks up what does not depend on pixels."""
+        self.at, self.target = self.effects.at, self.container.target
+        self.most = most_destinations(self.target)
+        self.errors_at = {effect.name: part.at for effect, part in self.effects.having(Errors)}
 
     def arbitrary(self, group: int) -> Values:
         """Uniform numbers, fixed by the device, of which a register's first value is made."""
