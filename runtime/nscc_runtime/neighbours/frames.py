@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from nscc.operations import Op
 from nscc.words.container import Container
 from nscc.words.legality import picture_words
 from nscc.words.pictures import Pictures, Report
@@ -38,6 +39,10 @@ class PicturedProgram:
         """What is computed."""
         assert self.container.pictures is not None
         return self.container.pictures
+
+    @cached_property
+    def _words(self) -> list[tuple[Op, int | None]]:
+        return picture_words(self.container)
 
     @cached_property
     def _image_sensor(self) -> Sensor:
@@ -165,7 +170,7 @@ class PicturedProgram:
             code={name: plane.reshape(-1) for name, plane in container.planes().items()},
             shape=(shape[0], shape[1]), exposed=exposed, exposed_by=exposed_by,
         )  # fmt: skip
-        pixels.run_words(picture_words(container))
+        pixels.run_words(self._words)
         return pixels
 
 
