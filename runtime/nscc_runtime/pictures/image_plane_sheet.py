@@ -17,7 +17,7 @@ _COLUMNS = 2
 
 
 def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
-    """Images between their extreme values, planes in black and white, and reported planes."""
+    """Images between their 0.5th and 99.5th percentiles, planes in black and white, and events."""
     told, shown = frame.told, []
     for name in pictures.reads:
         if f"plane_{name}" in told:
@@ -27,7 +27,9 @@ def image_plane_sheet(pictures: Pictures, frame: Frame, title: str) -> Figure:
         elif f"image_{name}" in told:
             values = told[f"image_{name}"]
             low, high = float(values.min()), float(values.max())
-            grey = np.rint(255 * (values - low) / max(high - low, 1e-30)).astype(np.uint8)
+            low, high = (float(value) for value in np.percentile(values, (0.5, 99.5)))
+            share = np.clip((values - low) / max(high - low, 1e-30), 0.0, 1.0)
+            grey = np.rint(255 * share).astype(np.uint8)
             shown.append(Image(grey, name, f"image, {low:.4g} to {high:.4g} electrons"))
         else:
             index = [bucket for bucket in pictures.reads if bucket in pictures.limits_e].index(name)
